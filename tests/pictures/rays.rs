@@ -9,8 +9,9 @@ use crate::{
 };
 use glam::{DVec3, dvec3};
 use sightline::{
-    camera::{DepthMapping, Lens, View},
+    camera::{DepthMapping, Lens, Projection, View},
     colour::Srgb,
+    geometry::{Section, Sides},
     image::{Image, Pixel, Rgb},
     pick,
     render::{Gpu, Line, Marks, Renderer, SceneBuffers, Targets},
@@ -34,13 +35,14 @@ fn lines() -> Vec<Line> {
     (-12..=12).flat_map(across).collect()
 }
 
-/// What rays find, taken into targets, and the finished picture with an object selected.
+/// What rays find, taken into targets of so many samples, and the finished picture with an object selected.
 fn by_rays(
     gpu: &Gpu,
     scene: &Scene,
     view: &View,
     lines: &[Line],
     object: usize,
+    samples: u32,
     scale_factor: f32,
 ) -> (Image<Pixel>, Targets, Image<Rgb>) {
     let marks = Marks {
@@ -50,8 +52,8 @@ fn by_rays(
     let deadline = Instant::now() + Duration::from_mins(10);
     let pixels = pick::raycast_until(scene, view, marks.selection, deadline).expect("in time");
     let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
-    let targets = Targets::new(gpu, view.viewport, 1).expect("fits");
-    let mut renderer = Renderer::new(gpu, 1);
+    let targets = Targets::new(gpu, view.viewport, samples).expect("fits");
+    let mut renderer = Renderer::new(gpu, samples);
     renderer.scale_factor = scale_factor;
     let selection = marks.selection;
     renderer
@@ -61,36 +63,63 @@ fn by_rays(
     (pixels, targets, picture.expect("a picture"))
 }
 
+/// Of each lens, cut, and of front sides alone.
+fn views() -> [(&'static str, View); 5] {
+    let plain = overview([640, 400]);
+    let lens = *plain.camera.lens();
+    let of = |lens: Lens| View {
+        camera: plain.camera.with_lens(lens).expect("a camera"),
+        ..plain
+    };
+    let standard = of(Lens {
+        depth: DepthMapping::Standard,
+        ..lens
+    });
+    let parallel = of(Lens {
+        projection: Projection::Orthographic { height: 5.0 },
+        ..lens
+    });
+    let cut = View {
+        section: Some(Section::new(dvec3(0.3, -0.2, -1.0), 0.1).expect("a plane")),
+        ..plain
+    };
+    let front = View {
+        sides: Sides::Front,
+        ..plain
+    };
+    [
+        ("reversed", plain),
+        ("standard", standard),
+        ("parallel", parallel),
+        ("cut", cut),
+        ("front", front),
+    ]
+}
+
 /// Colours, ids, lines hidden by what is before them, tint and outline: all but some pixels at outlines, where drawing
 /// and picking may differ, are as drawn.
 #[test]
 fn pixels_that_rays_found_look_as_if_drawn() {
     let (gpu, scene, lines) = (gpu(), shapes(DVec3::ZERO), lines());
     scene.build_trees();
-    let plain = overview([640, 400]);
-    let lens = plain.camera.lens();
-    let with_standard = plain.camera.with_lens(Lens {
-        depth: DepthMapping::Standard,
-        ..*lens
-    });
-    let standard = View {
-        camera: with_standard.expect("a camera"),
-        ..plain
-    };
-    for (name, view) in [("reversed", plain), ("standard", standard)] {
-        for (object, is_behind) in [(3, false), (7, true)] {
-            let marks = Marks {
-                selection: Some(object),
-                hover: None,
-            };
-            let (ids, _, drawn) = draw(&gpu, &scene, &view, &lines, &marks, 1);
-            let (pixels, targets, picture) = by_rays(&gpu, &scene, &view, &lines, object, 1.0);
+    let with_samples = [1, gpu.smooth_samples()];
+    assert!(with_samples[1] > 1);
+    for ((name, view), object) in views().into_iter().flat_map(|view| [(view, 3), (view, 7)]) {
+        let marks = Marks {
+            selection: Some(object),
+            hover: None,
+        };
+        let (ids, _, drawn) = draw(&gpu, &scene, &view, &lines, &marks, 1);
+        for samples in with_samples {
+            let (pixels, targets, picture) =
+                by_rays(&gpu, &scene, &view, &lines, object, samples, 1.0);
             let hidden = pixels
                 .pixels()
                 .iter()
                 .filter(|pixel| pixel.is_selected && pixel.id.object as usize != object + 1);
+            let is_behind = object == 7 && view.section.is_none();
             assert_eq!(hidden.count() > 100, is_behind, "{name}: {object}");
-            show(&format!("rays-{name}-{object}"), &picture);
+            show(&format!("rays-{name}-{object}-{samples}"), &picture);
             let taken = targets.read_ids(&gpu).expect("ids");
             let [mut on_lines, mut differ] = [0; 2];
             for (x, y) in drawn.positions() {
@@ -111,7 +140,7 @@ fn pixels_that_rays_found_look_as_if_drawn() {
 fn an_outline_surrounds_the_selection_in_a_coarse_picture() {
     let (gpu, scene, view) = (gpu(), shapes(DVec3::ZERO), overview([160, 100]));
     scene.build_trees();
-    let (pixels, targets, marked) = by_rays(&gpu, &scene, &view, &[], 3, 0.25);
+    let (pixels, targets, marked) = by_rays(&gpu, &scene, &view, &[], 3, 1, 0.25);
     let bare = targets.read_colours(&gpu).expect("colours");
     let is_selected = |x: u32, y: u32| pixels.at(x, y).is_selected;
     let beside = (1..159)

@@ -1,4 +1,4 @@
-//! Moving pictures by rays, where software draws: it transforms corners on one core, and a ray costs little more in a
+//! Moving pictures by rays, where software draws: it transforms vertices on one core, and a ray costs little more in a
 //! large scene than in a small one.
 
 use crate::{
@@ -16,33 +16,73 @@ use std::{
 
 /// With more work than this, triangles take longer than rays.
 const MUCH: u64 = 20_000;
-/// How long a picture may take.
+/// How long the pictures of a frame may take.
 const LONGEST: Duration = Duration::from_millis(80);
+/// So many pictures are drawn after one that took rays too long, and twice as many after the next one, up to the most.
+const DRAWN_AFTER: [u32; 2] = [2, 64];
 
 /// Decides when rays are quicker.
 #[derive(Debug, Default)]
 pub(super) struct ByRays {
-    /// Rays took too long since the picture began to move.
-    are_late: bool,
+    /// How many pictures were drawn in place of the last that took rays too long; 0 if the last was in time.
+    patience: u32,
+    /// Pictures still to be drawn before rays are tried again.
+    to_draw: u32,
 }
 
 impl ByRays {
-    /// The picture has come to rest.
-    pub fn rest(&mut self) {
-        self.are_late = false;
-    }
-
-    /// A picture by rays of a scene with so much work for a rasteriser; `None` where drawing is quicker.
-    pub fn picture(&mut self, subject: &Subject, view: &View, work: Piece) -> Option<Image<Pixel>> {
-        if work.work < MUCH || self.are_late || !subject.scene.trees_are_built() {
+    /// A picture by rays of a scene with so much work for a rasteriser, one of so many in the frame; `None` where
+    /// drawing is quicker.
+    pub fn picture(
+        &mut self,
+        subject: &Subject,
+        view: &View,
+        work: Piece,
+        pictures: u32,
+    ) -> Option<Image<Pixel>> {
+        if work.work < MUCH || !subject.scene.trees_are_built() {
             return None;
         }
-        let deadline = Instant::now() + LONGEST;
+        if self.to_draw > 0 {
+            self.to_draw -= 1;
+            return None;
+        }
+        let deadline = Instant::now() + LONGEST / pictures.max(1);
         let cast = || raycast_until(subject.scene, view, subject.selection, deadline);
-        // On other threads: the window's own waits, as for an adapter.
+        // On other threads alone: the window's own, whose processor time is bounded, waits as for an adapter.
         let cast = thread::scope(|scope| scope.spawn(cast).join());
         let picture = cast.unwrap_or_else(|panic| resume_unwind(panic));
-        self.are_late = picture.is_none();
+        self.came(picture.is_some());
         picture
+    }
+
+    /// Learns whether rays were in time.
+    fn came(&mut self, in_time: bool) {
+        let [first, most] = DRAWN_AFTER;
+        self.patience = if in_time {
+            0
+        } else {
+            (2 * self.patience).clamp(first, most)
+        };
+        self.to_draw = self.patience;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rays_that_are_late_are_tried_again_ever_more_seldom() {
+        let mut rays = ByRays::default();
+        let drawn = [false, false, false, true, false].map(|in_time| {
+            rays.came(in_time);
+            rays.to_draw
+        });
+        assert_eq!(drawn, [2, 4, 8, 0, 2]);
+        for _ in 0..10 {
+            rays.came(false);
+        }
+        assert_eq!(rays.to_draw, 64);
     }
 }

@@ -1,10 +1,11 @@
 //! The frame: the scene's picture with its marks and the panels over it, drawn onto any texture.
 
 use super::{
+    brush::Brush,
     panels_picture::PanelsPicture,
     place::SceneRect,
     progress::Progress,
-    scene_picture::{Brush, Look, ScenePicture},
+    scene_picture::{Look, ScenePicture},
     wanted::Motion,
 };
 use crate::{
@@ -97,7 +98,7 @@ impl Canvas {
     /// Takes an uploaded scene that is to be shown next, as a stage or, with `None`, as the camera's picture.
     pub fn take_uploaded(&mut self, stage: Option<Stage>, uploaded: Uploaded) {
         self.scene.scenes.meshes = uploaded.meshes.clone();
-        let (picture, ..) = self.picture_of(stage, 1.0);
+        let (picture, ..) = self.picture_of(stage, 1.0, 1);
         picture.scenes.take_uploaded(uploaded);
     }
 
@@ -139,7 +140,8 @@ impl Canvas {
         }
         let (mut progress, mut looks) = (Ok(Progress::default()), Vec::new());
         for (stage, place) in &places {
-            let (picture, mut brush, meshes) = self.picture_of(*stage, laid.pixels_per_point);
+            let (picture, mut brush, meshes) =
+                self.picture_of(*stage, laid.pixels_per_point, places.len());
             picture.scenes.meshes = meshes;
             let Some(subject) = subject(state, *stage, *place) else {
                 looks.push((*place, None));
@@ -173,7 +175,8 @@ impl Canvas {
             }
             if let (place, Some(look)) = look {
                 let page = self.page.clone();
-                let (picture, mut brush, _) = self.picture_of(*stage, laid.pixels_per_point);
+                let (picture, mut brush, _) =
+                    self.picture_of(*stage, laid.pixels_per_point, places.len());
                 picture.composite(&mut brush, &look, &page, place);
                 self.panels.draw_over(&self.gpu, &self.page, place);
                 self.unshown = true;
@@ -188,16 +191,18 @@ impl Canvas {
         progress
     }
 
-    /// The picture of a stage, or with `None` the camera's; what draws it; the uploaded meshes.
+    /// The picture of a stage, or with `None` the camera's, of so many on the page; what draws it; the uploaded meshes.
     fn picture_of(
         &mut self,
         stage: Option<Stage>,
         scale_factor: f32,
+        pictures: usize,
     ) -> (&mut ScenePicture, Brush<'_>, MeshStore) {
         let brush = Brush {
             gpu: &self.gpu,
             renderer: &mut self.renderer,
             scale_factor,
+            pictures: u32::try_from(pictures).unwrap_or(u32::MAX),
         };
         let meshes = self.scene.scenes.meshes.clone();
         let new = || Box::new([(); 3].map(|()| ScenePicture::new(brush.gpu)));

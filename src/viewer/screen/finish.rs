@@ -5,7 +5,7 @@ use crate::{
     geometry::shares::cores,
 };
 
-/// Pixels of a moving picture for each core: drawn, or met by rays, in about a hundredth of a second.
+/// Pixels of a moving picture for each core, which draws them, or casts their rays, in about a hundredth of a second.
 const PIXELS_A_CORE: u64 = 50_000;
 /// Pixels of the window, along each side, that a pixel of a moving picture covers at most.
 const COARSEST: u32 = 4;

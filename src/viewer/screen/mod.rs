@@ -1,6 +1,7 @@
 //! Draws frames: the scene where it changed, lines about it, the panels over it. And the surface that shows them.
 
 mod box_edges;
+mod brush;
 mod by_rays;
 mod canvas;
 mod damage;

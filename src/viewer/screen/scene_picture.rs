@@ -1,6 +1,7 @@
 //! The picture of the scene: the one on screen, and the next one, which is drawn in pieces.
 
 use super::{
+    brush::Brush,
     by_rays::ByRays,
     finish::Finish,
     pace::Pace,
@@ -12,7 +13,7 @@ use super::{
 use crate::{
     camera::Viewport,
     image::{Id, Image, Pixel},
-    render::{Destination, Drawing, Gpu, GpuError, Marks, Piece, Renderer, Targets},
+    render::{Destination, Drawing, Gpu, GpuError, Marks, Piece, Targets},
     viewer::model::{OnScreen, Subject},
 };
 use std::{
@@ -26,14 +27,6 @@ const WORKED: Duration = Duration::from_millis(4);
 const EDGES_COST: u64 = 4;
 /// How soon a busy adapter is polled again. To poll at once would only keep a processor busy.
 const WAIT: Duration = Duration::from_millis(4);
-
-/// What every picture is drawn with.
-pub(super) struct Brush<'a> {
-    pub gpu: &'a Gpu,
-    pub renderer: &'a mut Renderer,
-    /// Pixels of the window for one of its points.
-    pub scale_factor: f32,
-}
 
 /// A scene on the GPU, and pictures of it.
 pub(super) struct ScenePicture {
@@ -117,12 +110,15 @@ impl ScenePicture {
         let wanted = Drawn::wanted(subject);
         let unwanted = self.next.take_if(|next| {
             let is_of_another = next.of.revision != revision;
-            is_of_another || (next.refines && (next.of != wanted || motion != Motion::Rests))
+            let moves = motion != Motion::Rests;
+            // Software begins what moves anew, coarse and maybe by rays: an exact picture could take it seconds.
+            let is_slow = gpu.is_software()
+                && motion == Motion::Goes
+                && next.targets.is_some()
+                && next.finish.is_exact();
+            is_of_another || is_slow || (next.refines && (next.of != wanted || moves))
         });
         self.spare.extend(unwanted.and_then(|next| next.targets));
-        if motion == Motion::Rests {
-            self.by_rays.rest();
-        }
         let (mut uploaded, mut is_by_rays) = (Some(0), false);
         if self.next.is_none() {
             uploaded = self.scenes.upload(gpu, subject)?;
@@ -194,7 +190,9 @@ impl ScenePicture {
         let view = finish.drawn(&wanted.view);
         if !finish.is_exact()
             && wanted.wireframe().is_none()
-            && let Some(pixels) = self.by_rays.picture(subject, &view, scene.buffers.whole())
+            && let Some(pixels) =
+                self.by_rays
+                    .picture(subject, &view, scene.buffers.whole(), brush.pictures)
         {
             self.show_pixels(brush, subject, wanted, finish, &pixels)?;
             return Ok(true);
@@ -232,15 +230,11 @@ impl ScenePicture {
         pixels: &Image<Pixel>,
     ) -> Result<(), GpuError> {
         let (gpu, view) = (brush.gpu, finish.drawn(&wanted.view));
-        let before = self.shown.take();
-        self.spare.extend(before.map(|before| before.targets));
         let targets = self.targets(gpu, wanted.view.viewport, view.viewport)?;
         let Some(scene) = &self.scenes.now else {
             return Ok(());
         };
-        #[expect(clippy::cast_precision_loss, reason = "a few pixels")]
-        let coarseness = finish.coarseness() as f32;
-        brush.renderer.scale_factor = brush.scale_factor / coarseness;
+        brush.scale_for(finish);
         let (lines, selection) = (lines(subject), wanted.selection);
         (brush.renderer).take_pixels(
             gpu,
@@ -252,11 +246,12 @@ impl ScenePicture {
             selection,
         )?;
         self.changes += 1;
-        self.shown = Some(Picture {
+        let before = self.shown.replace(Picture {
             targets,
             of: *wanted,
             finish,
         });
+        self.spare.extend(before.map(|before| before.targets));
         Ok(())
     }
 
@@ -336,10 +331,8 @@ impl ScenePicture {
             let before = next.drawing.done();
             let drawing = &mut next.drawing;
             let buffers = &scene.buffers;
-            #[expect(clippy::cast_precision_loss, reason = "a few pixels")]
-            let coarseness = next.finish.coarseness() as f32;
             brush.renderer.wireframe = next.of.wireframe();
-            brush.renderer.scale_factor = brush.scale_factor / coarseness;
+            brush.scale_for(next.finish);
             let advanced = brush
                 .renderer
                 .advance(gpu, buffers, targets, drawing, piece);

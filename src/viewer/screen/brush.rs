@@ -1,0 +1,23 @@
+//! What pictures are drawn with.
+
+use super::finish::Finish;
+use crate::render::{Gpu, Renderer};
+
+/// What every picture is drawn with.
+pub(super) struct Brush<'a> {
+    pub gpu: &'a Gpu,
+    pub renderer: &'a mut Renderer,
+    /// Pixels of the window for one of its points.
+    pub scale_factor: f32,
+    /// So many pictures share the time of a frame.
+    pub pictures: u32,
+}
+
+impl Brush<'_> {
+    /// Marks are as wide on the window whatever the finish.
+    pub fn scale_for(&mut self, finish: Finish) {
+        #[expect(clippy::cast_precision_loss, reason = "a few pixels")]
+        let coarseness = finish.coarseness() as f32;
+        self.renderer.scale_factor = self.scale_factor / coarseness;
+    }
+}
