@@ -76,7 +76,7 @@ pub(crate) use nearest::all_near;
 pub use nearest::{all, closest, closest_by};
 pub use one_place::{InOnePlace, MOST_NAMED, NamedSurface};
 pub(crate) use raycast::{RAYCAST_BYTES, each_ray};
-pub use raycast::{ids, ids_by, raycast, raycast_until};
+pub use raycast::{ids, ids_by, mask_until, raycast, raycast_until};
 pub use record::{Pick, PickLine, PickLines};
 pub use selection::draw_selection;
 pub use sight::{Sight, Whereabouts, sight};

@@ -51,16 +51,11 @@ pub fn raycast_until(
     selection: Option<usize>,
     deadline: Instant,
 ) -> Option<Image<Pixel>> {
-    let (rays, is_late) = (&view.rays(), &AtomicBool::new(false));
-    let lens = view.camera.lens();
-    let pixels = each_in_tiles(view, |tile| {
-        if is_late.load(Relaxed) || Instant::now() >= deadline {
-            is_late.store(true, Relaxed);
-            return None;
-        }
+    let (rays, lens) = (&view.rays(), view.camera.lens());
+    each_until(view, deadline, |tile| {
         let beam = Beam::of_tile(scene, rays, tile);
         let alone = selection.map(|object| (object, Beam::on_object(scene, rays, tile, object)));
-        Some(move |px| {
+        move |px| {
             let ray = &rays.ray(px);
             let hit = nearest(&beam, ray, view.sides, None);
             let (id, colour) = id_and_colour(scene, view, ray, px, hit.as_ref());
@@ -77,9 +72,27 @@ pub fn raycast_until(
                 depth,
                 is_selected,
             }
-        })
-    });
-    (!is_late.load(Relaxed)).then(|| Image::new(view.viewport, pixels))
+        }
+    })
+}
+
+/// Whether the ray through the centre of each pixel meets an object, whatever lies before it, on all cores; `object` is
+/// its index. `None` if that is not done by `deadline`. Build the scene's trees first.
+///
+/// # Panics
+/// When `object` is no object of the scene.
+#[must_use]
+pub fn mask_until(
+    scene: &Scene,
+    view: &View,
+    object: usize,
+    deadline: Instant,
+) -> Option<Image<bool>> {
+    let rays = &view.rays();
+    each_until(view, deadline, |tile| {
+        let alone = Beam::on_object(scene, rays, tile, object);
+        move |px| meets(&alone, &rays.ray(px), view.sides, object)
+    })
 }
 
 /// The object and triangle that every pixel's ray hits, on all cores; see [`raycast`].
@@ -113,6 +126,23 @@ pub(crate) fn each_ray<T: Clone + Default + Send>(
         let beam = Beam::of_tile(scene, rays, tile);
         Some(move |px| cast(&beam, &rays.ray(px), px))
     })
+}
+
+/// A picture of what [`each_in_tiles`] finds; `None` if that is not done by `deadline`.
+fn each_until<T: Copy + Default + Send, C: Fn(DVec2) -> T>(
+    view: &View,
+    deadline: Instant,
+    of_tile: impl Fn([DVec2; 2]) -> C + Sync,
+) -> Option<Image<T>> {
+    let is_late = AtomicBool::new(false);
+    let pixels = each_in_tiles(view, |tile| {
+        if is_late.load(Relaxed) || Instant::now() >= deadline {
+            is_late.store(true, Relaxed);
+            return None;
+        }
+        Some(of_tile(tile))
+    });
+    (!is_late.into_inner()).then(|| Image::new(view.viewport, pixels))
 }
 
 /// Calls `of_tile` with the corners of each tile, and what that returns with each pixel centre of the tile. Without it

@@ -60,6 +60,27 @@ impl Renderer {
         Ok(())
     }
 
+    /// Takes the mask of an object in place of a drawn one, as [`Self::draw_selection`], and draws its outline.
+    ///
+    /// # Panics
+    /// When `targets` or `mask` have another size than the view, or `targets` other samples than this renderer.
+    pub fn take_mask(
+        &mut self,
+        gpu: &Gpu,
+        scene: &SceneBuffers,
+        targets: &Targets,
+        view: &View,
+        mask: &Image<bool>,
+        selection: usize,
+    ) {
+        self.check(targets, view);
+        assert_eq!(mask.size(), view.viewport, "the mask fits the view");
+        write(gpu, targets.mask_view.texture(), mask, |is_selected| {
+            u8::MAX * u8::from(*is_selected)
+        });
+        self.draw_outline(gpu, scene, targets, view, selection);
+    }
+
     /// Draws lines where no pixel is before them.
     fn draw_lines(
         &mut self,
@@ -99,11 +120,11 @@ impl Renderer {
 }
 
 /// Writes a value of each pixel into a texture.
-fn write<T: Pod>(
+fn write<P: Copy, T: Pod>(
     gpu: &Gpu,
     texture: &wgpu::Texture,
-    pixels: &Image<Pixel>,
-    value: impl Fn(&Pixel) -> T,
+    pixels: &Image<P>,
+    value: impl Fn(&P) -> T,
 ) {
     let values: Vec<T> = pixels.pixels().iter().map(value).collect();
     let bytes: &[u8] = bytemuck::cast_slice(&values);

@@ -1,7 +1,7 @@
 //! A picture that rays found takes the place of a drawn one.
 
 use crate::{
-    draw,
+    differing, draw,
     images::apart,
     overview,
     scenes::{gpu, shapes},
@@ -135,6 +135,47 @@ fn pixels_that_rays_found_look_as_if_drawn() {
     }
 }
 
+/// What is before the object hides neither its mask nor its outline. Where an edge passes through a pixel's centre,
+/// drawing and picking may differ.
+#[test]
+fn a_mask_that_rays_found_outlines_as_a_drawn_one() {
+    let (gpu, scene) = (gpu(), shapes(DVec3::ZERO));
+    scene.build_trees();
+    let deadline = Instant::now() + Duration::from_mins(10);
+    for ((name, view), object) in views().into_iter().flat_map(|view| [(view, 3), (view, 7)]) {
+        let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+        let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
+        let mut renderer = Renderer::new(&gpu, 1);
+        let drawn = renderer.draw(&gpu, &buffers, &targets, &view, &[]);
+        drawn.expect("drawn");
+        let mut marked = |selection: usize, mask: Option<&Image<bool>>| {
+            match mask {
+                Some(mask) => {
+                    renderer.take_mask(&gpu, &buffers, &targets, &view, mask, selection);
+                }
+                None => renderer
+                    .draw_selection(&gpu, &buffers, &targets, &view, selection)
+                    .expect("drawn"),
+            }
+            let marks = Marks {
+                selection: Some(selection),
+                hover: None,
+            };
+            let picture = renderer.composite_to_image(&gpu, &buffers, &targets, &view, &marks);
+            picture.expect("a picture")
+        };
+        let by_drawing = marked(object, None);
+        // Leaves another mask behind.
+        let other = marked(1, None);
+        let mask = pick::mask_until(&scene, &view, object, deadline).expect("in time");
+        let by_rays = marked(object, Some(&mask));
+        assert!(differing(&by_drawing, &other) > 1000, "{name}: {object}");
+        let differ = differing(&by_drawing, &by_rays);
+        // An edge pixel moves the outline about it.
+        assert!(differ < 100, "{name}, {object}: {differ} pixels differ");
+    }
+}
+
 /// A window's picture four times as coarse as its pixels has a quarter of its outline's width.
 #[test]
 fn an_outline_surrounds_the_selection_in_a_coarse_picture() {
@@ -159,4 +200,5 @@ fn a_picture_that_is_not_done_in_time_is_none() {
     let scene = shapes(DVec3::ZERO);
     let view = overview([64, 40]);
     assert!(pick::raycast_until(&scene, &view, None, Instant::now()).is_none());
+    assert!(pick::mask_until(&scene, &view, 3, Instant::now()).is_none());
 }

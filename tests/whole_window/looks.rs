@@ -46,7 +46,6 @@ fn the_arrows_walk_through_the_list() {
     ));
 }
 
-/// A name that is too long keeps both ends; the object's name leads the pick.
 #[test]
 fn the_name_leads_the_pick() {
     let (mut window, _folder) = row(1.0);

@@ -149,6 +149,34 @@ fn an_exact_picture_under_way_gives_way_to_motion() {
     panic!("nothing moved");
 }
 
+/// To draw the mask of a million triangles takes several passes.
+#[test]
+fn a_click_on_a_large_object_outlines_it_at_once() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = open(vec![stalls::ground(folder.path(), 707)], 1.0);
+    window.picture().expect("a picture");
+    if !window.adapter_name().contains("llvmpipe") {
+        return;
+    }
+    while !window.state().scene().trees_are_built() {
+        window.draw().expect("a frame");
+    }
+    let is_at_once = |window: &mut Offscreen| {
+        window.wait_s(1.0);
+        click(window, MIDDLE);
+        assert!(window.state().selection().is_some());
+        window.shows_scene() && window.drawn_work() == 0
+    };
+    // On a busy machine rays may be late, and are then tried again some clicks later.
+    let clicks = (1..=100).find(|_| {
+        let is_at_once = is_at_once(&mut window);
+        press_key(&mut window, Modifiers::NONE, Key::Escape);
+        window.picture().expect("a picture");
+        is_at_once
+    });
+    assert!(clicks.is_some(), "all 100 masks were drawn");
+}
+
 /// Whether the moving picture of a large ground shows, to the colour, what rays hit.
 fn is_by_rays(window: &Offscreen) -> bool {
     let (side, [left, top]) = (coarseness(window), corner(window));

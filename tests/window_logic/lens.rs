@@ -85,4 +85,6 @@ fn orthographic_and_back_shows_the_target_as_large() {
         "the target is among the objects: {target}"
     );
     assert!(larger > 1.9 * before);
+    let back = span(&state) / larger;
+    assert!((back - 1.0).abs() < 1e-12, "{back} times as large");
 }

@@ -172,6 +172,24 @@ fn a_double_click_centres_the_point_and_on_nothing_frames_all() {
     );
 }
 
+/// Else freezing would change the very P that is to be looked at, and depth would lose its digits.
+#[test]
+fn freezing_the_camera_and_a_look_about_leave_near_where_it_was() {
+    let [mut state, mut unfrozen] = [front_view(), front_view()];
+    let lens = *state.view().camera.lens();
+    state.apply(Action::ToggleFreeze);
+    let frozen = *state.view().camera.lens();
+    assert_eq!(frozen.near.to_bits(), lens.near.to_bits());
+    assert!(frozen.far >= lens.far && frozen.far < 1.02 * lens.far);
+    for _ in 0..20 {
+        let [with, without] = [&mut state, &mut unfrozen].map(|state| {
+            state.apply(Action::Turn(DVec2::new(5.0, 1.0)));
+            state.view().camera.lens().near
+        });
+        assert!(with <= without && with > 0.1 * without, "{with}, {without}");
+    }
+}
+
 #[test]
 fn a_frozen_camera_stays_and_its_frustum_is_not_clipped() {
     let mut state = front_view();

@@ -5,7 +5,7 @@ use super::{
     state::{Cursor, DOUBLE_CLICK_S, Selection, State},
 };
 use crate::{
-    camera::{View, fit_near_far, pixel_centre},
+    camera::{View, pixel_centre},
     pick::{Pick, PickLine, SceneHit},
     scene::obj::InFile,
 };
@@ -99,8 +99,7 @@ impl State {
     /// A view with near and far fitted to the scene as it is now.
     fn refitted(&self, view: View) -> View {
         let (mut lens, controls) = (*view.camera.lens(), self.controls);
-        let bounds = self.shown_bounds();
-        (lens.near, lens.far) = fit_near_far(&view.camera, &bounds, controls.near, controls.far);
+        (lens.near, lens.far) = self.planes(&view.camera, &controls);
         let camera = view.camera.with_lens(lens).unwrap_or(view.camera);
         View { camera, ..view }
     }

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     camera::{
-        Camera, CameraChoice, CameraError, Lens, Orbit, Projection, SectionChoice, View,
+        Camera, CameraChoice, CameraError, Lens, Orbit, Projected, Projection, SectionChoice, View,
         fit_near_far,
     },
     geometry::{Aabb, Placement, PlacementError},
@@ -28,10 +28,13 @@ pub enum InvalidAction {
 
 /// A world-space box, grown to hold a camera's frustum and its eye.
 pub(super) fn with_frustum(bounds: Aabb, view: View) -> Aabb {
+    corners(&view).fold(bounds, Aabb::including)
+}
+
+/// The corners of a camera's frustum, and its eye, in world space.
+fn corners(view: &View) -> impl Iterator<Item = DVec3> {
     let frustum = view.frustum_corners().into_iter();
-    frustum
-        .chain([view.camera.eye()])
-        .fold(bounds, Aabb::including)
+    frustum.chain([view.camera.eye()])
 }
 
 impl State {
@@ -98,9 +101,31 @@ impl State {
             depth: controls.depth,
         };
         let camera = pose.with_lens(lens)?;
-        let bounds = self.shown_bounds();
-        (lens.near, lens.far) = fit_near_far(&camera, &bounds, controls.near, controls.far);
+        (lens.near, lens.far) = self.planes(&camera, controls);
         camera.with_lens(lens)
+    }
+
+    /// Near and far for a camera's pose and projection. They hold the visible scene, and those corners of a frozen
+    /// frustum that the picture shows: from within it, near would come as close as the frozen eye is.
+    pub(super) fn planes(&self, camera: &Camera, controls: &LensControls) -> (f64, f64) {
+        let bounds = self.scene.visible_bounds();
+        let (mut near, mut far) = fit_near_far(camera, &bounds, controls.near, controls.far);
+        let view = View {
+            camera: *camera,
+            ..self.view
+        };
+        for point in self.frozen.iter().flat_map(|frozen| corners(&frozen.view)) {
+            let depth = camera.to_view(point).z;
+            let room = 0.01 * depth.abs();
+            if controls.far.is_none() {
+                far = far.max(depth + room);
+            }
+            let is_shown = |seen: &Projected| depth > 0.0 && view.viewport.contains(seen.px);
+            if controls.near.is_none() && view.project(point).as_ref().is_some_and(is_shown) {
+                near = near.min(depth - room);
+            }
+        }
+        (near, far)
     }
 
     /// Takes over a camera, to the bit; does nothing when it is invalid.

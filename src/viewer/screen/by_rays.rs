@@ -1,21 +1,15 @@
-//! Moving pictures by rays, where software draws: it transforms vertices on one core, and a ray costs little more in a
+//! Pictures and masks by rays, where software draws: it transforms vertices on one core, and a ray costs little more in a
 //! large scene than in a small one.
 
-use crate::{
-    camera::View,
-    image::{Image, Pixel},
-    pick::raycast_until,
-    render::Piece,
-    viewer::model::Subject,
-};
+use crate::{scene::Scene, viewer::model::Subject};
 use std::{
     panic::resume_unwind,
     thread,
     time::{Duration, Instant},
 };
 
-/// With more work than this, triangles take longer than rays.
-const MUCH: u64 = 20_000;
+/// With more work than this, a moving picture's triangles take longer than its rays.
+pub(super) const MUCH: u64 = 20_000;
 /// How long the pictures of a frame may take.
 const LONGEST: Duration = Duration::from_millis(80);
 /// So many pictures are drawn after one that took rays too long, and twice as many after the next one, up to the most.
@@ -31,16 +25,14 @@ pub(super) struct ByRays {
 }
 
 impl ByRays {
-    /// A picture by rays of a scene with so much work for a rasteriser, one of so many in the frame; `None` where
-    /// drawing is quicker.
-    pub fn picture(
+    /// What `cast` finds by a deadline, for one of so many pictures in the frame; `None` if rays are late, or were.
+    pub fn cast<T: Send>(
         &mut self,
         subject: &Subject,
-        view: &View,
-        work: Piece,
         pictures: u32,
-    ) -> Option<Image<Pixel>> {
-        if work.work < MUCH || !subject.scene.trees_are_built() {
+        cast: impl FnOnce(&Scene, Instant) -> Option<T> + Send,
+    ) -> Option<T> {
+        if !subject.scene.trees_are_built() {
             return None;
         }
         if self.to_draw > 0 {
@@ -48,12 +40,11 @@ impl ByRays {
             return None;
         }
         let deadline = Instant::now() + LONGEST / pictures.max(1);
-        let cast = || raycast_until(subject.scene, view, subject.selection, deadline);
         // On other threads alone: the window's own, whose processor time is bounded, waits as for an adapter.
-        let cast = thread::scope(|scope| scope.spawn(cast).join());
-        let picture = cast.unwrap_or_else(|panic| resume_unwind(panic));
-        self.came(picture.is_some());
-        picture
+        let cast = thread::scope(|scope| scope.spawn(|| cast(subject.scene, deadline)).join());
+        let found = cast.unwrap_or_else(|panic| resume_unwind(panic));
+        self.came(found.is_some());
+        found
     }
 
     /// Learns whether rays were in time.

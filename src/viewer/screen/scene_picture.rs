@@ -2,7 +2,7 @@
 
 use super::{
     brush::Brush,
-    by_rays::ByRays,
+    by_rays::{ByRays, MUCH},
     finish::Finish,
     pace::Pace,
     place::SceneRect,
@@ -13,7 +13,9 @@ use super::{
 use crate::{
     camera::Viewport,
     image::{Id, Image, Pixel},
+    pick::{mask_until, raycast_until},
     render::{Destination, Drawing, Gpu, GpuError, Marks, Piece, Targets},
+    scene::Scene,
     viewer::model::{OnScreen, Subject},
 };
 use std::{
@@ -37,7 +39,9 @@ pub(super) struct ScenePicture {
     spare: Vec<Targets>,
     /// For coarse pictures, and for others.
     paces: [Pace; 2],
+    /// Pictures that move, and masks of a selection.
     by_rays: ByRays,
+    masks_by_rays: ByRays,
     /// Counts the changes of what is shown.
     changes: u64,
 }
@@ -78,6 +82,7 @@ impl ScenePicture {
             spare: Vec::new(),
             paces: [Pace::new(gpu), Pace::new(gpu)],
             by_rays: ByRays::default(),
+            masks_by_rays: ByRays::default(),
             changes: 0,
         }
     }
@@ -165,17 +170,37 @@ impl ScenePicture {
             let other = wanted.selection.filter(|_| shown.of != *wanted);
             shown.of.selection = wanted.selection.and(shown.of.selection);
             let most = self.paces[usize::from(shown.finish.is_exact())].most();
-            self.next = other.map(|object| {
-                let view = shown.finish.drawn(&wanted.view);
-                let drawing = Drawing::of_selection(&scene.buffers, &view, object);
-                UnderWay {
-                    at_once: most.holds(&drawing.whole(&scene.buffers)),
-                    drawing,
-                    of: *wanted,
-                    targets: None,
-                    finish: shown.finish,
-                    refines: false,
-                }
+            let Some(object) = other else {
+                return Ok(false);
+            };
+            let view = shown.finish.drawn(&wanted.view);
+            let drawing = Drawing::of_selection(&scene.buffers, &view, object);
+            let at_once = most.holds(&drawing.whole(&scene.buffers));
+            let mask = |scene: &Scene, deadline| mask_until(scene, &view, object, deadline);
+            if gpu.is_software()
+                && !at_once
+                && let Some(mask) = self.masks_by_rays.cast(subject, brush.pictures, mask)
+            {
+                brush.scale_for(shown.finish);
+                (brush.renderer).take_mask(
+                    gpu,
+                    &scene.buffers,
+                    &shown.targets,
+                    &view,
+                    &mask,
+                    object,
+                );
+                shown.of = *wanted;
+                self.changes += 1;
+                return Ok(false);
+            }
+            self.next = Some(UnderWay {
+                drawing,
+                of: *wanted,
+                targets: None,
+                at_once,
+                finish: shown.finish,
+                refines: false,
             });
             return Ok(false);
         }
@@ -188,11 +213,12 @@ impl ScenePicture {
             Finish::Rough
         };
         let view = finish.drawn(&wanted.view);
+        let cast =
+            |scene: &Scene, deadline| raycast_until(scene, &view, subject.selection, deadline);
         if !finish.is_exact()
             && wanted.wireframe().is_none()
-            && let Some(pixels) =
-                self.by_rays
-                    .picture(subject, &view, scene.buffers.whole(), brush.pictures)
+            && scene.buffers.whole().work >= MUCH
+            && let Some(pixels) = self.by_rays.cast(subject, brush.pictures, cast)
         {
             self.show_pixels(brush, subject, wanted, finish, &pixels)?;
             return Ok(true);

@@ -6,6 +6,7 @@ mod camera;
 mod corners;
 mod differences;
 mod docks;
+mod elided;
 mod exhibit;
 mod field;
 mod gesture;

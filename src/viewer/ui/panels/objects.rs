@@ -1,6 +1,7 @@
 //! The list of objects: visibility and selection.
 
 use super::{
+    elided::elided,
     menu,
     names::{Hint, named},
 };
@@ -9,8 +10,8 @@ use crate::viewer::{
     ui::command::Command,
 };
 use egui::{
-    Align, Align2, Button, Color32, FontId, Layout, Role, ScrollArea, Sense, StrokeKind, TextStyle,
-    Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    Align, Align2, Button, Layout, Role, ScrollArea, Sense, StrokeKind, TextStyle, Ui, UiBuilder,
+    WidgetInfo, pos2, vec2,
 };
 
 /// What is typed to narrow the list, and the rows that are left.
@@ -206,26 +207,4 @@ fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
             (!is_selected).then_some(index),
         )));
     }
-}
-
-/// A name with its middle left out where it is too wide: names differ mostly at their ends.
-fn elided(ui: &Ui, name: &str, font: &FontId, room: f32) -> String {
-    let width = |text: String| {
-        let galley = ui
-            .painter()
-            .layout_no_wrap(text, font.clone(), Color32::WHITE);
-        galley.size().x
-    };
-    let letters: Vec<char> = name.chars().collect();
-    let mut kept = letters.len();
-    let mut text = name.to_owned();
-    while kept > 2 && width(text.clone()) > room {
-        kept -= 1 + kept / 16;
-        let (head, tail) = (
-            &letters[..kept.div_ceil(2)],
-            &letters[letters.len() - kept / 2..],
-        );
-        text = head.iter().chain(&['\u{2026}']).chain(tail).collect();
-    }
-    text
 }

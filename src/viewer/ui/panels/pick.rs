@@ -1,6 +1,7 @@
 //! All that is known about the pick.
 
 use super::{
+    elided::elided,
     in_file, inspect, model_matrix,
     names::Hint,
     record::{Digits, rows},
@@ -12,7 +13,7 @@ use crate::{
         ui::command::Command,
     },
 };
-use egui::{Align, Label, Layout, RichText, Ui};
+use egui::{Align, FontId, Label, Layout, RichText, Role, Ui, WidgetInfo};
 
 /// `going_to` is the outcome of the last field that went to something by its number.
 pub(super) fn show(
@@ -39,9 +40,14 @@ pub(super) fn show(
             let id = ui.weak(format!("object {}", selection.object + 1));
             id.hint("its number in the list, and in what is copied");
             ui.with_layout(Layout::left_to_right(Align::Max), |ui| {
-                let name = RichText::new(&object.name).size(18.0).strong();
-                let name = ui.add(Label::new(name).truncate());
-                name.hint("the selected object, as its file calls it");
+                let font = FontId::proportional(18.0);
+                let text = elided(ui, &object.name, &font, ui.available_width());
+                let name = ui.add(Label::new(RichText::new(text).font(font).strong()).extend());
+                name.widget_info(|| WidgetInfo::labeled(Role::Label, true, &object.name));
+                name.hint(format!(
+                    "{}: the selected object, as its file calls it",
+                    object.name
+                ));
             });
         });
     });
