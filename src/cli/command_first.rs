@@ -1,11 +1,11 @@
-//! Lets flags stand before their command.
+//! Allows flags to be written before their command.
 
 use super::Cli;
 use clap::{Command, CommandFactory};
 use std::ffi::OsString;
 
-/// Moves flags that stand before a command behind the command's own arguments. `args` starts with the program's name.
-/// Where anything but flags stands before the command, nothing moves.
+/// Moves flags that come before a command to the end of the command's own arguments. `args` starts with the program's
+/// name. If anything other than flags comes before the command, nothing is moved.
 pub(super) fn command_first(mut args: Vec<OsString>) -> Vec<OsString> {
     let cli = Cli::command();
     let mut at = 1;

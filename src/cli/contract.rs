@@ -1,5 +1,5 @@
-//! The help texts of `pick`: what picks guarantee and what their lines hold, in 80 columns. [`crate::pick`] has the
-//! details.
+//! The help texts of `pick`: what picks guarantee, and what the fields of its output lines mean. Lines have at most 80
+//! columns. [`crate::pick`] has the details.
 
 /// What a pick is.
 pub(super) const CONTRACT: &str = "\
@@ -15,9 +15,9 @@ What a pick is:
   F + a is not made a unit vector, so t is depth along F.
   A hit counts where near <= t < far; with --cull only if it is a front one;
   with --section only if its point p has n . p + c >= 0, decided exactly.
-  The pick is the hit with the least t on the visible objects; of equal ones
-  that on the first object, then on the first triangle. --all-hits lists all of
-  them in this order.
+  The pick is the hit with the least t on the visible objects. Of hits with
+  equal t, it is the one on the first object, then on the first triangle.
+  --all-hits lists all hits in this order.
 
 What a hit is, in the object's own space:
   Edges, corners and rims belong to their shape.
@@ -69,7 +69,7 @@ of each of \"hits\":
                    rounded to, where that is not the nearest f64); and which of
                    these the triangle's corners are, by place from 0, in the
                    order of barycentric. null where there is no file
-  file_error       why the file cannot tell: it has changed, or is gone
+  file_error       why the file cannot be used: it has changed, or is gone
 
 Beside \"hit\" or \"hits\":
   in_one_place     the surfaces that drawing cannot tell apart here: the nearest
@@ -97,9 +97,9 @@ The lines of --snap R, one for each --at, with px:
   for coordinates as the file writes them. The nearest visible vertex is taken,
   else the nearest visible point of an edge, else the pick; edges that only
   split a polygon into triangles do not count, nor do any of a file that does
-  not say which those are. As near, to the last bit: the lesser depth, then the
-  first object, then the first triangle. The area of a face is that of the
-  triangles that it is split into and that have one as stored: its own, where
+  not say which those are. Of several that are exactly as near, the one with the
+  least depth is taken, then the first object, then the first triangle. The area
+  of a face is the sum over its triangles in the mesh: the face's own area, if
   it is flat and does not cross itself.";
 
 /// What the lines of `--face` and `--vertex` hold.

@@ -1,4 +1,4 @@
-//! `sightline install-desktop`: writes the files by which desktops and shells know the program.
+//! `sightline install-desktop`: writes the files that tell desktops and shells about the program.
 
 use super::{Cli, CliError, terminal::start_log};
 use crate::{
@@ -18,7 +18,7 @@ use std::{
 /// Arguments of `install-desktop`.
 #[derive(Debug, clap::Args)]
 pub struct InstallDesktopArgs {
-    /// Take all of it away again
+    /// Remove all these files again
     #[arg(long)]
     pub remove: bool,
     /// The share folder that desktops read [default: your own, as ~/.local/share]
@@ -27,7 +27,7 @@ pub struct InstallDesktopArgs {
 }
 
 const ICON_SVG: &[u8] = include_bytes!("../../assets/icon.svg");
-/// The MIME type of OBJ files. Some systems give `*.obj` to another type; the higher weight wins, 50 by default.
+/// The MIME type of OBJ files. Some systems assign `*.obj` to another type. The higher weight wins; the default is 50.
 const TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <mime-info xmlns="http://www.freedesktop.org/standards/shared-mime-info">
   <mime-type type="model/obj">
@@ -37,7 +37,7 @@ const TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 </mime-info>
 "#;
 
-/// The commands that tell desktops of new files: their folder, the files' place and ending, and what they write.
+/// The commands that tell desktops about new files.
 const TELLERS: [Teller; 2] = [
     Teller {
         command: "update-desktop-database",
@@ -70,13 +70,18 @@ const TELLERS: [Teller; 2] = [
 
 struct Teller {
     command: &'static str,
+    /// The folder, in the share folder, that the command gets.
     folder: &'static str,
+    /// The folder, in that folder, with the files that the command reads; empty for the folder itself.
     files: &'static str,
+    /// The extension of the files that the command reads.
     end: &'static str,
+    /// The files that the command writes.
     caches: &'static [&'static str],
 }
 
-/// Marks a file as written here, in a last comment, where its text depends on the version or the program's place.
+/// The last comment of a file whose text depends on the version or the program's path. It shows that this program wrote
+/// the file.
 const MARK: &str = "Written by sightline install-desktop, which --remove takes away.";
 
 /// Writes or removes the files, and prints which.
@@ -104,7 +109,7 @@ pub(super) fn run(args: &InstallDesktopArgs) -> Result<(), CliError> {
         teller.tell(&share, args.remove);
     }
     if args.remove {
-        // In the last one is what is made of the type of OBJ files.
+        // The command for MIME types writes its result for OBJ files to this last path.
         let places = files.iter().map(|(place, _)| &**place);
         for place in places.chain([Path::new("mime/model/obj.xml")]) {
             let folders = place.ancestors().skip(1);
@@ -129,7 +134,7 @@ fn own_share_folder() -> Result<PathBuf, CliError> {
     Ok(places.data_dir())
 }
 
-/// Whether a file was written. A link is replaced, so that the user's file behind it is not.
+/// Writes a file and returns true. A symbolic link is replaced itself, so that the file that it leads to is kept.
 fn write(path: &Path, contents: &[u8]) -> io::Result<bool> {
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder)?;
@@ -141,7 +146,7 @@ fn write(path: &Path, contents: &[u8]) -> io::Result<bool> {
     Ok(true)
 }
 
-/// Removes a file if this program wrote it, in any version. Whether it did.
+/// Removes a file if any version of this program wrote it. Returns whether the file was removed.
 fn remove(path: &Path, contents: &[u8]) -> io::Result<bool> {
     let about = match fs::symlink_metadata(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),
@@ -152,7 +157,10 @@ fn remove(path: &Path, contents: &[u8]) -> io::Result<bool> {
         there == contents || String::from_utf8_lossy(&there).contains(MARK)
     };
     if !is_ours {
-        log::warn!("{}: left, for it is not Sightline's", path.display());
+        log::warn!(
+            "{}: not removed, because Sightline did not write it",
+            path.display()
+        );
         return Ok(false);
     }
     fs::remove_file(path)?;
@@ -160,8 +168,9 @@ fn remove(path: &Path, contents: &[u8]) -> io::Result<bool> {
 }
 
 impl Teller {
-    /// Has the system read a folder again. Without the command, the system does so by itself or at the next login.
-    /// Removes what the command wrote, if that is requested and the folder has no such files left.
+    /// Runs the command, so that the system reads the folder again. If the command is missing, the system does this by
+    /// itself, or at the next login. With `take_away`, also removes the files that the command wrote, if the folder has
+    /// no other files for it.
     fn tell(&self, share: &Path, take_away: bool) {
         let folder = share.join(self.folder);
         if !folder.is_dir() {
@@ -182,7 +191,7 @@ impl Teller {
     }
 }
 
-/// Each file, by its place in a share folder.
+/// All files to write: their paths in a share folder, and their contents.
 fn files(program: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     let mut files = vec![
         (
@@ -230,7 +239,7 @@ fn files(program: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     files
 }
 
-/// The menu entry, which also opens files on a click.
+/// The menu entry. It also lets file managers open files with the program.
 fn entry(program: &Path) -> String {
     let exec = quoted(program);
     format!(
@@ -257,7 +266,7 @@ fn entry(program: &Path) -> String {
     )
 }
 
-/// The thumbnailer. It draws by rays, because the sandbox in which thumbnails are made has no graphics driver.
+/// The thumbnailer entry. The thumbnailer draws by rays, because its sandbox has no graphics driver.
 fn thumbnailer(program: &Path) -> String {
     let exec = quoted(program);
     format!(
@@ -268,7 +277,7 @@ fn thumbnailer(program: &Path) -> String {
     )
 }
 
-/// A path as the key `Exec` wants it: quoted for its own rules, then escaped for those of all strings (Desktop Entry
+/// A path for the key `Exec`: quoted by the rules of this key, then escaped by the rules of all strings (Desktop Entry
 /// Specification, "The Exec key").
 fn quoted(path: &Path) -> String {
     let mut text = String::from("\"");
@@ -288,7 +297,7 @@ mod tests {
     use super::quoted;
     use std::path::Path;
 
-    /// By hand, from the specification.
+    /// The expected texts are written by hand, from the specification.
     #[test]
     fn a_path_of_any_name_can_be_started() {
         for (path, exec) in [

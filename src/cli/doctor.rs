@@ -1,4 +1,4 @@
-//! `sightline doctor`: the graphics of this machine, as text for a bug report.
+//! `sightline doctor`: describes the graphics of this machine, as text for a bug report.
 
 use super::{CliError, terminal::start_log};
 use crate::{
@@ -16,7 +16,7 @@ pub struct DoctorArgs {
     pub verbose: bool,
 }
 
-/// The help on the exit code.
+/// The help text about exit codes.
 pub(super) const CODES: &str = "\
 Exit codes: 0 pictures and windows can be drawn, 4 no adapter draws, 5 one does, but there is no display.";
 
@@ -31,7 +31,7 @@ const VARIABLES: [&str; 7] = [
     "LIBGL_ALWAYS_SOFTWARE",
 ];
 
-/// What works without an adapter.
+/// The commands that work without an adapter.
 const WITHOUT: &str =
     "list, pick, install-desktop, study (but for the step that draws) and render --by raycast";
 

@@ -15,7 +15,7 @@ use std::{
     process::ExitCode,
 };
 
-/// Why a command failed. The message is one line and says what to do.
+/// Why a command failed. The message is one line; where possible it says what to do.
 #[derive(Debug, thiserror::Error)]
 pub enum CliError {
     /// The arguments are invalid.
@@ -37,19 +37,19 @@ pub enum CliError {
     SceneSection {
         /// The scene file.
         file: PathBuf,
-        /// What is wrong with it.
+        /// What is wrong with its section.
         source: NoSection,
     },
     /// The scene could not be loaded.
     #[error(transparent)]
     Load(#[from] LoadError),
-    /// A word that names neither a file nor a command.
+    /// A word is neither a file nor a command.
     #[error("{0}; the commands are {commands}; they come before scenes", commands = commands())]
     NoSuchCommand(LoadError),
     /// A file could not be read again.
     #[error(transparent)]
     Again(#[from] AgainError),
-    /// There is no memory for the picture.
+    /// There is not enough memory for the picture.
     #[error("a picture of {size} needs {} MB, more memory than is available: draw a smaller one", bytes / 1_000_000)]
     TooLarge {
         /// Width and height in pixels.
@@ -79,23 +79,24 @@ pub enum CliError {
     /// A chart could not be written.
     #[error(transparent)]
     Chart(#[from] SaveError),
-    /// No usable graphics adapter.
+    /// There is no usable graphics adapter.
     #[error(transparent)]
     Gpu(#[from] GpuError),
-    /// No drawn picture to compare picks with.
+    /// The picture to compare picks with could not be drawn.
     #[error("{0}; picking itself needs no driver")]
     NothingDrawn(GpuError),
-    /// Drawn and picked differ, and geometry does not explain it.
+    /// The drawn and the picked picture differ, and geometry does not explain why.
     #[error(
         "{0} pixels are drawn as one thing and picked as another, and geometry does not say why"
     )]
     Unexplained(usize),
-    /// Drawn and picked differ where `f32` cannot hold the view.
+    /// The drawn and the picked picture differ because `f32` is too coarse for the view.
     #[error(
         "drawing in f32 cannot hold this view, {0} pixels differ from their picks; picks are right, and so is render --by raycast"
     )]
     BeyondF32(usize),
-    /// Of the drawn and the picked picture one is empty: the pixel count, the side that shows them, the empty side.
+    /// One of the drawn and the picked picture is empty. The fields are the number of pixels in the other one, the word
+    /// for the other one, and the word for the empty one.
     #[error(
         "{0} pixels are {1}, and nothing at all is {2}; render --by raycast shows what is picked"
     )]
@@ -129,7 +130,7 @@ impl CliError {
         }
     }
 
-    /// Prints the error to stderr. A pipe closed by its reader is no error.
+    /// Prints the error to stderr, and returns its exit code. A pipe that its reader closed is no error.
     pub(super) fn report(&self) -> ExitCode {
         if let Self::Stream { source, .. } = self
             && source.kind() == std::io::ErrorKind::BrokenPipe
@@ -164,7 +165,7 @@ fn commands() -> String {
     names.join(", ")
 }
 
-/// Clap's message as one line: with its guess at a misspelt word, without the usage text.
+/// Turns clap's message into one line, with its suggestion for a misspelt word and without the usage text.
 impl From<clap::Error> for CliError {
     fn from(error: clap::Error) -> Self {
         let text = error.to_string();
@@ -180,7 +181,8 @@ impl From<clap::Error> for CliError {
         for tip in parts.filter(|part| part.contains("similar")) {
             line = format!("{line}; {}", tip.trim_start_matches("tip: "));
         }
-        // No flag is a number, and the flags with several values, such as --at and --face, take no negative ones.
+        // Clap takes a negative value of a flag with several values, such as --at or --face, for a flag. No flag is a
+        // number, so the message can say what is wrong.
         let flag = line.strip_prefix("unexpected argument '-");
         if flag.is_some_and(|flag| flag.starts_with(|c: char| c.is_ascii_digit() || c == '.')) {
             line += ": positions and numbers cannot be negative";

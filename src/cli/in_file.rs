@@ -1,4 +1,4 @@
-//! `sightline pick --face` and `--vertex`: finds a face or vertex of an OBJ file in the picture.
+//! `sightline pick --face` and `--vertex`: finds where a face or vertex of an OBJ file is in the picture.
 
 use super::{CliError, PickArgs};
 use crate::{

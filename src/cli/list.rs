@@ -1,4 +1,4 @@
-//! `sightline list`: the objects of a scene.
+//! `sightline list`: prints the objects of a scene.
 
 use super::{CliError, SceneArgs, load_with};
 use crate::{
@@ -16,7 +16,7 @@ pub struct ListArgs {
     /// What to list.
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// One line of JSON an object, with all digits
+    /// Print one line of JSON for each object, with all digits
     #[arg(long)]
     pub json: bool,
 }
@@ -34,7 +34,7 @@ struct Line<'a> {
     bounds: Option<Bounds>,
 }
 
-/// A box in world space.
+/// A bounding box in world space.
 #[derive(Serialize)]
 struct Bounds {
     min: DVec3,
@@ -70,8 +70,8 @@ fn lines(scene: &Scene) -> impl Iterator<Item = Line<'_>> {
     })
 }
 
-/// Prints columns as wide as their widest cell: numbers right-aligned, coordinates with the digits of vertices. Cells
-/// are made twice, because those of a large scene would not all fit into memory.
+/// Prints a table whose columns are as wide as their widest cell. Numbers are right-aligned; coordinates have as many
+/// digits as vertices. Cells are made twice, because those of a large scene would not all fit into memory.
 fn write_table(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
     let places = scene.bounds().decimal_places();
     let head = ["id", "name", "shape", "triangles", "min", "max"].map(str::to_owned);

@@ -1,6 +1,6 @@
-//! The command line: one struct a command, one module for what it does.
+//! The command line. Each command has a struct for its arguments and a module that runs it.
 //!
-//! Only results go to stdout; errors and warnings go to stderr, a line each.
+//! Only results go to stdout. Errors, warnings and progress go to stderr, each on one line.
 
 mod command_first;
 mod contract;
@@ -47,12 +47,12 @@ Exit codes: 0 done, 1 verify found a defect or a view beyond f32,
 /// A 3D viewer in which what you see is what you pick, to the pixel.
 ///
 /// Without a command it opens the window. SCENE is an .obj or a scene .toml file, or gallery:NAME for a scene on which
-/// a known method breaks; several make one scene; none is the demo.
+/// a known method breaks. Several SCENEs make one scene; without any, the demo is shown.
 #[derive(Debug, Parser)]
 #[command(name = "sightline", version, after_help = EXIT_CODES, subcommand_negates_reqs = true)]
 #[command(args_conflicts_with_subcommands = true)]
 pub struct Cli {
-    /// What to do; the window where nothing is said.
+    /// The command; without one, the window opens.
     #[command(subcommand)]
     pub command: Option<Command>,
     /// How the window opens.
@@ -66,7 +66,7 @@ pub enum Command {
     /// Draw the scene into a PNG file
     #[command(after_long_help = EXIT_CODES)]
     Render(RenderArgs),
-    /// Say what is at a position of the picture: one line of JSON a pick
+    /// Say what is at a position of the picture: one line of JSON for each pick
     #[command(after_long_help = [CONTRACT, FIELDS, SNAPS, PLACES, NUMBERS, EXIT_CODES].join("\n\n"))]
     Pick(PickArgs),
     /// List the objects: id, name, shape, triangles, bounds
@@ -79,15 +79,15 @@ pub enum Command {
     /// Compare what is drawn with what is picked, pixel by pixel
     #[command(after_long_help = EXIT_CODES)]
     Verify(VerifyArgs),
-    /// Say what this machine draws with, and what that can and cannot do: the text for a bug report
+    /// Say what this machine draws with and what its adapters can do: the text for a bug report
     #[command(after_long_help = doctor::CODES)]
     Doctor(DoctorArgs),
-    /// Tell the desktop: menu entry, icon, OBJ files, thumbnails, man pages, completions
+    /// Install menu entry, icon, OBJ file type, thumbnails, man pages and completions
     #[command(after_long_help = EXIT_CODES)]
     InstallDesktop(InstallDesktopArgs),
 }
 
-/// What every command takes.
+/// The arguments of every command that loads a scene.
 #[derive(Clone, Debug, clap::Args)]
 pub struct SceneArgs {
     /// .obj or .toml files, or gallery:NAME; ids run on [default: the demo]
@@ -132,7 +132,7 @@ fn load(args: &SceneArgs) -> Result<Loaded, CliError> {
     load_with(args, Detail::All)
 }
 
-/// [`load`] of what the command prints.
+/// Like [`load`], but loads only what `detail` requires.
 fn load_with(args: &SceneArgs, detail: Detail) -> Result<Loaded, CliError> {
     start_log(args.verbose);
     let start = Instant::now();
@@ -153,7 +153,7 @@ fn load_with(args: &SceneArgs, detail: Detail) -> Result<Loaded, CliError> {
     Ok(loaded)
 }
 
-/// Builds the trees of the scene's meshes; worth it for more than a few rays.
+/// Builds the trees of the scene's meshes. They pay off for more than a few rays.
 fn build_trees(scene: &scene::Scene) {
     let start = Instant::now();
     scene.build_trees();

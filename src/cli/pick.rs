@@ -18,8 +18,8 @@ use std::{
     io::{BufRead, BufReader, BufWriter, Read, StdoutLock, Write},
 };
 
-/// Building the trees takes as long as testing each triangle this often (measured with a million triangles: 13 ns a test,
-/// 270 ns a triangle to build). A position without trees tests each triangle once.
+/// Building the trees takes as long as testing each triangle this many times. (Measured with a million triangles: 13 ns
+/// for a test, 270 ns per triangle for building.) Without trees, a position tests each triangle once.
 const BREAK_EVEN: usize = 20;
 /// Copying an object for a position takes as long as this many triangle tests (measured with 600,000 objects: 0.2 us).
 const LOOKS_PER_OBJECT: usize = 16;
@@ -32,7 +32,7 @@ pub struct PickArgs {
     pub scene: SceneArgs,
     /// Where to pick, in pixels from the top left; - reads lines of X,Y
     ///
-    /// The ray goes through this very position: 0,0 is the top left corner
+    /// The ray goes exactly through this position: 0,0 is the top left corner
     /// of the top left pixel and 0.5,0.5 its centre, which is what a click
     /// on that pixel picks. Several positions may follow one --at. A single
     /// - reads them from standard input.
@@ -42,22 +42,23 @@ pub struct PickArgs {
     pub at: Vec<At>,
     /// Say where face N of the file is in the picture, and what hides it
     ///
-    /// N counts the f lines of an OBJ file from 1, whatever is in them; the
-    /// line holds the face as its file writes it, and where a point inside of
-    /// it is. See below.
+    /// N counts all f lines of an OBJ file from 1, valid or not. The answer
+    /// has the face as the file writes it, and the place of a point inside
+    /// the face. See below.
     #[arg(long, value_name = "N", num_args = 1.., value_parser = value::count)]
     #[arg(verbatim_doc_comment)]
     pub face: Vec<usize>,
     /// Say where vertex N of the file is in the picture, and what hides it
     #[arg(long, value_name = "N", num_args = 1.., value_parser = value::count)]
     pub vertex: Vec<usize>,
-    /// Whose file that is, where there are several: an object's id
+    /// For --face and --vertex: the object from whose file N is counted
     #[arg(long, value_name = "ID", value_parser = value::id)]
     pub object: Option<usize>,
-    /// Lead each position to what is nearest within R pixels, and measure
+    /// Move each position to what is nearest within R pixels, and measure
     ///
-    /// To a visible vertex, else a visible edge, else the surface there: a
-    /// line each, with the distance from the one before. See below.
+    /// That is a visible vertex, else a visible edge, else the surface at
+    /// the position. Each position gives a line, which also has the distance
+    /// from the position before. See below.
     #[arg(long, value_name = "R", value_parser = value::radius, requires = "at")]
     #[arg(conflicts_with = "all_hits", verbatim_doc_comment)]
     pub snap: Option<f64>,
@@ -66,8 +67,8 @@ pub struct PickArgs {
     pub all_hits: bool,
     /// Print first, as a line of JSON, the numbers that picks are made of
     ///
-    /// With all digits, so that anyone can check an answer with arithmetic of
-    /// their own; see below.
+    /// They have all digits, so that anyone can check an answer by their own
+    /// arithmetic. See below.
     #[arg(long, verbatim_doc_comment)]
     pub stored: bool,
     /// How to look at it.
@@ -80,7 +81,7 @@ pub struct PickArgs {
 pub enum At {
     /// A position in pixels.
     Px(DVec2),
-    /// The positions that standard input gives, one a line.
+    /// The positions in standard input, one on each line.
     Stdin,
 }
 
@@ -92,7 +93,7 @@ fn at(text: &str) -> Result<At, String> {
     point.map_err(|error| format!("{error} (scenes come before --at)"))
 }
 
-/// A position that lies in the picture.
+/// Checks that a position lies in the picture.
 pub(super) fn inside(viewport: Viewport, px: DVec2) -> Result<DVec2, CliError> {
     if viewport.contains(px) {
         return Ok(px);
@@ -141,11 +142,11 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
     picker.flush()
 }
 
-/// What is measured from one position to the next.
+/// What measuring keeps from one position to the next.
 #[derive(Default)]
 struct Measures {
     from: Option<ExactPoint>,
-    /// By object.
+    /// The area of each object, by its index.
     areas: HashMap<usize, Measured>,
 }
 
@@ -180,7 +181,7 @@ struct Picker<'a> {
     view: &'a View,
     files: FilesAgain<'a>,
     all_hits: bool,
-    /// Within so many pixels.
+    /// The radius of `--snap` in pixels.
     snap: Option<f64>,
     measured: Measures,
     out: BufWriter<StdoutLock<'static>>,
@@ -253,7 +254,7 @@ impl Picker<'_> {
             .map_err(CliError::stdout)
     }
 
-    /// Picks at each line's position. Answers are flushed before it waits for more input.
+    /// Picks at each line's position. Flushes the answers before it waits for more input.
     fn pick_lines(&mut self, mut lines: BufReader<impl Read>) -> Result<(), CliError> {
         let mut bytes = Vec::new();
         for number in 1.. {
@@ -275,7 +276,7 @@ impl Picker<'_> {
                     "standard input, line {number}: longer than {LONGEST_LINE} bytes"
                 )));
             }
-            // What is no text is no number either.
+            // Bytes that are no valid text do not parse as numbers either.
             let line = String::from_utf8_lossy(&bytes);
             if line.trim().is_empty() {
                 continue;

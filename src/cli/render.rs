@@ -1,4 +1,4 @@
-//! `sightline render`: a picture without a window.
+//! `sightline render`: draws a picture without a window.
 
 use super::{CliError, SceneArgs, ViewArgs, build_trees, load, pick::inside, value};
 use crate::{
@@ -21,13 +21,13 @@ pub struct RenderArgs {
     /// The PNG file to write
     #[arg(short, long, value_name = "FILE.png", value_parser = value::png())]
     pub output: PathBuf,
-    /// What draws: the graphics adapter, or rays on the CPU, which need no driver
+    /// What draws: the graphics adapter, or rays on the CPU, which need no graphics driver
     #[arg(long, value_enum, default_value_t = By::Raster)]
     pub by: By,
     /// Draw the object at this position as selected
     #[arg(long, value_name = "X,Y", value_parser = value::point, allow_hyphen_values = true)]
     pub pick: Option<DVec2>,
-    /// Write object ids too, as 16-bit grey: 0 where there is nothing, n for the object of id n
+    /// Also write object ids, as 16-bit grey: 0 for the background, n for the object with id n
     #[arg(long, value_name = "FILE.png", value_parser = value::png())]
     pub ids: Option<PathBuf>,
     /// Draw the four views side by side, or one of them, as the window does [default: picture]
@@ -60,7 +60,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     }
     let mut loaded = load(&args.scene)?;
     let view = args.view.apply(&mut loaded)?;
-    // They were told.
+    // The warnings were printed already.
     loaded.warnings.clear();
     if let Some(views) = args.views.filter(|views| *views != Views::Picture) {
         let options = viewer::Options {

@@ -28,7 +28,7 @@ struct Stored<M, O> {
     objects: O,
 }
 
-/// World space; lengths in world units.
+/// The camera in world space. Lengths are in world units.
 #[derive(Serialize)]
 struct StoredCamera {
     eye: DVec3,
@@ -46,14 +46,14 @@ struct StoredCamera {
     section: Option<StoredSection>,
 }
 
-/// World space. Points with `normal . p + offset >= 0` are kept.
+/// The section plane in world space. Points with `normal . p + offset >= 0` are kept.
 #[derive(Serialize)]
 struct StoredSection {
     normal: DVec3,
     offset: f64,
 }
 
-/// Object space.
+/// A mesh in object space.
 #[derive(Serialize)]
 struct StoredMesh<'a, P> {
     origin: DVec3,
@@ -70,7 +70,7 @@ struct StoredObject<'a> {
     /// The model matrix's upper three rows, as scene files have them.
     matrix: [[f64; 4]; 3],
     mesh: Option<usize>,
-    /// Start and end.
+    /// The first triangle in the mesh, and the one after the last.
     triangles: Option<[u32; 2]>,
 }
 

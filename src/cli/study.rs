@@ -1,4 +1,4 @@
-//! `sightline study`: speed against accuracy.
+//! `sightline study`: measures the speed and the accuracy of the known methods.
 
 use super::{CliError, SceneArgs, ViewArgs, load, terminal::start_log, value};
 use crate::{
@@ -8,27 +8,27 @@ use crate::{
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::{io::Write, path::PathBuf, time::Duration};
 
-/// The help on SCENE.
+/// The help text of SCENE.
 pub(super) const SCENES: &str = "What to study besides the study's own workloads: .obj or scene .toml files, or \
                                  gallery:NAME [default: none; with --budget the demo]";
 
 /// Arguments of `sightline study`.
 #[derive(Debug, clap::Args)]
 pub struct StudyArgs {
-    /// Whose camera and rays to study, too.
+    /// The scene whose camera and rays are studied, too.
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// A folder for study.csv, summary.csv and the charts, those of SCENE apart; made where there is none
+    /// A folder for study.csv, summary.csv and the charts, with separate ones for SCENE; created if missing
     #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Fewer cases and rounds: quicker, coarser
+    /// Run fewer cases and rounds: quicker, but less accurate
     #[arg(long)]
     pub quick: bool,
-    /// Where random numbers start; the same seed gives the same verdicts on every machine
+    /// The seed of the random numbers; the same seed gives the same verdicts on every machine
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = value::seed)]
     #[arg(allow_hyphen_values = true)]
     pub seed: u64,
-    /// Say instead which precision the scene needs to stay within so many pixels
+    /// Instead of the study, say which precision keeps the scene's errors within PX pixels
     #[arg(long, value_name = "PX", value_parser = value::number, allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["out", "quick"])]
     pub budget: Option<f64>,
@@ -37,14 +37,14 @@ pub struct StudyArgs {
     pub view: ViewArgs,
 }
 
-/// Rays of a scene for its budget.
+/// How many rays of a scene `--budget` studies.
 const BUDGET_RAYS: usize = 2000;
 
 /// Runs the study and prints its table.
 pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     if !matches!(args.view.section, None | Some(SectionChoice::Uncut)) {
         return Err(CliError::Usage(
-            "--section: a study holds methods of others, which know no section; --section none leaves a scene file's out"
+            "--section: the studied methods support no section; --section none ignores the section of a scene file"
                 .to_owned(),
         ));
     }
@@ -64,7 +64,7 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
             Effort::FULL
         }
     };
-    // Made before the work, so that an invalid folder is reported at once.
+    // The folder is created before the work, so that an invalid one is reported at once.
     if let Some(folder) = &args.out {
         std::fs::create_dir_all(folder).map_err(|source| CliError::file(folder, source))?;
     }
@@ -101,7 +101,7 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     Ok(())
 }
 
-/// Prints what the scene (or the demo) needs.
+/// Prints the precision that the scene (or the demo) needs.
 fn budget(args: &StudyArgs, px: f64) -> Result<(), CliError> {
     if !(px > 0.0) {
         return Err(CliError::Usage("--budget takes pixels above 0".to_owned()));
@@ -133,7 +133,7 @@ fn progress_bar() -> ProgressBar {
 /// A view without the scene file's section, which no method supports.
 fn uncut(view: View) -> View {
     if view.section.is_some() {
-        log::warn!("the scene file's section is left out: the methods that are studied know none");
+        log::warn!("the scene file's section is ignored: the studied methods support none");
     }
     view.uncut()
 }

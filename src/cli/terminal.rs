@@ -1,11 +1,11 @@
-//! Errors, warnings and progress on stderr, one line each.
+//! Writes errors, warnings and progress to stderr, one line each.
 
 use crate::json::is_mark;
 use log::{Level, LevelFilter};
 use std::io::Write;
 
-/// Logs to stderr: warnings always, progress with `verbose`, only errors from other crates. `RUST_LOG` adds to this. A
-/// logger that the process already has stays.
+/// Starts logging to stderr: warnings always, progress with `verbose`, and only errors from other crates. `RUST_LOG`
+/// adds to this. If the process already has a logger, it is kept.
 pub(super) fn start_log(verbose: bool) {
     let ours = if verbose {
         LevelFilter::Info
@@ -29,11 +29,11 @@ pub(super) fn start_log(verbose: bool) {
 
 /// A line on stderr.
 pub(super) fn say(text: &str) {
-    // Nobody is left to tell when stderr is closed.
+    // If stderr is closed, the failure cannot be reported anywhere.
     let _ = writeln!(std::io::stderr(), "{}", line(text));
 }
 
-/// One line, whatever the text holds: names in files may contain control characters.
+/// Makes one line of a text. Names in files may contain control characters; these are escaped.
 fn line(text: &str) -> String {
     format!("sightline: {}", plain(text))
 }

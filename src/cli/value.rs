@@ -8,7 +8,7 @@ use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use glam::{DVec2, DVec3};
 use std::path::PathBuf;
 
-/// The most pixels a side. More is a typing error.
+/// The most pixels that a side may have. More is surely a typing error.
 const LARGEST_SIDE: u32 = 16_384;
 
 /// A finite number.
@@ -40,7 +40,7 @@ pub(super) fn point(text: &str) -> Result<DVec2, String> {
     numbers(text, "X,Y").map(DVec2::from_array)
 }
 
-/// What is shown of a scene.
+/// Which views of a scene are shown.
 pub(super) fn views() -> impl TypedValueParser<Value = Views> {
     const WORDS: [(&str, Views); 6] = [
         ("picture", Views::Picture),
@@ -82,7 +82,7 @@ pub(super) fn id(text: &str) -> Result<usize, String> {
     id.map_err(|_| "expected ids from 1, as in 3,5; sightline list has them".to_owned())
 }
 
-/// The path of a PNG file to write; one without an extension may be a device.
+/// The path of a PNG file to write. A path without an extension is allowed, because it may be a device.
 pub(super) fn png() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(|path| match path.extension() {
         Some(other) if !other.eq_ignore_ascii_case("png") => {

@@ -1,4 +1,4 @@
-//! `sightline verify`: drawn against picked, pixel by pixel.
+//! `sightline verify`: compares the drawn picture with picks, pixel by pixel.
 
 use super::{CliError, SceneArgs, ViewArgs, build_trees, load, value};
 use crate::{
@@ -22,13 +22,13 @@ pub struct VerifyArgs {
     /// What to look at.
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// Write the picture in grey, each pixel that differs in its class's colour with a dark rim about it, and each whose surfaces lie in one place tinted
+    /// Write the picture in grey; pixels that differ have a colour and a dark rim, pixels in one place a tint
     #[arg(long, value_name = "FILE.png", value_parser = value::png())]
     pub image: Option<PathBuf>,
-    /// One line of JSON in place of the table
+    /// Print one line of JSON instead of the table
     #[arg(long)]
     pub json: bool,
-    /// What picks: the program's own rays, or for comparison the usual ones
+    /// The method that picks: the program's own, or the usual one for comparison
     #[arg(long, value_enum, default_value_t = Picker::Exact)]
     pub picker: Picker,
     /// How to look at it.
@@ -39,9 +39,9 @@ pub struct VerifyArgs {
 /// The method that picks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Picker {
-    /// The program's own picks, as on a click.
+    /// The program's own picks, the same as on a click.
     Exact,
-    /// f32: unprojected through the inverse of Projection * View, Moeller-Trumbore.
+    /// In f32: rays from the inverse of Projection * View, tested by Moeller-Trumbore.
     Usual,
 }
 
@@ -101,12 +101,12 @@ fn picked(picker: Picker, scene: &Scene, view: &View) -> Image<Id> {
 struct Outcome<'a> {
     scene: &'a Scene,
     report: &'a Report,
-    /// Pixels whose surfaces lie in one place.
+    /// The number of pixels whose nearest surfaces lie in one place.
     in_one_place: usize,
     size: [u32; 2],
     adapter: &'a str,
     rasteriser: Rasteriser,
-    /// The time for drawing and picking.
+    /// The time for drawing, and the time for picking.
     seconds: [f64; 2],
 }
 
@@ -143,15 +143,16 @@ struct Worst<'a> {
     class: Class,
     drawn: Option<Answer<'a>>,
     picked: Option<Answer<'a>>,
-    /// From the pixel's centre to the outline that explains the difference, or would; `None` without one.
+    /// The distance from the pixel's centre to the outline that explains the difference, or comes closest to it; `None`
+    /// if there is no such outline.
     outline_px: Option<f64>,
     /// How far drawing may move that outline.
     outline_error_px: Option<f64>,
-    /// The distance that the explanation needs, over the distance allowed: it holds up to 1.
+    /// The distance that the explanation needs, divided by the distance allowed. The explanation holds up to 1.
     strain: Option<f64>,
 }
 
-/// What one side shows at a pixel; ids from 1, triangles from 0, as in picks.
+/// What the drawn or the picked side shows at a pixel. Ids count from 1 and triangles from 0, as in picks.
 #[derive(Serialize)]
 struct Answer<'a> {
     object: &'a str,
@@ -245,7 +246,7 @@ impl<'a> Outcome<'a> {
             let what = match class {
                 Class::Edge => format!("the centre lies on an outline, to 1/{grid} pixel"),
                 Class::Depth => {
-                    "two surfaces as deep, to the depth buffer and at most half a pixel's width"
+                    "two surfaces have the same depth, to the depth buffer and at most half a pixel's width"
                         .into()
                 }
                 Class::Section => format!(
@@ -290,8 +291,7 @@ impl<'a> Outcome<'a> {
             self.adapter
         );
         if !self.rasteriser.names_triangles {
-            text +=
-                "objects are compared, and not their triangles, which this adapter cannot number\n";
+            text += "only objects are compared, because this adapter cannot number triangles\n";
         }
         text
     }
@@ -326,7 +326,7 @@ impl<'a> Outcome<'a> {
             };
             format!("{:.2} of what {what} may be off", at.strain)
         } else {
-            "no outline and no depth comes into question".to_owned()
+            "no outline and no depth explains it".to_owned()
         };
         format!(
             "worst: pixel {x},{y}: drawn {}, picked {}; {}: {measure}",

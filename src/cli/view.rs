@@ -9,7 +9,8 @@ use crate::{
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use glam::DVec3;
 
-/// How the scene is seen. A flag beats the scene file's camera, which beats framing, field by field.
+/// The camera's flags. For each field, a flag has priority over the scene file's camera, which has priority over
+/// automatic framing.
 #[derive(Clone, Debug, Default, PartialEq, clap::Args)]
 #[command(next_help_heading = "View")]
 pub struct ViewArgs {
@@ -19,10 +20,10 @@ pub struct ViewArgs {
     /// Where the eye stands
     #[arg(long, value_name = "X,Y,Z", value_parser = value::vector, allow_hyphen_values = true)]
     pub eye: Option<DVec3>,
-    /// The point it looks at
+    /// The point that the eye looks at
     #[arg(long, value_name = "X,Y,Z", value_parser = value::vector, allow_hyphen_values = true)]
     pub target: Option<DVec3>,
-    /// The direction it looks in
+    /// The direction that the eye looks in
     #[arg(long, value_name = "X,Y,Z", value_parser = value::vector, allow_hyphen_values = true)]
     #[arg(conflicts_with = "target")]
     pub look: Option<DVec3>,
@@ -53,13 +54,15 @@ pub struct ViewArgs {
     pub up_axis: Option<UpAxis>,
     /// Cut the world by a plane: what lies behind is not drawn, not picked
     ///
-    /// NX,NY,NZ,C keeps the points p with N . p + C >= 0; x:0.5 what lies
-    /// at 0.5 and beyond along an axis, -x:0.5 what lies before;
-    /// points:X,Y,Z/X,Y,Z/X,Y,Z the side from which three points are
-    /// counter-clockwise; face:ID,TRIANGLE what lies behind a triangle, as
-    /// picks number it (of a cube a face 0 to 5: +x, -x, +y, -y, +z, -z;
-    /// face:ID is a square). The plane itself is kept. none leaves a scene
-    /// file's out.
+    /// NX,NY,NZ,C keeps the points p with N . p + C >= 0.
+    /// x:0.5 keeps the points with x >= 0.5, and -x:0.5 those with x <= 0.5;
+    /// y and z likewise.
+    /// points:X,Y,Z/X,Y,Z/X,Y,Z keeps the side of the plane from which the
+    /// three points are counter-clockwise.
+    /// face:ID,TRIANGLE keeps what lies behind a triangle, numbered as in
+    /// picks. For a cube, TRIANGLE is a face 0 to 5: +x, -x, +y, -y, +z, -z.
+    /// For a square, write face:ID.
+    /// The plane itself is kept. none ignores the section of a scene file.
     #[arg(long, value_name = "PLANE", allow_hyphen_values = true)]
     #[arg(verbatim_doc_comment)]
     pub section: Option<SectionChoice>,
@@ -114,7 +117,7 @@ impl ViewArgs {
         if self.cull { Sides::Front } else { Sides::Both }
     }
 
-    /// Hides the objects of `--hide` and returns the view of the others.
+    /// Hides the objects of `--hide`, and returns the view of the scene without them.
     ///
     /// # Errors
     /// When an id names no object, or flags and scene give no valid camera.
@@ -126,7 +129,7 @@ impl ViewArgs {
             .or(loaded.camera)
             .resolve(&loaded.scene.visible_bounds(), self.size());
         let camera = camera.map_err(|source| match &loaded.camera_file {
-            // Without a flag it can only be the file's fault.
+            // Without a flag, the error can only come from the scene file.
             Some(file) if flags == CameraChoice::default() => CliError::SceneCamera {
                 file: file.clone(),
                 source,

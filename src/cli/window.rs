@@ -1,4 +1,4 @@
-//! `sightline` without a command: the window.
+//! `sightline` without a command: opens the window.
 
 use super::{CliError, SceneArgs, ViewArgs, terminal::start_log, value};
 use crate::{
@@ -12,13 +12,13 @@ pub struct WindowArgs {
     /// What to show.
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// Print each pick to standard output, a line of JSON each
+    /// Print each pick to standard output as a line of JSON
     #[arg(long)]
     pub print_picks: bool,
     /// What to show: the camera's picture, the four views side by side, or one of them [default: picture]
     #[arg(long, value_name = "VIEWS", value_parser = value::views())]
     pub views: Option<Views>,
-    /// Begin the tour through cameras and raycasting, in the demo
+    /// Open the demo and begin the tour of cameras and raycasting
     #[arg(long, conflicts_with = "scenes")]
     pub tour: bool,
     /// How to look at it.
@@ -29,7 +29,7 @@ pub struct WindowArgs {
 /// Opens the window and returns when it is closed.
 pub(super) fn run(args: &WindowArgs) -> Result<(), CliError> {
     start_log(args.scene.verbose);
-    // No window for a missing file.
+    // If a file is missing, no window opens.
     for path in &args.scene.scenes {
         if Exhibit::at(path)?.is_some() {
             continue;
@@ -39,7 +39,7 @@ pub(super) fn run(args: &WindowArgs) -> Result<(), CliError> {
                 file: path.clone(),
                 source,
             });
-            // Such a word is more often a command than a file.
+            // A word without an extension is more likely a misspelt command than a file.
             match path.extension() {
                 None => CliError::NoSuchCommand(error),
                 Some(_) => CliError::Load(error),

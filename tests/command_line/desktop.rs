@@ -152,7 +152,7 @@ fn what_others_wrote_stays() {
     let output = folder.run("install-desktop --to share --remove");
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success(), "{said}");
-    assert_eq!(said.matches("left").count(), 2, "{said}");
+    assert_eq!(said.matches("not removed").count(), 2, "{said}");
     for (place, text) in others {
         assert_eq!(std::fs::read_to_string(share.join(place)).unwrap(), text);
     }

@@ -1,4 +1,4 @@
-//! Files that are made to be slow, large or endless: each is done with at once, however it ends.
+//! Files that are made to be slow, large or endless: each one loads or is refused quickly.
 
 use super::{CUBE, Folder, common::Random, parts};
 use sightline::scene::obj::{ObjError, ObjFile};
@@ -9,10 +9,10 @@ use std::{
     time::{Duration, Instant},
 };
 
-/// What nobody takes for an answer any more. All of these take less than a second; quadratic time took minutes.
+/// A load that takes longer hangs. All loads here take less than a second; with quadratic time they took minutes.
 const HANGS: Duration = Duration::from_secs(10);
 
-/// What a file with this text, and an MTL file, come to.
+/// Loads an OBJ file with this text, beside an MTL file.
 fn load(text: &str, mtl: &str) -> (Folder, Result<ObjFile, ObjError>) {
     let folder = Folder::new(&[("some.obj", text.as_bytes()), ("some.mtl", mtl.as_bytes())]);
     let start = Instant::now();
@@ -66,11 +66,11 @@ fn polygons_of_any_shape() {
     // Nearly all corners on a line.
     let line = polygon(CORNERS, |i| [i, if i > 0.0 { 1.0 } else { 0.0 }, 0.0]);
     assert_eq!(triangles(&line), CORNERS - 2);
-    // Outlines that cross themselves everywhere, over many places and over few.
+    // Outlines that cross themselves everywhere: first with all corners at different points, then with few points.
     assert!(triangles(&polygon(CORNERS, |_| random.point(1.0).to_array())) > CORNERS / 2);
     let on_grid = polygon(CORNERS, |_| random.point(2.0).round().to_array());
     assert!(triangles(&on_grid) > CORNERS / 2);
-    // Nearly all corners in one place.
+    // Nearly all corners at one point.
     assert_eq!(
         triangles(&polygon(CORNERS, |i| [
             i.min(1.0),
@@ -79,7 +79,7 @@ fn polygons_of_any_shape() {
         ])),
         1
     );
-    // Many small ones.
+    // Many small polygons.
     let crossing = " 1 8 3 6 2 7 4 5".repeat(4);
     assert!(triangles(&format!("{CUBE}{}", format!("f{crossing}\n").repeat(5_000))) > 12);
 }
@@ -170,7 +170,7 @@ fn material_files_of_any_name_and_number() {
     assert!(coloured(&text, &[told]));
     let (_, loaded) = load(&format!("{CUBE}mtllib {}\n", "a ".repeat(100_000)), red);
     assert_eq!(loaded.expect("it loads").warnings.len(), 1);
-    // Wherever a name leads, nothing but materials comes back.
+    // A name may lead to any file, but only materials are read from it.
     let escapes = "mtllib ../../../../../../../../../../../../etc/passwd\n";
     let told = format!(
         "some.obj:1: the material file {} has no materials in it",

@@ -1,4 +1,4 @@
-//! OBJ files, good and hostile: what they say is what the mesh holds, and what they cannot say is refused in a line.
+//! Loading of OBJ files, good and hostile: the mesh has what the file says, and bad files are refused with one line.
 #![cfg(feature = "window")]
 
 mod adverse;
@@ -23,7 +23,7 @@ use sightline::{
 use std::{fs, path::PathBuf};
 use tempfile::TempDir;
 
-/// A folder with files in it, gone when dropped.
+/// A folder with files in it. It is deleted when it is dropped.
 struct Folder(TempDir);
 
 impl Folder {
@@ -43,7 +43,7 @@ impl Folder {
         load(&self.path(name), &Progress::default())
     }
 
-    /// Text without the folder's own path.
+    /// The text with the folder's path removed.
     fn relative(&self, text: &impl ToString) -> String {
         let folder = format!("{}/", self.0.path().display());
         text.to_string().replace(&folder, "")
@@ -55,7 +55,7 @@ impl Folder {
     }
 }
 
-/// The mesh of a file with this text, which must load without a warning.
+/// The mesh of a file with this text. The file must load without a warning.
 fn mesh(text: &str) -> Mesh {
     let folder = Folder::new(&[("some.obj", text.as_bytes())]);
     let file = folder.load("some.obj").expect("it loads");
@@ -63,7 +63,7 @@ fn mesh(text: &str) -> Mesh {
     std::sync::Arc::into_inner(file.mesh).expect("one owner")
 }
 
-/// Why a file with these bytes is refused.
+/// The error message for a file with these bytes.
 fn refusal(bytes: &[u8]) -> String {
     let folder = Folder::new(&[("some.obj", bytes)]);
     let refused = folder.load("some.obj").expect_err("it is refused");

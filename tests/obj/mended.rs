@@ -1,9 +1,9 @@
-//! What is valid loads: a bad line takes with it what cannot be without it, and no more.
+//! What is valid loads: a bad line affects only the faces that depend on it.
 
 use super::{CUBE, Folder, bounds, parts};
 use glam::DVec3;
 
-/// Asserts that the cube loads in spite of the bad lines about it, and that this is said of them.
+/// Asserts that the cube loads in spite of the bad lines around it, with these warnings.
 fn assert_cube_and(text: &str, told: &[&str]) {
     let folder = Folder::new(&[("some.obj", text.as_bytes())]);
     let file = folder.load("some.obj").expect("it loads");
@@ -30,12 +30,12 @@ fn faces_with_vertices_that_are_not_there_are_left_out() {
         let told = format!("some.obj:15: a face names vertex {named}; it is left out");
         assert_cube_and(&format!("{CUBE}f 1 2 {corner}\n"), &[&told]);
     }
-    // The first in the file, not the worst.
+    // The warning names the first bad line in the file.
     assert_cube_and(
         &format!("# first\n{CUBE}f 1 2 9\nf 1 2 12\nf 1 2 0"),
         &["some.obj:16: a face names vertex 9 of 8; it is left out (more such lines: 2)"],
     );
-    // Vertices may come later.
+    // Vertices may come after the faces that name them.
     let (vertices, faces) = CUBE.split_at(CUBE.find('f').expect("faces"));
     assert_cube_and(&format!("{faces}{vertices}"), &[]);
     assert_cube_and(
@@ -54,7 +54,7 @@ fn faces_of_another_form_are_left_out() {
             ],
         );
     }
-    // There are no texture coordinates here that these could be wrong about.
+    // The indices of texture coordinates are not checked.
     assert_cube_and(&CUBE.replacen("f 4 3", "f 4/0 3/99/", 1), &[]);
 }
 

@@ -1,4 +1,4 @@
-//! Files from the world outside, against counts by another reader.
+//! Files made by other programs: the results are compared with the counts of another reader.
 
 use super::{bounds, common::shared};
 use sightline::scene::{Progress, obj::load};
@@ -35,7 +35,7 @@ fn models_hold_what_they_should() {
             "{name}: {triangles} of {all}"
         );
 
-        // As counted, but for a group beside an object, and for what has no faces.
+        // As counted, with two exceptions: a group beside an object, and an object without faces.
         let objects = match name {
             "cornell_box.obj" => 8,
             "bunny10k_textured.obj" => 1,
@@ -46,7 +46,8 @@ fn models_hold_what_they_should() {
         let bounds = bounds(&file.mesh);
         let found = [bounds.min.to_array(), bounds.max.to_array()].concat();
         let extent = (bounds.max - bounds.min).max_element();
-        // A box that reaches to its own size from 0 is not moved: 1.5 times its size, in f32.
+        // The origin stays 0 if the box's centre is no farther from 0 than the box is large. Then coordinates reach up
+        // to 1.5 times the size of the box, and f32 rounds them by at most half a step there.
         let step = 1.5 * extent * f64::from(f32::EPSILON) / 2.0;
         for (axis, found) in found.into_iter().enumerate() {
             let expected = number(10 + axis);
@@ -58,10 +59,10 @@ fn models_hold_what_they_should() {
     }
 }
 
-/// What becomes of each hostile file: its name, verdict, triangles, and all that is said.
+/// The result of each hostile file: its name, verdict, number of triangles, and messages.
 const VERDICTS: &str = include_str!("hostile.tsv");
 
-/// Files that get another verdict, or another number of triangles, than the table beside them has; and why.
+/// Files whose verdict or number of triangles differs from the table beside the files, and why.
 const EXCEPTIONS: [(&str, &str); 2] = [
     (
         "ufbx_obj_zoo.obj",

@@ -1,4 +1,4 @@
-//! What is refused, in one line that names file, line and fault.
+//! Files that are refused: the message is one line that names the file, the line and the fault.
 
 use super::{CUBE, Folder, refusal};
 use sightline::scene::{
@@ -79,7 +79,7 @@ fn each_refusal_says_what_is_wrong() {
     }
 }
 
-/// Stored without compression, a file in an archive has its lines as they are.
+/// An archive without compression contains the lines of its files unchanged.
 #[test]
 fn an_archive_is_said_to_be_one_and_not_read_as_what_is_in_it() {
     let zip = [
@@ -148,13 +148,13 @@ fn a_load_can_be_cancelled_after_the_last_byte_is_read() {
     }
     let mut face = String::from("f");
     (1..=10_000).for_each(|i| write!(face, " {i}").expect("text"));
-    // Seconds of work in a few bytes.
+    // A small file that takes seconds to load.
     text += &(face + "\n").repeat(300);
     let folder = Folder::new(&[("some.obj", text.as_bytes())]);
     let progress = Progress::default();
     std::thread::scope(|scope| {
         let loading = scope.spawn(|| load(&folder.path("some.obj"), &progress));
-        // Less is for reading, more for splitting polygons.
+        // Below this fraction the file is being read; above it polygons are being split.
         while progress.fraction() < 0.8 {
             std::thread::yield_now();
         }

@@ -28,7 +28,7 @@ fn assert_flat(mesh: &Mesh, triangle: usize) {
 fn a_cube_is_flat_and_a_bent_strip_smooth() {
     let cube = mesh(CUBE);
     (0..12).for_each(|triangle| assert_flat(&cube, triangle));
-    // A quarter of a cylinder in steps of 10 degrees, in two materials: its normals point away from its axis.
+    // A quarter of a cylinder in steps of 10 degrees, with two materials. Its normals point away from its axis.
     let mut text = String::new();
     for step in 0..10 {
         let (sin, cos) = (f64::from(step) * 10.0).to_radians().sin_cos();

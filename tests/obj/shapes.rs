@@ -1,11 +1,11 @@
-//! Polygons and coordinates: the triangles cover what the file outlines, where the file has it.
+//! Polygons and coordinates: the triangles cover the file's polygons, at the file's coordinates.
 
 use super::{CUBE, Folder, bounds, mesh, triangles, vector_area};
 use glam::DVec3;
 use sightline::geometry::Mesh;
 use std::{collections::HashMap, fmt::Write};
 
-/// Corners in the plane z = x + y, so that no axis is special.
+/// The text of a polygon in the plane z = x + y, so that no axis is special.
 fn polygon(corners: &[[f64; 2]]) -> String {
     let mut text = String::new();
     for [x, y] in corners {
@@ -27,7 +27,7 @@ fn shoelace(corners: &[[f64; 2]]) -> f64 {
     0.5 * twice.sum::<f64>()
 }
 
-/// Whether a triangle holds the point (x, y), seen along z.
+/// Whether a triangle covers the point (x, y), seen along z.
 fn covers(mesh: &Mesh, x: f64, y: f64) -> bool {
     triangles(mesh).any(|[a, b, c]| {
         let side = |p: DVec3, q: DVec3| (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x);
@@ -35,8 +35,8 @@ fn covers(mesh: &Mesh, x: f64, y: f64) -> bool {
     })
 }
 
-/// Every triangle faces the polygon's way, they have its area, there are n - 2 of them, and each inner edge has a
-/// triangle on either side: nothing overlaps, nothing is left open.
+/// Asserts that the n - 2 triangles have the polygon's winding and area, and that each inner edge has a triangle on
+/// both sides. Then there are no overlaps and no gaps.
 fn assert_fills(mesh: &Mesh, corners: &[[f64; 2]]) {
     let areas: Vec<DVec3> = triangles(mesh).map(vector_area).collect();
     assert_eq!(areas.len(), corners.len() - 2);
@@ -93,7 +93,8 @@ fn a_notch_stays_empty() {
 
 #[test]
 fn straight_corners_stay() {
-    // An L with corners in the middle of its sides, in each rotation: which ones earcut drops depends on the start.
+    // An L with extra corners in the middle of its sides. Which of them earcut would drop depends on the first corner,
+    // so each corner is the first once.
     let ell = [
         [0, 0],
         [1, 0],
@@ -116,7 +117,7 @@ fn straight_corners_stay() {
         assert_fills(&ell, &corners);
         assert!(!covers(&ell, 1.5, 2.5));
     }
-    // Skylines with a corner at each step of the grid.
+    // Outlines of columns with a corner at each step of the grid.
     let mut seed = 1_u32;
     for _ in 0..500 {
         let heights: Vec<i32> = (0..6)
@@ -133,7 +134,7 @@ fn straight_corners_stay() {
     }
 }
 
-/// The outline of columns of these heights and width 1, with a corner at each whole step.
+/// The outline of adjacent columns with these heights and width 1, with a corner at each whole step.
 fn skyline(heights: &[i32]) -> Vec<[i32; 2]> {
     let width = i32::try_from(heights.len()).expect("small");
     let mut corners: Vec<_> = (0..=width).map(|x| [x, 0]).collect();
@@ -171,12 +172,12 @@ fn a_large_polygon_is_quick_and_a_mad_one_is_left_out() {
 
 #[test]
 fn twisted_and_touching_outlines_leave_no_hole() {
-    // Its Newell normal lies in the plane of three corners; seen along it two of them coincide.
+    // The Newell normal of this polygon lies in the plane of three corners. Seen along it, two corners coincide.
     let twisted = mesh("v 0 0 0\nv 1 0 0\nv 0 1 0.25\nv 1 1 0\nf 1 2 3 4\n");
     assert_eq!(twisted.data().triangles.len(), 2);
     let crossed = mesh("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3 4 5\n");
     assert_eq!(crossed.data().triangles.len(), 3);
-    // A square with a square hole, joined by a bridge that runs both ways.
+    // A square with a square hole. The outline goes to the hole and back along the same bridge.
     let ring = [
         [0, 0],
         [4, 0],
@@ -226,7 +227,7 @@ fn far_coordinates_come_back() {
         (99, 200)
     );
     let extent = (bounds(&walls).max - bounds(&walls).min).max_element();
-    // Half a step of f32 at the far end of the box about its centre.
+    // Half a step of f32 at the ends of the box, as positions are relative to its centre.
     let step = extent * f64::from(f32::EPSILON) / 2.0;
     for i in 0..99 {
         let [a, b, ..] = walls.corners(u32::try_from(2 * i).expect("small"));

@@ -1,4 +1,4 @@
-//! Objects, groups, materials and the ways of writing them.
+//! Objects, groups and materials, and the different ways to write the same file.
 
 use super::{CUBE, Folder, bounds, mesh, parts};
 use glam::DVec3;

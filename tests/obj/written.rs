@@ -1,4 +1,4 @@
-//! A mesh that is written in any of the ways that the format knows reads back the same.
+//! A mesh reads back the same in whichever of the format's ways it is written.
 
 use super::{Folder, common::Random, parts, triangles, vector_area};
 use glam::{DVec3, Vec3};
@@ -7,7 +7,7 @@ use sightline::{colour::Srgb, geometry::Mesh};
 const FILES: u64 = 400;
 const NAMES: [&str; 5] = ["Cube", "Würfel 2", "a#b", "-", "Cube"];
 
-/// What a file should say.
+/// The expected contents of a file.
 struct Model {
     vertices: Vec<(DVec3, Option<Srgb>)>,
     normals: Vec<Vec3>,
@@ -41,7 +41,8 @@ impl Dice {
         choices[self.below(choices.len())]
     }
 
-    /// Whole 64ths: `f32` holds them, and sums and products of some of them are exact.
+    /// A point with coordinates in multiples of 1/64. `f32` stores them exactly, and sums and products of a few are
+    /// exact.
     fn point(&mut self) -> DVec3 {
         DVec3::from_array([0; 3].map(|_| self.whole(1024) / 64.0 - 8.0))
     }
@@ -106,7 +107,7 @@ impl Model {
         }
     }
 
-    /// New vertices along a parabola.
+    /// A polygon of new vertices along a parabola.
     fn polygon(&mut self, dice: &mut Dice) -> Vec<usize> {
         let (start, across, up) = (dice.point(), dice.point(), dice.point());
         let first = self.vertices.len();
@@ -118,7 +119,7 @@ impl Model {
     }
 }
 
-/// Writes in one of the ways that there are, decided for each word anew where the format leaves it open.
+/// Writes a file. Wherever the format allows several ways, one is chosen at random for each word.
 struct Writer<'a> {
     dice: &'a mut Dice,
     line_end: &'static str,
@@ -175,7 +176,7 @@ impl Writer<'_> {
         self.line(&words);
     }
 
-    /// `vertices` of them are written above.
+    /// `vertices` is the number of vertices that are written above.
     fn face(&mut self, face: &Face, vertices: usize, model: &Model) {
         let mut words = vec!["f".to_owned()];
         for (place, &corner) in face.corners.iter().enumerate() {
@@ -248,7 +249,7 @@ impl Writer<'_> {
     }
 }
 
-/// In some encoding, and as text.
+/// The file in a random encoding, and its text.
 fn written(dice: &mut Dice, what: impl FnOnce(&mut Writer)) -> (Vec<u8>, String) {
     let line_end = dice.one_of(&["\n", "\r\n", "\r"]);
     let text = String::new();

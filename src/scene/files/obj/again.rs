@@ -1,8 +1,8 @@
-//! What a file says of a face or a vertex, read from it again: its line, its number, and the coordinates as they are written.
+//! Reads a face or a vertex from its file again: its line, its number, and the coordinates as they are written.
 //!
-//! Of the pieces that the file was loaded by (`contents`) those are read that hold the face and the vertices that the faces
-//! of its piece name, and by the loader's own rules (`lines`, `corners`, `polygon`): so a triangle's face is found by
-//! counting. What is found must be what is stored, to the bit; else the file has changed.
+//! Only some pieces of the file (`contents`) are read: the one with the face, and those with the vertices that the
+//! faces of this piece name. They are parsed by the loader's own rules (`lines`, `corners`, `polygon`), so the face of
+//! a triangle is found by counting. The result must equal the stored mesh to the bit; otherwise the file has changed.
 
 use super::{
     AgainError, Contents, FaceInFile, InFile, MOST_BYTES, VertexInFile,
@@ -23,10 +23,10 @@ use std::{
     sync::Arc,
 };
 
-/// So many pieces are remembered, those that were read last.
+/// How many pieces are kept in memory: those that were read last.
 const REMEMBERED: usize = 16;
 
-/// A file that was loaded, to be read again.
+/// Reads parts of a loaded file again.
 pub struct Again<'a> {
     path: &'a Path,
     contents: &'a Contents,
@@ -39,9 +39,9 @@ pub struct Again<'a> {
 /// The faces of a piece.
 struct Faces {
     lines: Vec<FaceLine>,
-    /// The vertices of their corners, by number.
+    /// The vertex number of each corner, face after face.
     corners: Vec<u32>,
-    /// Of each triangle the corners, by their places among those of its face.
+    /// The corners of each triangle, as indices into the corners of its face.
     triangles: Vec<[u32; 3]>,
     vertices: HashMap<u32, VertexInFile>,
 }
@@ -49,11 +49,11 @@ struct Faces {
 struct FaceLine {
     line: usize,
     written: String,
-    /// Why nothing of it is in the mesh, where nothing is.
+    /// Why the face is not in the mesh; `None` if it is.
     left_out: Option<String>,
-    /// Of one that is left out those that are there.
+    /// The range of its corners in [`Faces::corners`]. If the face is left out, only corners whose vertices exist.
     corners: Range<usize>,
-    /// Of the mesh.
+    /// Its triangles in the mesh.
     triangles: Range<u32>,
 }
 
@@ -76,7 +76,7 @@ impl<'a> Again<'a> {
         }
     }
 
-    /// What the file says of a triangle of the mesh.
+    /// The line, the face and the vertices of a triangle of the mesh, read from the file.
     pub fn in_file(&mut self, triangle: u32) -> InFile {
         let file = Some(self.path.display().to_string());
         match self.face_of(triangle) {
@@ -111,7 +111,7 @@ impl<'a> Again<'a> {
         self.face_at(piece, &faces, index)
     }
 
-    /// A face by its number among the `f` lines of the file, from 1. One that is left out has no triangles.
+    /// A face by its number among the `f` lines of the file, from 1. A face that is left out has no triangles.
     ///
     /// # Errors
     /// When there is none of this number, the file cannot be read, or it has changed since it was loaded.
@@ -252,7 +252,7 @@ impl<'a> Again<'a> {
         }
     }
 
-    /// Vertices by their numbers, which ascend, from 1.
+    /// Reads vertices by their numbers, from 1. The numbers must ascend.
     fn vertices(&mut self, mut wanted: &[u32]) -> Result<HashMap<u32, VertexInFile>, AgainError> {
         let origin = self.mesh.data().origin;
         let mut found = HashMap::with_capacity(wanted.len());
@@ -295,7 +295,7 @@ impl<'a> Again<'a> {
             let (opened, _) = file::open(self.path, MOST_BYTES)?;
             self.text = Some(Text::of(opened).map_err(unreadable)?);
         }
-        // Of what was read so far, too: a piece of another file would be put beside it.
+        // This check also covers the pieces that were read before: pieces of two different files must not be mixed.
         self.check()?;
         let mut text = Vec::with_capacity(to - from);
         match &mut self.text {
@@ -319,7 +319,8 @@ impl<'a> Again<'a> {
         }
     }
 
-    /// Whether the file is still the one that was loaded. What was read of it stays in memory, so that it is asked each time.
+    /// Checks that the file is still the one that was loaded. Pieces stay in memory, so the file is checked at each
+    /// use.
     fn check(&self) -> Result<(), AgainError> {
         let now = Stamp::of(self.path)?;
         if self.contents.stamp == Some(now) {
@@ -345,7 +346,7 @@ impl<'a> Again<'a> {
     }
 }
 
-/// Of the corners of a face that is left out those that can be read, up to the most that a face has.
+/// The corners of a left-out face that can be read, at most [`MOST_CORNERS`].
 fn those_there(text: &[u8], before: Counts, known: Option<usize>) -> Vec<(usize, Normal)> {
     let (mut all, mut one) = (Vec::new(), Vec::new());
     for word in fields(text).take(MOST_CORNERS) {
@@ -357,7 +358,7 @@ fn those_there(text: &[u8], before: Counts, known: Option<usize>) -> Vec<(usize,
 }
 
 impl Faces {
-    /// Finds the triangles of each face. So many of the mesh come before them.
+    /// Finds the triangles of each face. `before` is the number of triangles of the mesh before them.
     fn split(&mut self, before: u32) {
         let mut splitter = Splitter::default();
         for face in &mut self.lines {
@@ -369,7 +370,7 @@ impl Faces {
             };
             let begin = self.triangles.len();
             if face.left_out.is_some() {
-                // As it was read.
+                // The reason is already known.
             } else if let Some(vertex) = vertices.iter().find(nowhere) {
                 face.left_out = Some(format!("vertex {vertex} is not three finite numbers"));
             } else {

@@ -1,4 +1,4 @@
-//! What `tobj` makes of a piece of a file.
+//! Has `tobj` parse a piece of a file into a [`Block`] of vertices and faces.
 
 use super::{
     outline::Outline,
@@ -7,44 +7,44 @@ use super::{
 };
 use std::path::Path;
 
-/// Vertices and faces of a piece. Indices are those of the file, from 0.
+/// The vertices and faces of a piece. Indices count from 0, over the whole file.
 pub(super) struct Block {
     pub vertices: Vertices,
     pub faces: Faces,
-    /// What stands before it in the file, and before what comes next.
+    /// What the file has before this piece, and before the next one.
     pub counts: [Counts; 2],
 }
 
-/// The numbers of a piece.
+/// The vertices and normals of a piece.
 pub(super) struct Vertices {
     pub positions: Vec<[f64; 3]>,
-    /// Of every vertex, or none at all.
+    /// The colour of every vertex; empty if no vertex has one.
     pub colours: Vec<[f64; 3]>,
     pub normals: Vec<[f64; 3]>,
 }
 
 /// The faces of a piece.
 pub(super) struct Faces {
-    /// The vertices of their corners.
+    /// The vertex index of each corner, face after face.
     pub corners: Vec<u32>,
-    /// The normals of their corners; none at all where no face has any.
+    /// The normal index of each corner; empty if no face has normals.
     pub normals: Vec<u32>,
-    /// How many corners each has; none at all where all have three.
+    /// The number of corners of each face; empty if all faces are triangles.
     pub arities: Vec<u32>,
-    /// Whether every corner names a normal. Else what `normals` says there means nothing.
+    /// For each face, whether every corner names a normal. If not, its entries in `normals` have no meaning.
     pub with_normals: Vec<bool>,
 }
 
 impl Faces {
-    /// How many there are.
+    /// The number of faces.
     pub fn count(&self) -> usize {
         self.with_normals.len()
     }
 }
 
 impl Block {
-    /// Lets `tobj` read a piece. `known` is how many vertices the file has, where that is known: faces that name others are
-    /// left out.
+    /// Has `tobj` parse a piece. `known` is the number of vertices in the file, if it is known. Then faces that name a
+    /// higher vertex are left out.
     pub fn read(piece: Piece, known: Option<usize>) -> Result<(Self, Outline), tobj::LoadError> {
         let washed = wash(&piece, known);
         let counts = [piece.before, piece.after];

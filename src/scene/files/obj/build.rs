@@ -1,4 +1,4 @@
-//! From what `tobj` made of the pieces of a file, and what their other lines say, to one mesh.
+//! Builds one mesh from the blocks that `tobj` parsed and from the outline of all other lines.
 
 use super::{
     ObjError, ObjFile,
@@ -17,10 +17,10 @@ use crate::{
 };
 use std::{collections::HashMap, path::Path, sync::Arc};
 
-/// Edges that bend by more are drawn sharp where the file has no normals. Radians.
+/// Where the file has no normals, an edge whose faces differ by a larger angle is drawn sharp. In radians.
 const CREASE: f32 = 30.0 * std::f32::consts::PI / 180.0;
 
-/// Puts a file's mesh together. All of it counts for so many bytes.
+/// Builds the mesh of a file. In the progress, this counts as `bytes` bytes.
 pub(super) fn build(
     path: &Path,
     blocks: Vec<Block>,
@@ -83,13 +83,14 @@ pub(super) fn build(
     })
 }
 
-/// Triangles of faces, in order.
+/// The triangles of faces, in the order of the faces.
 #[derive(Default)]
 struct Triangles {
     corners: Vec<[u32; 3]>,
-    /// For each, indices into the file's normals or [`CornerNormals::NONE`]; empty while all are computed.
+    /// For each triangle, indices into the file's normals, or [`CornerNormals::NONE`] if its normals are computed.
+    /// Empty as long as no triangle has normals from the file.
     shading: Vec<[u32; 3]>,
-    /// How many come before each cut.
+    /// For each cut, the number of triangles before it.
     before_cuts: Vec<u32>,
     left_out: LeftOut,
 }
@@ -106,7 +107,7 @@ pub(super) struct LeftOut {
 }
 
 impl Triangles {
-    /// Of the faces of a block, cut before some of them.
+    /// The triangles of the faces of a block. `cuts` are the faces before which an object or a material begins.
     fn of(
         faces: &Faces,
         cuts: &[usize],
@@ -162,7 +163,7 @@ impl Triangles {
         u32::try_from(self.corners.len()).unwrap_or(u32::MAX)
     }
 
-    /// Adds the triangle that has these corners of a face, if it has an area.
+    /// Adds the triangle of these corners of a face, unless it has no area.
     fn add(&mut self, face: &[u32], normals: Option<&[u32]>, corners: [u32; 3], vertices: &Stored) {
         let triangle = corners.map(|i| face[i as usize]);
         if !has_area(triangle.map(|place| vertices.position(place))) {
@@ -179,7 +180,7 @@ impl Triangles {
         self.corners.push(triangle);
     }
 
-    /// Sees to it that what was added so far has its place in `shading`.
+    /// Extends `shading` to all triangles that were added so far.
     fn begin_shading(&mut self) {
         self.shading.resize(self.corners.len(), CornerNormals::NONE);
     }
@@ -200,7 +201,7 @@ impl Triangles {
         self.left_out.repetitive += next.left_out.repetitive;
     }
 
-    /// All of a file as a mesh.
+    /// Makes the data of the mesh from all triangles of a file.
     fn mesh(
         self,
         vertices: Stored,
@@ -209,7 +210,7 @@ impl Triangles {
         materials: &HashMap<String, Material>,
     ) -> MeshData {
         let end = self.count();
-        // After the last triangle are cuts before which no face comes any more.
+        // A cut that no face follows starts after the last triangle.
         let start_of = |face: usize| {
             let cut = cuts.binary_search(&face).unwrap_or(cuts.len());
             self.before_cuts.get(cut).copied().unwrap_or(end)

@@ -1,40 +1,40 @@
-//! Where in a file its faces and vertices stand: what is kept of that, an entry for each piece that the file was read by. So
-//! what it writes of a face can be read again without all that comes before.
+//! Stores where in a file its faces and vertices are: one entry for each piece of the file. With it, the text of a face
+//! can be read again without the pieces before it.
 
 use super::{FileError, file, pieces::Counts};
 use std::{fs::Metadata, path::Path, time::SystemTime};
 
-/// What stands before each piece of a file. A piece is some 256 KiB long.
+/// How much of a file comes before each of its pieces. A piece has about 256 KiB.
 #[derive(Clone, Debug, Default)]
 pub struct Contents {
-    /// The pieces, and the end of the file.
+    /// One entry for each piece, and one for the end of the file.
     starts: Vec<Start>,
-    /// The file as it was when it was loaded; `None` where it is none.
+    /// The stamp of the file when it was loaded; `None` if the bytes came from no file.
     pub(super) stamp: Option<Stamp>,
 }
 
-/// What stands before a piece.
+/// How much of the file and of the mesh comes before a piece.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Start {
     pub counts: Counts,
-    /// Triangles of the mesh.
+    /// The number of triangles of the mesh.
     pub triangles: u32,
 }
 
-/// What tells that a file was changed.
+/// Properties of a file that show whether it was changed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Stamp {
     bytes: u64,
     modified: Option<SystemTime>,
-    /// Another file may have the same name, size and time.
+    /// The system's number of the file, because another file may have the same name, size and time.
     number: u64,
 }
 
 impl Stamp {
-    /// Of a file as it is now.
+    /// The stamp of a file as it is now.
     ///
     /// # Errors
-    /// When it is none, or not there.
+    /// When the path is no regular file, or nothing is there.
     pub fn of(path: &Path) -> Result<Self, FileError> {
         let about = file::about(path)?;
         Ok(Self {
@@ -45,7 +45,7 @@ impl Stamp {
     }
 }
 
-/// The number that the system has for a file; 0 where it has none.
+/// The number by which the system identifies a file; 0 if the system has no such number.
 #[cfg(unix)]
 fn number(about: &Metadata) -> u64 {
     std::os::unix::fs::MetadataExt::ino(about)
@@ -57,7 +57,7 @@ fn number(_: &Metadata) -> u64 {
 }
 
 impl Contents {
-    /// Of pieces in order, by what stands before each and before what comes next.
+    /// The contents of pieces in order. Each is given by the counts before it and before the next one.
     pub(super) fn new(pieces: impl Iterator<Item = [Counts; 2]>) -> Self {
         let start = |counts| Start {
             counts,
@@ -74,30 +74,31 @@ impl Contents {
         }
     }
 
-    /// Takes down how many triangles stand before a piece.
+    /// Records how many triangles come before a piece.
     pub(super) fn begin(&mut self, piece: usize, triangles: u32) {
         self.starts[piece].triangles = triangles;
     }
 
-    /// Takes down how many there are.
+    /// Records the total number of triangles.
     pub(super) fn end(&mut self, triangles: u32) {
         if let Some(end) = self.starts.last_mut() {
             end.triangles = triangles;
         }
     }
 
-    /// What stands before a piece and before what comes next.
+    /// The entries of a piece and of the next one.
     pub(super) fn piece(&self, piece: usize) -> [&Start; 2] {
         [&self.starts[piece], &self.starts[piece + 1]]
     }
 
-    /// The piece that holds something of which so many stand before it; `None` past the last.
+    /// The piece that holds the item with this index, for the kind of item that `count` counts; `None` past the last
+    /// item.
     pub(super) fn holding(&self, before: usize, count: impl Fn(&Start) -> usize) -> Option<usize> {
         let next = self.starts.partition_point(|start| count(start) <= before);
         (next < self.starts.len()).then(|| next.checked_sub(1))?
     }
 
-    /// How many faces, `f` lines whatever is in them, the file has.
+    /// How many faces the file has. Every `f` line counts, valid or not.
     #[must_use]
     pub fn faces(&self) -> usize {
         self.starts.last().map_or(0, |end| end.counts.faces)

@@ -1,4 +1,4 @@
-//! What the corners of a face name.
+//! Parses the corners of a face: the vertex and the normal that each corner names.
 
 use super::{
     BadLine,
@@ -6,25 +6,26 @@ use super::{
     words::{fields, index, integer},
 };
 
-/// A face with more corners is left out: no modeller writes one.
+/// A face with more corners is left out. Modelling programs write no such faces.
 pub(super) const MOST_CORNERS: usize = 1 << 16;
 
-/// What a corner says of its normal.
+/// The normal that a corner names.
 #[derive(PartialEq, Eq)]
 pub(super) enum Normal {
-    /// Nothing.
+    /// The corner names no normal.
     Absent,
-    /// Which it is, from 1.
+    /// The number of the normal, from 1.
     There(usize),
-    /// One that does not exist.
+    /// The corner names a normal that does not exist.
     Nowhere,
 }
 
-/// The vertex, from 1, and the normal of each corner of a face, from what stands after its keyword. `known` is how many
-/// vertices the file has, where that is known.
+/// Reads the corners of a face into `into`: for each, the number of its vertex, from 1, and its normal. `text` is the
+/// line after the keyword. `before` counts what comes before the line. `known` is the number of vertices in the file,
+/// if it is known.
 ///
 /// # Errors
-/// What is wrong with the first corner that cannot be read or is not there.
+/// What is wrong with the first corner that cannot be read or names a vertex that does not exist.
 pub(super) fn read_corners(
     text: &[u8],
     before: Counts,
@@ -38,7 +39,8 @@ pub(super) fn read_corners(
     Ok(())
 }
 
-/// The vertex and the normal that a corner names. Its texture coordinate need only look like one.
+/// The vertex and the normal that a corner names. Its texture coordinate must be an integer or empty; whether it exists
+/// is not checked.
 fn corner(corner: &[u8], before: Counts, known: Option<usize>) -> Result<(usize, Normal), BadLine> {
     let slash = corner.iter().position(|&b| b == b'/');
     let (vertex, others) = corner.split_at(slash.unwrap_or(corner.len()));
@@ -66,7 +68,7 @@ fn corner(corner: &[u8], before: Counts, known: Option<usize>) -> Result<(usize,
     Ok((number, normal))
 }
 
-/// A line up to its comment.
+/// The line without its comment.
 pub(super) fn without_comment(line: &[u8]) -> &[u8] {
     let end = memchr::memchr(b'#', line);
     &line[..end.unwrap_or(line.len())]

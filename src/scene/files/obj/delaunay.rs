@@ -1,4 +1,4 @@
-//! Large polygons to triangles, quickly whatever they look like.
+//! Splits large polygons into triangles. It is fast for every shape of polygon.
 
 use spade::{
     ConstrainedDelaunayTriangulation, HasPosition, HierarchyHintGenerator, Point2, Triangulation,
@@ -6,10 +6,10 @@ use spade::{
 };
 use std::collections::{BTreeSet, HashMap, hash_map::Entry};
 
-/// A prime that leads all over the place.
+/// A large prime. Multiples of it, modulo the number of corners, give a scattered order of the corners.
 const STRIDE: usize = 2_654_435_761;
 
-/// A corner of the polygon; of those that coincide, one.
+/// A corner of the polygon. Corners that coincide are represented by one of them.
 struct Corner {
     at: Point2<f64>,
     index: u32,
@@ -25,16 +25,18 @@ impl HasPosition for Corner {
 
 type Triangles = ConstrainedDelaunayTriangulation<Corner, (), (), (), HierarchyHintGenerator<f64>>;
 
-/// The triangles of a polygon of less than [`STRIDE`] corners, counter-clockwise; `None` where its outline crosses
-/// itself or has no area. Corners that coincide become one of them. By constrained Delaunay triangulation, in expected
-/// O(n log n): corners are added in an order that has nothing to do with the outline.
+/// Splits a polygon with fewer than [`STRIDE`] corners into counter-clockwise triangles; `None` if its outline crosses
+/// itself or has no area. Corners that coincide are replaced by one of them. It uses constrained Delaunay
+/// triangulation. The expected time is O(n log n), because the corners are inserted in an order independent of the
+/// outline.
 pub(super) fn delaunay(flat: &[[f64; 2]]) -> Option<Vec<u32>> {
     let size = (flat.as_flattened().iter()).fold(0.0, |size: f64, c| size.max(c.abs()));
-    // A power of two is exact. What is too small or too large after that is an error of `insert`.
+    // Scaling by a power of two is exact. `insert` refuses coordinates that are too small or too large after it.
     let scale = (-size.log2().floor()).exp2();
     let mut all = Triangles::new();
     let mut ring = vec![None; flat.len()];
-    // Adding a vertex once more takes linear time; so does adding one while all are on a line.
+    // Two kinds of insertion take linear time: that of a vertex that is already there, and that of any vertex while
+    // all are on a line. So each vertex is inserted once, and the first three are not on a line.
     let mut known = HashMap::new();
     let scattered = (0..flat.len()).map(|i| i * STRIDE % flat.len());
     for index in first_triangle(flat)?.into_iter().chain(scattered) {
@@ -50,7 +52,7 @@ pub(super) fn delaunay(flat: &[[f64; 2]]) -> Option<Vec<u32>> {
         ring[index] = Some(vertex);
     }
     let ring: Vec<_> = ring.into_iter().flatten().collect();
-    // A side that is there twice, as a bridge to a hole is, has the same on both sides of it.
+    // If a side occurs twice, like a bridge to a hole, both sides of it are inside or both are outside.
     let mut sides = BTreeSet::new();
     for (&a, &b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
         let side = [a.min(b), a.max(b)];

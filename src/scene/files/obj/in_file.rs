@@ -1,4 +1,4 @@
-//! What a file writes of a vertex, as the loader takes it, and why it does not say.
+//! Parses a vertex as the loader does, for [`VertexInFile`]. Also the errors of reading a file again.
 
 use super::{
     vertices::narrow,
@@ -8,13 +8,13 @@ use crate::scene::{Cancelled, FileError, VertexInFile};
 use glam::DVec3;
 use std::{io, path::PathBuf};
 
-/// Why a file does not say.
+/// Why a face or vertex could not be read again from its file.
 #[derive(Debug, thiserror::Error)]
 pub enum AgainError {
     /// Somebody asked to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// It cannot be read any more.
+    /// The file cannot be read any more.
     #[error("{}: cannot be read again: {source}", file.display())]
     Unreadable {
         /// The file.
@@ -22,25 +22,25 @@ pub enum AgainError {
         /// What the system says.
         source: io::Error,
     },
-    /// It is no file any more, or too large a one.
+    /// The path is no longer a regular file, or the file is too large.
     #[error(transparent)]
     File(FileError),
-    /// It is not what it was.
+    /// The file has changed since it was loaded.
     #[error("{}: the file has changed since it was loaded", file.display())]
     Changed {
         /// The file.
         file: PathBuf,
     },
-    /// It has less faces, or vertices.
+    /// The file has fewer faces or vertices than the number that was asked for.
     #[error("{}: there is no {what} {number}: they run from 1 to {count}", file.display())]
     NoSuch {
         /// The file.
         file: PathBuf,
-        /// Of what.
+        /// The word `face` or `vertex`.
         what: &'static str,
-        /// Which was asked for.
+        /// The number that was asked for.
         number: usize,
-        /// How many there are.
+        /// How many faces or vertices the file has.
         count: usize,
     },
 }
@@ -55,7 +55,7 @@ impl From<FileError> for AgainError {
 }
 
 impl VertexInFile {
-    /// From what stands after its keyword, as the loader takes it.
+    /// Parses a vertex from the text after its keyword, as the loader does.
     pub(super) fn read(number: u32, line: usize, text: &[u8], origin: DVec3) -> Self {
         let words: Vec<&[u8]> = fields(text).take(3).map(|word| &text[word]).collect();
         let number_of = |word: &&[u8]| {

@@ -1,4 +1,5 @@
-//! A text's lines, whatever encoding and line ends it has, joined where a backslash continues them.
+//! Splits a text into lines. It knows LF, CR LF and CR as line ends, joins lines that a backslash continues, and
+//! decodes UTF-16.
 
 use std::{
     fs::File,
@@ -14,7 +15,7 @@ pub(super) struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// All lines of a text, before which there are so many.
+    /// All lines of a text. `before` is the number of lines before the text.
     pub fn new(text: &'a [u8], before: usize) -> Self {
         Self {
             text,
@@ -24,7 +25,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The next line without its end, and its number, from 1; where lines are continued, that of their first.
+    /// The next line without its end, and its number, from 1. Joined lines have the number of the first one.
     pub fn next(&mut self) -> Option<(usize, &[u8])> {
         let number = self.ends + 1;
         let mut line = self.unjoined()?;
@@ -43,17 +44,17 @@ impl<'a> Lines<'a> {
         Some((number, &self.joined))
     }
 
-    /// How many bytes of the text were read, with the ends of their lines.
+    /// How many bytes of the text were read, including line ends.
     pub fn taken(&self) -> usize {
         self.taken
     }
 
-    /// How many ends of lines were read, with those before the text.
+    /// How many line ends were read, including those before the text.
     pub fn ends(&self) -> usize {
         self.ends
     }
 
-    /// What stands up to the next end: LF, CR LF or CR.
+    /// The text up to the next line end: LF, CR LF or CR. Continued lines are not joined.
     fn unjoined(&mut self) -> Option<&'a [u8]> {
         let rest = &self.text[self.taken..];
         if rest.is_empty() {
@@ -75,7 +76,7 @@ fn is_continued(line: &[u8]) -> bool {
     line.trim_ascii_end().last() == Some(&b'\\') && !line.contains(&b'#')
 }
 
-/// Takes the byte order mark off, and makes UTF-8 of UTF-16, of which it is the only sign.
+/// Removes the byte order mark and converts UTF-16 to UTF-8. UTF-16 is recognised by its byte order mark only.
 pub(super) fn decode<'a>(
     mut input: impl BufRead + Send + 'a,
 ) -> io::Result<Box<dyn Read + Send + 'a>> {
@@ -102,16 +103,16 @@ pub(super) fn is_utf16(start: &[u8]) -> bool {
     start.starts_with(&[0xff, 0xfe]) || start.starts_with(&[0xfe, 0xff])
 }
 
-/// The text of a file, to be read here and there.
+/// The text of a file, for reading at any position.
 pub(super) enum Text {
-    /// In the file, from some byte on.
+    /// The text is in the file and starts at this byte.
     File(File, u64),
-    /// UTF-16, made UTF-8.
+    /// The whole text, converted from UTF-16 to UTF-8.
     Decoded(Vec<u8>),
 }
 
 impl Text {
-    /// Of a file that was just opened.
+    /// The text of a file that was just opened.
     pub fn of(file: File) -> io::Result<Self> {
         let mut input = BufReader::new(file);
         let start = input.fill_buf()?;

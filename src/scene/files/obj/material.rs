@@ -1,6 +1,6 @@
-//! MTL files: of each material its colour, and what else it asks for that is not shown.
+//! Reads MTL files: the colour of each material, and the textures and transparency that are not shown.
 //!
-//! Read here and not by `tobj`, which panics on `Kd 0.5` and drops a whole library for one bad line.
+//! `tobj` is not used for MTL files, because it panics on `Kd 0.5` and drops a whole file for one bad line.
 
 use super::{
     lines::{Lines, decode},
@@ -17,37 +17,37 @@ use std::{
     path::{Path, PathBuf},
 };
 
-/// Beyond so many bytes in all, material files are not read: they have a few hundred for each material.
+/// The most bytes that are read from all material files together. A material usually takes a few hundred.
 const MOST_BYTES: u64 = 1 << 26;
-/// So many are looked for.
+/// The most material files that are looked for.
 const MOST_FILES: usize = 1 << 12;
-/// So many on one line.
+/// The most material files that one line may name.
 const MOST_ON_A_LINE: usize = 1 << 6;
 
-/// What a scene without textures and blending takes from a material, and what it leaves.
+/// What is used of a material, and which properties are only warned about.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Material {
     /// `Kd`.
     pub colour: Option<Srgb>,
-    /// `d` below 1.
+    /// Whether `d` is below 1.
     pub transparent: bool,
     /// The files that it names for textures of any kind.
     pub textures: Vec<String>,
 }
 
-/// What the material files of an OBJ file say.
+/// The contents of all material files of an OBJ file.
 #[derive(Default)]
 pub(super) struct Materials {
-    /// Of those with the same name the last.
+    /// The materials by name. Of materials with the same name, the last one counts.
     pub by_name: HashMap<String, Material>,
-    /// What could not be read.
+    /// Warnings about files and colours that could not be read.
     pub warnings: Vec<Warning>,
-    /// The files, also those that are not there.
+    /// The paths of the files, including missing ones.
     pub files: Vec<PathBuf>,
 }
 
-/// Reads the files that `mtllib` lines name (with the line of each), from the folder of `obj`: each once, wherever the
-/// name leads.
+/// Reads the files that `mtllib` lines name. `libraries` has the names and their line numbers. Names are relative to
+/// the folder of `obj`. A file with several names is read once.
 pub(super) fn read_libraries(
     obj: &Path,
     libraries: &[(String, usize)],
@@ -98,7 +98,7 @@ pub(super) fn read_libraries(
 /// Material files that were not read for the same reason.
 struct Unread {
     why: String,
-    /// The line that names the first.
+    /// The number of the line that names the first of them.
     line: usize,
     names: Vec<String>,
 }
@@ -115,7 +115,7 @@ impl Unread {
     }
 }
 
-/// An `mtllib` line names one file, which may have spaces in its name, or several.
+/// The files that an `mtllib` line names: one file, whose name may have spaces, or several.
 fn files(folder: &Path, named: &str) -> Vec<(String, PathBuf)> {
     let find = |name: &str| {
         let as_written = folder.join(name);
@@ -136,7 +136,7 @@ fn files(folder: &Path, named: &str) -> Vec<(String, PathBuf)> {
     }
 }
 
-/// No more of a file than it had when it was opened: it may grow without end.
+/// Opens a file, limited to the size that it has now, because it may grow without end.
 fn open(file: &Path, bytes_left: &mut u64) -> Result<impl BufRead + Send, String> {
     let about = fs::metadata(file).map_err(|error| match error.kind() {
         ErrorKind::NotFound => "does not exist".to_owned(),
@@ -162,7 +162,7 @@ fn cannot_be_read(error: &io::Error) -> String {
 }
 
 impl Materials {
-    /// Adds what a file says, and returns how many materials that is.
+    /// Adds the materials of a file and returns their number.
     fn add(
         &mut self,
         file: &Path,
@@ -217,7 +217,7 @@ impl Materials {
     }
 }
 
-/// `Kd r g b`; where green and blue are absent they are as red.
+/// The colour of `Kd r g b`. If green or blue is absent, it equals red.
 fn colour(text: &str) -> Option<Srgb> {
     let values: Option<Vec<f64>> = text
         .split_whitespace()
@@ -229,8 +229,8 @@ fn colour(text: &str) -> Option<Srgb> {
     Some(Srgb::from_unit([red, or_red(1), or_red(2)]))
 }
 
-/// The file's name is what follows the options; those begin with a dash and have values of their own, so that only the
-/// last word is sure where there are any.
+/// Adds the name of a texture file. The name follows the options, which begin with a dash and have values. If there are
+/// options, only the last word surely belongs to the name, so it is taken.
 fn texture(text: &str, material: &mut Material) {
     let name = if text.starts_with('-') {
         text.split_whitespace().last()

@@ -1,20 +1,27 @@
-//! OBJ and MTL files: `tobj` reads the numbers, this module decides what they mean.
+//! Loads OBJ files, and the MTL files that they name, into meshes; also writes meshes as OBJ and MTL files.
 //!
-//! A file is read in pieces (`pieces`), on all cores. The lines (`lines`, `words`) of each are washed and made a file by
-//! themselves (`wash`, `places`), of which `tobj` makes vertices and faces (`block`); what their other lines say
-//! (`outline`, `names`) is put in order. Then vertices are narrowed (`vertices`), polygons become triangles (`polygon`,
-//! `delaunay`), colours come from the MTL files (`material`), and `build` puts the mesh together. What the file writes of a
-//! face (`in_file`) is not kept: it is read again (`again`), at the place where the file has it (`contents`). The rules:
+//! Loading has these steps:
 //!
-//! - **What is valid loads.** A face that names a vertex which is not there, or one without three finite coordinates, is
-//!   left out, which a warning says with the first such line. A file is refused when no triangle is left.
-//! - **Objects.** Each `o` line begins an object, even one of the same name as the last; so does each `g` line that
-//!   changes the group. Materials never do. An object whose faces all lie in one group has the name that `o` gives,
-//!   else `object/group`; a group outside any object has its own name; what has no name at all has the file's.
-//!   Objects without faces are dropped.
-//! - **Vertices** are one where the file has one, across objects and materials; those that no face uses are left out.
-//! - **Normals** are the file's on faces that have a usable one at each corner; others are computed from a crease angle.
-//! - **Colours** are `Kd`, as sRGB. Textures and transparency are not shown, which a warning says once.
+//! 1. The file is cut into pieces of whole lines (`pieces`), which are read on all cores.
+//! 2. The lines of each piece (`lines`, `words`) are cleaned and written as a small OBJ file (`wash`, `places`). `tobj`
+//!    parses that file into vertices and faces (`block`). The other lines of the piece are collected (`outline`,
+//!    `names`).
+//! 3. Vertices are converted to `f32` (`vertices`), polygons are split into triangles (`polygon`, `delaunay`), and
+//!    colours are read from the MTL files (`material`). `build` makes the mesh.
+//!
+//! The text of the faces (`in_file`) is not kept in memory. It is read from the file again when it is needed (`again`);
+//! `contents` stores where. `write` writes a mesh as OBJ and MTL text. The rules of loading:
+//!
+//! - **What is valid loads.** A face is left out if one of its vertices does not exist or has no three finite
+//!   coordinates. Warnings say so and name the first bad line. A file is refused when no triangle is left.
+//! - **Objects.** Each `o` line begins an object, even if the name is the same as before. Each `g` line that changes
+//!   the group begins one, too. A material never does. An object is named after its `o` line if all its faces lie in
+//!   one group, else `object/group`. A group outside any object has the group's name. Faces without any name are named
+//!   after the file. Objects without faces are dropped.
+//! - **Vertices** are shared across objects and materials, as in the file. Vertices that no face uses are left out.
+//! - **Normals** come from the file on faces that have a usable normal at each corner. The others are computed from a
+//!   crease angle.
+//! - **Colours** are `Kd`, as sRGB. Textures and transparency are not shown; one warning each says so.
 
 mod again;
 mod block;
@@ -59,22 +66,22 @@ use std::{
     time::Instant,
 };
 
-/// A larger file is refused: its triangles could be more than 32 bits count.
+/// A larger file is refused: it could have more triangles than a 32-bit index can count.
 const MOST_BYTES: u64 = 1 << 32;
-/// `tobj` gets files by about so many bytes: enough that few faces name vertices of other pieces, and so few that what
-/// it makes of them stays in the processor's cache.
+/// The approximate size of a piece in bytes. It is large enough that few faces name vertices of other pieces, and small
+/// enough that the output of `tobj` stays in the processor's cache.
 const PIECE: usize = 1 << 18;
 
-/// What an OBJ file holds.
+/// A loaded OBJ file.
 #[derive(Debug)]
 pub struct ObjFile {
     /// All its objects as the parts of one mesh.
     pub mesh: Arc<Mesh>,
-    /// What was left out or mended.
+    /// What was left out or repaired.
     pub warnings: Vec<Warning>,
-    /// The MTL files that it names, by their absolute paths, also those that are not there.
+    /// The absolute paths of the MTL files that it names, including missing ones.
     pub materials: Vec<PathBuf>,
-    /// Where its faces and vertices stand.
+    /// Where its faces and vertices are in the file.
     pub contents: Contents,
 }
 
@@ -84,37 +91,37 @@ pub enum ObjError {
     /// Somebody asked to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// It cannot be read.
+    /// The file cannot be read.
     #[error(transparent)]
     File(#[from] FileError),
-    /// Zero bytes.
+    /// The file has zero bytes.
     #[error("{}: the file is empty", file.display())]
     Empty {
         /// The file.
         file: PathBuf,
     },
-    /// Neither a vertex nor a face in it.
+    /// The file has neither vertices nor faces.
     #[error("{}: not an OBJ file: {looks_like}", file.display())]
     NotObj {
         /// The file.
         file: PathBuf,
-        /// What it seems to be.
+        /// What the file seems to be.
         looks_like: &'static str,
     },
-    /// Points or lines at most.
+    /// The file has no faces to show; it may have points, lines or curves.
     #[error("{}: no faces to show ({holds})", file.display())]
     NoFaces {
         /// The file.
         file: PathBuf,
-        /// What there is, with counts.
+        /// What the file has instead, with counts.
         holds: String,
     },
-    /// Nothing to show, and a line that breaks the format.
+    /// No triangle is left, and a line breaks the format.
     #[error("{}:{line}: {what}", file.display())]
     BadLine {
         /// The file.
         file: PathBuf,
-        /// The first such line in it, from 1.
+        /// The number of the first such line, from 1.
         line: usize,
         /// What is wrong with it.
         what: BadLine,
@@ -124,10 +131,10 @@ pub enum ObjError {
     TooLarge {
         /// The file.
         file: PathBuf,
-        /// The longest side of its box, in the file's units.
+        /// The longest side of its bounding box, in the file's units.
         extent: f64,
     },
-    /// What was read is no mesh.
+    /// The triangles do not form a valid mesh.
     #[error("{}: {source}", file.display())]
     NoMesh {
         /// The file.
@@ -140,33 +147,33 @@ pub enum ObjError {
 /// What is wrong with a line of an OBJ file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum BadLine {
-    /// A vertex of less than three coordinates, or with a word among them.
+    /// A vertex with fewer than three coordinates, or with one that is not a number.
     #[error("a vertex needs three numbers")]
     Vertex,
-    /// A vertex that is nowhere.
+    /// A vertex with an infinite coordinate or a NaN.
     #[error("a coordinate is not a finite number")]
     NotFinite,
-    /// A normal of less than three coordinates, or with a word among them.
+    /// A normal with fewer than three coordinates, or with one that is not a number.
     #[error("a normal needs three numbers")]
     Normal,
-    /// A corner of another form.
+    /// A corner of a face that is not in one of the four valid forms.
     #[error("a corner of a face is written as 1, 1/2, 1//3 or 1/2/3")]
     Corner,
-    /// A corner that is not there.
+    /// A corner of a face names a vertex that does not exist.
     #[error("a face names vertex {vertex} of {vertices}")]
     NoSuchVertex {
-        /// The vertex as the face names it.
+        /// The vertex index as the face writes it.
         vertex: String,
-        /// How many vertices there are; for a relative index, before the line.
+        /// How many vertices the file has; for an invalid relative index, how many come before the line.
         vertices: usize,
     },
 }
 
-/// Why the lines of a file ended early.
+/// Why reading the lines of a file stopped early.
 enum Stop {
-    /// Somebody asked to.
+    /// Somebody asked to stop.
     Cancelled(Cancelled),
-    /// The system says so.
+    /// The system could not read on.
     Unreadable(io::Error),
 }
 
@@ -184,14 +191,13 @@ impl Stop {
 
 /// Loads an OBJ file and the MTL files it names.
 ///
-/// # Errors
-/// When it cannot be read or holds nothing to show; see [`ObjError`]. What else is wrong with it or with its MTL files
-/// is a warning.
+/// # Errors When the file cannot be read or has nothing to show; see [`ObjError`]. Any other problem of the file or its
+/// MTL files is a warning.
 pub fn load(path: &Path, progress: &Progress) -> Result<ObjFile, ObjError> {
     load_with(path, progress, Detail::All)
 }
 
-/// Loads what somebody wants of an OBJ file.
+/// Like [`load`], but loads only what `detail` requires.
 pub(super) fn load_with(
     path: &Path,
     progress: &Progress,
@@ -203,7 +209,7 @@ pub(super) fn load_with(
     Ok(file)
 }
 
-/// [`load`] from the bytes of a file in memory; errors name it by `path`.
+/// Like [`load`], but from bytes in memory. `path` is the file's name in errors.
 pub(crate) fn from_bytes(
     bytes: &(impl AsRef<[u8]> + Clone + Send),
     path: &Path,
@@ -215,7 +221,7 @@ pub(crate) fn from_bytes(
     })
 }
 
-/// Reads in pieces of about so many bytes.
+/// Reads a file in pieces of about `piece` bytes.
 fn read<R: BufRead + Send>(
     path: &Path,
     progress: &Progress,
@@ -226,7 +232,8 @@ fn read<R: BufRead + Send>(
     let mut known = None;
     let (blocks, outline, looks_like, bytes) = loop {
         let (mut input, bytes) = open()?;
-        // Putting the mesh together, and normals, take about a quarter as long as reading, each; once.
+        // Building the mesh takes about a quarter as long as reading, and computing normals another quarter. Both are
+        // done once, even if the file is read twice.
         let more = if detail == Detail::Drawn { 2 } else { 1 };
         progress.expect(bytes + known.map_or(more * (bytes / 4), |_| 0));
         let looks_like = looks_like(&mut input);
@@ -240,7 +247,8 @@ fn read<R: BufRead + Send>(
             .map_err(Stop::Unreadable)
             .and_then(|input| read_pieces(Pieces::new(input, piece, progress), known))
             .map_err(|stop| stop.at(path))?;
-        // Only the end of a file tells which vertices there are. Where faces name others, it is read again.
+        // The number of vertices is known only at the end. If a face names a vertex past the last one, the file is read
+        // again with this number.
         if outline.highest_vertex <= outline.vertices {
             break (blocks, outline, looks_like, bytes / 4);
         }
@@ -268,7 +276,7 @@ fn read<R: BufRead + Send>(
     Ok(built)
 }
 
-/// Computes the normals that a mesh has not. That counts for so many bytes.
+/// Computes the normals that a mesh does not have yet. In the progress, this counts as `bytes` bytes.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -285,7 +293,8 @@ fn compute_normals(mesh: &Mesh, progress: &Progress, bytes: u64) -> Result<(), C
     progress.advance(left.into_inner())
 }
 
-/// What `tobj` makes of the pieces of a file, on all cores, and what it did not see.
+/// Parses the pieces of a file on all cores. Returns the blocks from `tobj`, and the outline of all lines that `tobj`
+/// did not get.
 fn read_pieces(pieces: Pieces, known: Option<usize>) -> Result<(Vec<Block>, Outline), Stop> {
     let read = on_all_cores(pieces, |piece| {
         let block = Block::read(piece?, known);
@@ -301,7 +310,8 @@ fn read_pieces(pieces: Pieces, known: Option<usize>) -> Result<(Vec<Block>, Outl
     Ok((blocks, outline))
 }
 
-/// The file, when it is one and not empty, and its size. What is added to it later is not read: that may be without end.
+/// Opens a file and returns its size. It must be a regular file and not empty. Bytes that are appended later are not
+/// read, because they may never end.
 fn open(path: &Path) -> Result<(impl BufRead + Send + use<>, u64), ObjError> {
     match file::open(path, MOST_BYTES)? {
         (_, 0) => Err(ObjError::Empty {
@@ -311,12 +321,13 @@ fn open(path: &Path) -> Result<(impl BufRead + Send + use<>, u64), ObjError> {
     }
 }
 
-/// What a file is by its first bytes, if not an OBJ.
+/// What the first bytes say about a file that is no OBJ file.
 #[derive(Clone, Copy)]
 enum Look {
-    /// Files in one file. They may lie in it as they are, and would be read as if they were all of it.
+    /// An archive of files. If they are stored uncompressed, their lines could be read as if the archive were an OBJ
+    /// file.
     Archive(&'static str),
-    /// What counts only where nothing is found to show.
+    /// Another kind of file. This matters only if nothing to show is found.
     Other(&'static str),
 }
 

@@ -1,48 +1,48 @@
-//! Objects, groups and materials: what the lines that name them come to.
+//! Finds the objects and materials of the faces from the lines that name objects, groups, materials and libraries.
 
 use std::{
     collections::{HashMap, HashSet},
     path::Path,
 };
 
-/// What a line says of the faces after it.
+/// A line that names an object, group, material or library.
 pub(super) enum Said {
     /// `o`.
     Object(String),
     /// `g`.
     Group(String),
-    /// `usemtl`, in this line.
+    /// `usemtl`, and the number of its line.
     Material(String, usize),
-    /// `mtllib`, in this line.
+    /// `mtllib`, and the number of its line.
     Library(String, usize),
 }
 
-/// What the `o` and `g` lines in force say. Equal names are one object.
+/// The current object and group. Consecutive faces with equal names are one object.
 #[derive(Clone, Default, PartialEq)]
 struct Name {
-    /// Which `o` line of the file it is under, from 1; 0 before the first.
+    /// The number of the current `o` line among the `o` lines, from 1; 0 before the first.
     object_number: usize,
-    /// What that says.
+    /// The name in that line.
     object: String,
-    /// What the last `g` line since says.
+    /// The name in the last `g` line after it.
     group: String,
 }
 
-/// What a file names.
+/// The objects, materials and libraries of a file.
 #[derive(Default)]
 pub(super) struct Names {
-    /// The objects, by the face that each begins with.
+    /// The objects: the first face of each, and its name.
     pub objects: Vec<(usize, String)>,
-    /// The `usemtl` lines: the face that comes next, and an index into `materials`.
+    /// The `usemtl` lines: for each, the face that comes next and an index into `materials`.
     pub uses: Vec<(usize, usize)>,
-    /// The materials that `usemtl` names, each once, and the line where it first does.
+    /// The materials that `usemtl` lines name, each once, with the line that names it first.
     pub materials: Vec<(String, usize)>,
-    /// What `mtllib` lines say, each once, and the line of the first.
+    /// The names in `mtllib` lines, each once, with the line that has it first.
     pub libraries: Vec<(String, usize)>,
 }
 
 impl Names {
-    /// Of a file with so many faces, from what its lines say in order, with the face that comes next.
+    /// The names of a file with `faces` faces. `said` has the lines in order, each with the face that comes next.
     pub fn new(path: &Path, said: Vec<(usize, Said)>, faces: usize) -> Self {
         let mut names = Self::default();
         let mut objects: Vec<(usize, Name)> = Vec::new();
@@ -55,7 +55,7 @@ impl Names {
         let mut known_materials = HashMap::new();
         let mut known_libraries = HashSet::new();
         for (next, said) in said {
-            // Only what is in force when a face comes names an object.
+            // A name begins an object only if a face follows before the name changes.
             if next > face {
                 begin(face, &name);
                 face = next;
@@ -101,7 +101,7 @@ impl Names {
     }
 }
 
-/// What each object is called; see the rules in [`super`].
+/// The final name of each object; see the rules in [`super`].
 fn called(path: &Path, objects: Vec<(usize, Name)>) -> Vec<(usize, String)> {
     let mut groups = HashMap::<usize, usize>::new();
     for (_, name) in &objects {

@@ -1,4 +1,4 @@
-//! What people are told of a file: what it asks for that is not shown, and what was mended.
+//! Writes the messages about a file: why it is refused, which parts of it are not shown, and what was repaired.
 
 use super::{
     BadLine, ObjError, build::LeftOut, material::Material, names::Names, outline::Outline,
@@ -9,10 +9,10 @@ use std::{
     path::Path,
 };
 
-/// Names that one warning lists.
+/// The most names that one warning lists.
 const NAMES_SHOWN: usize = 5;
 
-/// Why a file is refused that has not one triangle.
+/// The error for a file without a single triangle.
 pub(super) fn nothing(path: &Path, outline: &Outline, left_out: &LeftOut) -> ObjError {
     let file = path.to_owned();
     if let Some(first) = outline.faults.iter().min_by_key(|fault| fault.line) {
@@ -46,7 +46,7 @@ pub(super) fn nothing(path: &Path, outline: &Outline, left_out: &LeftOut) -> Obj
     }
 }
 
-/// Lines that break the format: of each kind the first, and how many more there are.
+/// Warnings about lines that break the format: for each kind of fault, the first line and how many more there are.
 pub(super) fn about_lines(path: &Path, outline: &Outline) -> impl Iterator<Item = Warning> {
     outline.faults.iter().map(|fault| {
         let mended = match fault.what {
@@ -65,7 +65,7 @@ pub(super) fn about_lines(path: &Path, outline: &Outline) -> impl Iterator<Item 
     })
 }
 
-/// Faces and lines that are left out or mended.
+/// Warnings about faces and lines that are left out or repaired.
 pub(super) fn about_geometry(
     path: &Path,
     outline: &Outline,
@@ -103,7 +103,7 @@ fn about(path: &Path, message: String) -> Warning {
     }
 }
 
-/// What the materials in use ask for that is not shown, and those that no file defines.
+/// Warnings about the materials in use: textures and transparency are not shown, and some materials are not defined.
 pub(super) fn about_materials(
     path: &Path,
     names: &Names,
@@ -113,7 +113,8 @@ pub(super) fn about_materials(
     let used = names.materials.iter();
     let (defined, unknown): (Vec<_>, Vec<_>) =
         used.partition(|(name, _)| materials.contains_key(name));
-    // Where there is no material file at all, nothing is amiss with the one name; a missing file has been told of.
+    // Without any material, a file needs no warning about its names: either it names no material file, or there is
+    // already a warning about that file.
     if let Some((_, line)) = unknown.first()
         && !materials.is_empty()
     {
@@ -151,7 +152,7 @@ pub(super) fn about_materials(
     warnings
 }
 
-/// The first few names, each made fit for a line, and how many more there are.
+/// Lists the first few names, escaped and shortened to fit on a line, and says how many more there are.
 pub(super) fn list<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
     let more = names.len().saturating_sub(NAMES_SHOWN);
     let shown = names.take(NAMES_SHOWN);

@@ -1,42 +1,43 @@
-//! What the lines of a file, or of a piece of it, say that `tobj` does not see.
+//! Collects what `tobj` does not get from a file or from a piece of it: names, materials, counts and bad lines.
 
 use super::{BadLine, names::Said};
 
-/// What lines say beside vertices and faces. Faces are numbered from 0, as `tobj` sees them.
+/// What the lines say besides vertices and faces. Faces are numbered from 0 and counted as `tobj` gets them, without
+/// those that are left out.
 #[derive(Default)]
 pub(super) struct Outline {
-    /// How many vertices there are.
+    /// The number of vertices.
     pub vertices: usize,
-    /// How many faces there are.
+    /// The number of faces.
     pub faces: usize,
     /// The largest vertex number that a face names, from 1.
     pub highest_vertex: usize,
-    /// What is said of the faces that follow, by the face that comes next.
+    /// The lines that name objects, groups, materials and libraries, each with the number of the face that comes next.
     pub said: Vec<(usize, Said)>,
-    /// Points, lines, and faces of less than three corners.
+    /// The number of points, lines, and faces with fewer than three corners.
     pub points_and_lines: usize,
-    /// Free-form curves and surfaces.
+    /// The number of free-form curves and surfaces.
     pub free_form: usize,
-    /// Faces with too many corners.
+    /// The number of faces with too many corners.
     pub oversized: usize,
-    /// Faces that name a normal that does not exist.
+    /// The number of faces that name a normal that does not exist.
     pub bad_normals: usize,
-    /// Lines that break the format, one of each kind.
+    /// The lines that break the format, one entry for each kind of fault.
     pub faults: Vec<Fault>,
 }
 
-/// Lines that break the format in one way.
+/// The lines with one kind of fault.
 pub(super) struct Fault {
-    /// What is wrong with the first.
+    /// What is wrong with the first such line.
     pub what: BadLine,
-    /// Its number, from 1.
+    /// The number of the first such line, from 1.
     pub line: usize,
-    /// How many there are.
+    /// How many such lines there are.
     pub count: usize,
 }
 
 impl Outline {
-    /// Takes down a line that breaks the format.
+    /// Records a line that breaks the format.
     pub fn note(&mut self, line: usize, what: BadLine) {
         let count = 1;
         self.add(Fault { what, line, count });
@@ -51,7 +52,7 @@ impl Outline {
         }
     }
 
-    /// Adds what the lines say that come next.
+    /// Appends the outline of the lines that follow.
     pub fn append(&mut self, next: Self) {
         let before = self.faces;
         let said = next.said.into_iter();

@@ -1,43 +1,43 @@
-//! A file in pieces of whole lines, each with what its lines need to know of those before it: so that they can be read
-//! at once, in any order.
+//! Cuts a file into pieces of whole lines. Each piece has the counts of what comes before it (lines, vertices, normals,
+//! faces), so that the pieces can be parsed in parallel and in any order.
 
 use super::{Stop, lines::Lines, words::fields};
 use crate::scene::Progress;
 use std::io::Read;
 
-/// What stands before a place of a file.
+/// How much comes before a position in a file.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Counts {
-    /// Of the text, without a byte order mark.
+    /// Bytes of text; a byte order mark does not count.
     pub bytes: usize,
     pub lines: usize,
     pub vertices: usize,
     pub normals: usize,
-    /// `f` lines, whatever is in them.
+    /// `f` lines, valid or not.
     pub faces: usize,
 }
 
-/// Lines that follow each other.
+/// Consecutive whole lines of a file.
 pub(super) struct Piece {
     pub text: Vec<u8>,
     pub before: Counts,
     pub after: Counts,
 }
 
-/// A file on its way into pieces.
+/// An iterator over the pieces of a file.
 pub(super) struct Pieces<'a> {
     input: Box<dyn Read + Send + 'a>,
-    /// How many bytes a piece has, about; more where a line is longer.
+    /// The approximate size of a piece in bytes. A piece with a longer line is larger.
     size: usize,
     progress: &'a Progress,
-    /// The beginning of the next piece.
+    /// The bytes that were read past the last piece: the beginning of the next one.
     rest: Vec<u8>,
     before: Counts,
     has_failed: bool,
 }
 
 impl<'a> Pieces<'a> {
-    /// Begins with the next line of a text.
+    /// The pieces of a text, from its start.
     pub fn new(input: Box<dyn Read + Send + 'a>, size: usize, progress: &'a Progress) -> Self {
         Self {
             input,
@@ -49,11 +49,12 @@ impl<'a> Pieces<'a> {
         }
     }
 
-    /// What comes next; `None` at the end.
+    /// Reads the next piece; `None` at the end.
     fn read(&mut self) -> Result<Option<Piece>, Stop> {
         let mut text = std::mem::take(&mut self.rest);
         loop {
-            // As much again as there is of a long line, so that looking for its end stays linear.
+            // For a line longer than a piece, the text doubles each time, so that the search for its end takes linear
+            // time.
             let more = self.size.max(text.len());
             let is_all = self.append(&mut text, more)?;
             let (length, after) = whole_lines(&text, self.before, is_all);
@@ -72,7 +73,7 @@ impl<'a> Pieces<'a> {
         }
     }
 
-    /// Reads so many bytes more. True where that is the end.
+    /// Reads up to `bytes` more bytes. Returns true at the end of the file.
     fn append(&mut self, text: &mut Vec<u8>, mut bytes: usize) -> Result<bool, Stop> {
         text.reserve_exact(bytes);
         while bytes > 0 {
@@ -105,8 +106,8 @@ impl Iterator for Pieces<'_> {
     }
 }
 
-/// How long the lines are together of which it is sure that they end, and what stands before the next. A line is whole
-/// where something follows it: else it could go on, or its end be half of CR LF.
+/// The total length of the lines that are surely complete, and the counts before the next line. A line is complete if
+/// some text follows it, or if `is_all`. Otherwise the line could go on, or its end could be the first half of CR LF.
 fn whole_lines(text: &[u8], before: Counts, is_all: bool) -> (usize, Counts) {
     let mut lines = Lines::new(text, before.lines);
     let (mut length, mut after) = (0, before);

@@ -1,25 +1,28 @@
-//! Where in the text that `tobj` gets, and in what it makes of that, the vertices or normals of a file are.
+//! Converts between the numbers of vertices or normals in a file and their places in the small file that `tobj` gets
+//! for one piece.
 
 use std::ops::Range;
 
-/// Those of which it is remembered that they have a stand-in. The others get another.
+/// How many stand-ins are remembered. A vertex or normal whose stand-in was forgotten gets another one.
 const REMEMBERED: usize = 1 << 14;
 
-/// The places of vertices, or of normals, in the text made of a piece: first one that nobody names, where there is one;
-/// then those of the piece; then stand-ins for others that its faces name. Places and numbers count from 1.
+/// The places of vertices, or of normals, in the text that is made from a piece. First comes one that no face of the
+/// file names (for vertices only), then the piece's own, then stand-ins for those of other pieces that its faces name.
+/// Places and numbers count from 1.
 pub(super) struct Places {
-    /// How many places there are before those of the piece.
+    /// How many places come before the piece's own.
     unnamed: usize,
-    /// The numbers of those of the piece.
+    /// The numbers, in the file, of the piece's own.
     own: Range<usize>,
-    /// What stands in for which number.
+    /// For each stand-in, the number in the file that it stands for.
     elsewhere: Vec<usize>,
-    /// Of some of those their number and place, by the last bits of the number.
+    /// The number and the place of recent stand-ins, indexed by the last bits of the number.
     recent: Vec<(usize, usize)>,
 }
 
 impl Places {
-    /// For a piece with as many as there are between two counts of those before a line.
+    /// The places for a piece. `before` and `after` count the vertices (or normals) before the piece and before the
+    /// next one.
     pub fn new(unnamed: usize, before: usize, after: usize) -> Self {
         Self {
             unnamed,
@@ -29,12 +32,12 @@ impl Places {
         }
     }
 
-    /// How many the piece has.
+    /// How many vertices (or normals) the piece has.
     pub fn own(&self) -> usize {
         self.own.len()
     }
 
-    /// The places of those that the piece has.
+    /// The places of the piece's own.
     pub fn of_own(&self) -> Range<usize> {
         self.unnamed + 1..self.unnamed + 1 + self.own()
     }
@@ -44,7 +47,7 @@ impl Places {
         self.elsewhere.len()
     }
 
-    /// The place of the one that has a number in the file.
+    /// The place of the vertex (or normal) with this number in the file. Adds a stand-in where it is needed.
     pub fn of(&mut self, number: usize) -> usize {
         if self.own.contains(&number) {
             return self.unnamed + 1 + (number - self.own.start);
@@ -61,15 +64,15 @@ impl Places {
         *place
     }
 
-    /// The index in the file, from 0, of the one that has an index in what `tobj` made of the text. `tobj` keeps the
-    /// order of first use, which is that of the places.
+    /// Converts an index in the output of `tobj` to an index in the file, from 0. `tobj` sorts by first use, which is
+    /// the order of the places.
     pub fn index(&self, made: u32) -> u32 {
         let at = (made as usize).saturating_sub(self.unnamed);
         let index = match at.checked_sub(self.own.len()) {
             None => self.own.start - 1 + at,
             Some(stand_in) => self.elsewhere[stand_in] - 1,
         };
-        // More than that are never in a mesh; faces that name them are left out.
+        // A mesh never has a larger index: faces that name one are left out.
         u32::try_from(index).unwrap_or(u32::MAX)
     }
 }

@@ -1,26 +1,28 @@
-//! Polygons to triangles that cover the same shape: a fan covers a notch, too.
+//! Splits polygons into triangles that cover the same shape. (A simple fan would also cover the notches of a polygon
+//! that is not convex.)
 
 use super::delaunay::delaunay;
 use earcut::{Earcut, deviation};
 use glam::DVec3;
 use std::collections::{BTreeSet, HashSet, VecDeque};
 
-/// How far the triangles' area may be from the polygon's, relative to it, where its outline does not cross itself:
-/// well above what rounding makes of a sum over the largest polygons, well below any triangle worth seeing.
+/// If the outline does not cross itself, the area of the triangles differs from the polygon's area by at most this
+/// relative amount. It is well above the rounding error for the largest polygons, and well below any visible triangle.
 const CROSSES: f64 = 1e-9;
 
-/// Polygons of more corners are split by [`delaunay()`]: earcut is faster on few, but takes cubic time on some.
+/// Polygons with more corners are split by [`delaunay()`]. Earcut is faster on small polygons, but takes cubic time on
+/// some large ones.
 const LARGE: usize = 64;
 
-/// A face with more than this many corners of which half are repeats is left out, too.
+/// A face with more corners than this is left out if at least half of them repeat a vertex.
 const MOST_REPEATS: usize = 1 << 5;
 
-/// Whether a triangle has an area, as far as `f64` tells: those without are left out.
+/// Whether a triangle has an area, as computed in `f64`. Triangles without area are left out.
 pub(super) fn has_area([a, b, c]: [DVec3; 3]) -> bool {
     (b - a).cross(c - a) != DVec3::ZERO
 }
 
-/// Splits polygons, with memory that lasts from one to the next.
+/// Splits polygons, and reuses its buffers from one polygon to the next.
 #[derive(Default)]
 pub(super) struct Splitter {
     earcut: Earcut<f64>,
@@ -31,8 +33,8 @@ pub(super) struct Splitter {
 }
 
 impl Splitter {
-    /// The triangles of a face by its vertices and where those lie, with and without area, as indices into its corners;
-    /// `None` where it has too many corners of which too many are the same.
+    /// Splits a face into triangles, given its vertices and their positions. The triangles are indices into the face's
+    /// corners; some may have no area. `None` if the face has too many corners that repeat a vertex.
     pub fn face(
         &mut self,
         vertices: &[u32],
@@ -57,8 +59,8 @@ impl Splitter {
         Some(&self.triangles)
     }
 
-    /// The triangles of those of a polygon's corners that are left without its spikes, and for each of the others one without
-    /// area.
+    /// Splits a polygon after its spikes are removed; `places` are the corners that are left. Triangles without area
+    /// are added until there are as many as the polygon with its spikes would have.
     fn split_without_spikes(&mut self, polygon: &[DVec3], places: &[u32]) {
         let left: Vec<_> = places
             .iter()
@@ -77,18 +79,18 @@ impl Splitter {
             .resize(count.max(self.triangles.len()), [0; 3]);
     }
 
-    /// The n - 2 triangles of a simple polygon, as indices into its corners, wound as it is.
+    /// Splits a simple polygon into n - 2 triangles, as indices into its corners, with the winding of the polygon.
     ///
-    /// Where two of them touch they share an edge: a corner on the straight line between its neighbours stays (earcut
-    /// cuts no ear past it), since the polygon next to it has it too. Triangles without area come only of corners that
-    /// coincide, which large polygons leave out. An outline that crosses itself, as that of a twisted quad may, has no
-    /// inside; it gets a fan.
+    /// Triangles that touch share an edge. A corner on the straight line between its neighbours stays a corner of a
+    /// triangle (earcut cuts no ear past it), because the adjacent polygon has this corner, too. Only corners that
+    /// coincide give triangles without area; for large polygons these triangles are left out. An outline that crosses
+    /// itself, as that of a twisted quad may, has no well-defined inside, so it is split as a fan.
     pub fn split(&mut self, corners: &[DVec3]) -> &[[u32; 3]] {
         self.triangles.clear();
         let normal = newell(corners);
         if let &[a, b, c, d] = corners {
             let turns = |p: DVec3, q: DVec3, r: DVec3| (q - p).cross(r - p).dot(normal) > 0.0;
-            // A diagonal with a turn the polygon's way on either side lies inside of it.
+            // A diagonal lies inside the quad if the triangles on both sides of it have the quad's winding.
             if turns(a, b, c) && turns(a, c, d) {
                 self.triangles.extend([[0, 1, 2], [0, 2, 3]]);
                 return &self.triangles;
@@ -121,12 +123,12 @@ impl Splitter {
     }
 }
 
-/// The corners that are left of a polygon where its outline does not go somewhere and straight back, by their places: such a
-/// spike holds nothing. `None` where it has none.
+/// Removes spikes from a polygon. A spike is a part of the outline that goes to a point and straight back; it encloses
+/// no area. Returns the indices of the corners that are left; `None` if there is no spike.
 fn without_spikes(polygon: &[DVec3]) -> Option<Vec<u32>> {
     let count = polygon.len();
     let at = |place: usize| polygon[place % count];
-    // A spike's end, of one corner or of some that coincide, has the same place before and after it.
+    // At the tip of a spike, the corners before and after it coincide. If the tip has several corners, they coincide.
     let may_have = (0..count).any(|i| at(i) == at(i + 2) || at(i) == at(i + 1));
     if !may_have {
         return None;
@@ -145,7 +147,7 @@ fn without_spikes(polygon: &[DVec3]) -> Option<Vec<u32>> {
         }
         left.push_back(place);
     }
-    // About the first corner.
+    // The same for spikes around the first corner.
     while left.len() > 1 {
         let last = left.len() - 1;
         if is(left[0], left[last]) {
@@ -169,7 +171,7 @@ fn is_repetitive(vertices: &[u32]) -> bool {
         && 2 * vertices.iter().collect::<HashSet<_>>().len() <= vertices.len()
 }
 
-/// Twice the polygon's vector area, by Newell's method about its first corner.
+/// Twice the polygon's vector area, by Newell's method relative to its first corner.
 fn newell(corners: &[DVec3]) -> DVec3 {
     let Some(&first) = corners.first() else {
         return DVec3::ZERO;
@@ -180,8 +182,8 @@ fn newell(corners: &[DVec3]) -> DVec3 {
         .sum()
 }
 
-/// Drops the normal's largest axis, so that the polygon becomes counter-clockwise; coordinates stay as they are, and
-/// points on a line along an axis on a line.
+/// Projects the polygon along the normal's largest axis, so that it becomes counter-clockwise. The other two
+/// coordinates are kept exactly, so points on a line parallel to an axis stay on a line.
 fn flatten_along(normal: DVec3) -> impl Fn(DVec3) -> [f64; 2] {
     let axis = normal.abs().max_position();
     let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -189,8 +191,8 @@ fn flatten_along(normal: DVec3) -> impl Fn(DVec3) -> [f64; 2] {
     move |corner| [corner[x], corner[y]]
 }
 
-/// Fills what earcut leaves open about corners that coincide, or do when seen along the normal: the outlines of such
-/// gaps are the sides of the polygon without a triangle, and the other sides of inner edges.
+/// Fills the gaps that earcut leaves around corners that coincide after projection. The outline of a gap consists of
+/// polygon sides without a triangle and of inner edges that have a triangle on one side only.
 fn close_gaps(triangles: &mut Vec<[u32; 3]>, corners: u32) {
     let edges = |&[a, b, c]: &[u32; 3]| [(a, b), (b, c), (c, a)];
     let present: BTreeSet<(u32, u32)> = triangles.iter().flat_map(edges).collect();
@@ -205,7 +207,7 @@ fn close_gaps(triangles: &mut Vec<[u32; 3]>, corners: u32) {
     }
 }
 
-/// Takes a closed walk out of a set of directed edges; `None` when there is none left.
+/// Removes a closed loop from a set of directed edges and returns it; `None` if there is none.
 fn take_loop(edges: &mut BTreeSet<(u32, u32)>) -> Option<Vec<u32>> {
     let (start, _) = *edges.first()?;
     let mut walk = vec![start];

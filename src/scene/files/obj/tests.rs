@@ -1,4 +1,4 @@
-//! A file in pieces is what it is in one, wherever the pieces end; and what `tobj` alone makes of it.
+//! Loading gives the same result for pieces of every size, and agrees with `tobj` alone.
 
 mod again;
 
@@ -23,7 +23,7 @@ fn read_in(piece: usize, path: &Path, bytes: &[u8]) -> Result<ObjFile, ObjError>
     })
 }
 
-/// All that a file comes to, as text.
+/// The mesh and the warnings of a file, or its error, as text.
 fn outcome(piece: usize, path: &Path, bytes: &[u8]) -> String {
     match read_in(piece, path, bytes) {
         Ok(file) => format!("{:?}{:?}", file.mesh.data(), file.warnings),
@@ -31,7 +31,7 @@ fn outcome(piece: usize, path: &Path, bytes: &[u8]) -> String {
     }
 }
 
-/// Compares what a file is in pieces of each size with what it is in one; counts how often.
+/// Asserts that a file gives the same result in pieces of each size as in one piece. Returns the number of sizes.
 fn assert_same(path: &Path, bytes: &[u8], pieces: impl IntoIterator<Item = usize>) -> usize {
     let whole = outcome(bytes.len() + 1, path, bytes);
     let mut count = 0;
@@ -43,7 +43,7 @@ fn assert_same(path: &Path, bytes: &[u8], pieces: impl IntoIterator<Item = usize
     count
 }
 
-/// Numbers below a limit.
+/// Random numbers below a limit.
 struct Dice(Random);
 
 impl Dice {
@@ -62,7 +62,8 @@ impl Dice {
     }
 }
 
-/// A vertex or normal of `count`, from the front or the back; now and then one that is not there, or not yet.
+/// The index of one of `count` vertices or normals, positive or negative; sometimes one that does not exist, or not
+/// yet.
 fn index(dice: &mut Dice, count: usize, wild: bool) -> String {
     match dice.below(if wild { 40 } else { 36 }) {
         0..24 => (1 + dice.below(count.max(1))).to_string(),
@@ -166,7 +167,7 @@ fn a_file_is_the_same_in_pieces_of_any_size() {
     for seed in 0..40 {
         let text = any_file(seed);
         meshes += usize::from(read_in(text.len() + 1, path, text.as_bytes()).is_ok());
-        // Each size ends pieces elsewhere; the smallest at every line.
+        // Each size cuts the file at other lines; the smallest cuts it after every line.
         let sizes = (1..40).chain((40..text.len() + 2).step_by(37));
         count += assert_same(path, text.as_bytes(), sizes);
     }
@@ -225,7 +226,7 @@ fn a_file_in_pieces_is_what_tobj_reads_at_once() {
             text.push('\n');
         }
         let none = |_: &Path| Err(tobj::LoadError::GenericFailure);
-        // As everybody calls it.
+        // The way `tobj` is usually called.
         let (models, _) =
             tobj::load_obj_buf(&mut text.as_bytes(), &tobj::LoadOptions::default(), none)
                 .expect("tobj reads it");
@@ -254,7 +255,7 @@ fn a_file_in_pieces_is_what_tobj_reads_at_once() {
     assert!(triangles > 1000, "{triangles}");
 }
 
-/// Rolling ground of so many squares along a side.
+/// A hilly terrain with this many squares along a side.
 fn terrain(side: usize) -> String {
     let mut text = String::new();
     for (z, x) in (0..=side).flat_map(|z| (0..=side).map(move |x| (z, x))) {
@@ -267,7 +268,7 @@ fn terrain(side: usize) -> String {
     text
 }
 
-/// Between two reports lies the work on one piece, at every step of a load. Each may be the last.
+/// Each step of a load reports progress after every piece. A load can be cancelled at each report.
 #[test]
 fn every_step_of_a_load_reports_and_can_be_the_last() {
     let text = terrain(160);
@@ -287,7 +288,8 @@ fn every_step_of_a_load_reports_and_can_be_the_last() {
     let pieces = text.len().div_ceil(PIECE);
     let of_normals = |count: usize| count.div_ceil(1 << 15);
     let [triangles, vertices] = [mesh.data().triangles.len(), mesh.data().positions.len()];
-    // Reading, and four steps of building; four of computing normals.
+    // Each piece reports once when it is read and once in each of four steps of building. Computing normals has more
+    // steps.
     let least = 5 * pieces + 3 * of_normals(triangles) + 2 * of_normals(vertices);
     assert!(reports >= least as u64, "{reports} of {least}");
     for last in 1..=reports {
@@ -297,7 +299,7 @@ fn every_step_of_a_load_reports_and_can_be_the_last() {
     }
 }
 
-/// A file of which any part is missing is read or refused, in a line.
+/// A file with any part missing is read, or refused with a message of one line.
 #[test]
 fn a_file_that_ends_anywhere_is_read_or_refused() {
     let text = terrain(12);

@@ -1,4 +1,4 @@
-//! The vertices of a file as a mesh stores them: those that faces use, as `f32` about one origin.
+//! Converts the vertices of a file to what a mesh stores: only the used ones, as `f32` positions relative to an origin.
 
 use super::{
     ObjError,
@@ -20,26 +20,26 @@ use std::{
 #[derive(Default)]
 pub(super) struct Stored {
     pub origin: DVec3,
-    /// About the origin.
+    /// Relative to the origin.
     pub positions: Vec<[f32; 3]>,
-    /// Of every vertex, or none at all.
+    /// The colour of every vertex; empty if no vertex has one.
     pub colours: Vec<Srgb>,
-    /// The file's normals at unit length; zero where they have no direction.
+    /// The file's normals, scaled to unit length. A normal without a direction is zero.
     pub normals: Vec<[f32; 3]>,
-    /// Those that are not three finite numbers, which are stored as zeros.
+    /// The vertices that are not three finite numbers. Their positions are stored as zeros.
     nowhere: HashSet<u32>,
-    /// For each vertex of the file which one it is here, where faces do not use all.
+    /// For each vertex of the file, its index in `positions`; `None` if faces use all vertices.
     places: Option<Vec<u32>>,
 }
 
-/// The vertices of a block, and whether a face uses them.
+/// The vertices of a block, and for each whether a face uses it.
 type Block<'a> = (Vertices, &'a [bool]);
 
 impl Stored {
-    /// How often work on all blocks reports progress for each.
+    /// How many times [`Self::new`] goes through all blocks and reports progress for each.
     pub const STEPS: u64 = 3;
 
-    /// Takes vertices that faces use. Each block counts for so many bytes a step.
+    /// Stores the vertices that faces use. In the progress, each block counts as `bytes` bytes in each step.
     pub fn new(
         path: &Path,
         blocks: Vec<Vertices>,
@@ -126,7 +126,7 @@ impl Stored {
         self.normals.extend(next.normals);
     }
 
-    /// Which one a vertex of the file is.
+    /// The index in `positions` of a vertex of the file.
     pub fn place(&self, vertex: u32) -> u32 {
         match &self.places {
             Some(places) => places[vertex as usize],
@@ -134,7 +134,7 @@ impl Stored {
         }
     }
 
-    /// Where one is, about the origin: what rays will meet.
+    /// The stored position of a vertex, relative to the origin. Rays are tested against this position.
     pub fn position(&self, place: u32) -> DVec3 {
         DVec3::from_array(self.positions[place as usize].map(f64::from))
     }
@@ -144,13 +144,13 @@ impl Stored {
         Vec3::from_array(self.normals[normal as usize]) != Vec3::ZERO
     }
 
-    /// Whether one of them is not three finite numbers.
+    /// Whether one of these vertices is not three finite numbers.
     pub fn any_nowhere(&self, places: &[u32]) -> bool {
         !self.nowhere.is_empty() && places.iter().any(|place| self.nowhere.contains(place))
     }
 }
 
-/// Of each vertex whether a face uses it.
+/// For each vertex, whether a face uses it.
 fn used(
     blocks: &[Vertices],
     faces: &[Faces],
@@ -168,13 +168,13 @@ fn used(
     Ok(used.into_iter().map(AtomicBool::into_inner).collect())
 }
 
-/// Of values for each vertex of a block those that are used.
+/// Selects the values of used vertices, from one value for each vertex of a block.
 fn used_of<'a>((_, used): &'a Block, values: &'a [[f64; 3]]) -> impl Iterator<Item = DVec3> + 'a {
     let used = values.iter().zip(*used).filter(|(_, used)| **used);
     used.map(|(&value, _)| DVec3::from_array(value))
 }
 
-/// How many are used before each.
+/// For each vertex, the number of used vertices before it.
 fn places(used: &[bool]) -> Vec<u32> {
     let before = used.iter().scan(0, |before, &used| {
         let place = *before;
@@ -184,9 +184,10 @@ fn places(used: &[bool]) -> Vec<u32> {
     before.collect()
 }
 
-/// Where `f32` positions are counted from. On an axis where the box reaches as near to 0 as it is large, 0: nothing
-/// would be won. Otherwise the box's centre, rounded to a power of two near a sixteenth of the box, so that taking it
-/// off is exact and the sum of both has the digits of the file.
+/// The origin of the `f32` positions. On an axis where the box's centre is no farther from 0 than the box is large, it
+/// is 0, because another origin would gain no precision. Otherwise it is the box's centre, rounded to a multiple of a
+/// power of two near a sixteenth of the box. So subtracting it is exact, and origin plus position has the digits of the
+/// file.
 fn origin(bounds: Aabb) -> DVec3 {
     let size = (bounds.max - bounds.min).max_element();
     let step = (size.log2().floor() - 4.0).exp2();

@@ -1,13 +1,13 @@
-//! The lines of a piece on their way to `tobj`: washed, counted, and made a file by themselves.
+//! Cleans the lines of a piece and writes them as a small OBJ file of its own, for `tobj`.
 //!
-//! `tobj` sees vertices, normals and faces, all under one name and without materials. It sees no line that it would
+//! `tobj` gets vertices, normals and faces, all in one object and without materials. It gets no line that it would
 //! refuse: a vertex or a normal that cannot be read becomes NaN, so that the others keep their numbers, and a face that
-//! cannot is left out. What the other lines say is kept in the [`Outline`], by face number.
+//! cannot be read is left out. The contents of the other lines are kept in the [`Outline`], by face number.
 //!
-//! A face names vertices by their number in the file, where `tobj` gets a piece of it. So it is handed their places in
-//! the piece ([`Places`]), and for vertices of other pieces stand-ins at its end; what those stand for is kept beside the
-//! text. Before all others comes a face that names every vertex and every normal of the piece: `tobj` hands back what
-//! faces use, in the order of its use.
+//! A face names vertices by their number in the whole file, but `tobj` gets only a piece. So the numbers are replaced
+//! by places in the piece ([`Places`]). A vertex of another piece is replaced by a stand-in at the end of the text;
+//! [`Places`] also stores which vertex that is. `tobj` returns only the vertices and normals that faces use, in the
+//! order of their use. So the text begins with an extra face that names every vertex and every normal of the piece.
 
 use super::{
     BadLine,
@@ -21,27 +21,27 @@ use super::{
 };
 use std::ops::Range;
 
-/// A longer name of an object or group is cut, in characters.
+/// The longest name of an object or group, in characters. Longer names are cut.
 const LONGEST_NAME: usize = 120;
 
-/// What the lines of a piece come to.
+/// The cleaned lines of a piece.
 pub(super) struct Washed {
     /// A file for `tobj`.
     pub text: Vec<u8>,
-    /// How many corners its first face has, which is none of the file's.
+    /// The number of corners of the extra first face.
     pub naming_corners: usize,
-    /// Where vertices are in it.
+    /// The places of vertices in the text.
     pub vertices: Places,
-    /// Where normals are in it.
+    /// The places of normals in the text.
     pub normals: Places,
     /// For each face of the file, whether every corner names a normal.
     pub with_normals: Vec<bool>,
-    /// What the other lines say.
+    /// The contents of the other lines.
     pub outline: Outline,
 }
 
-/// Washes the lines of a piece. `known` is how many vertices the file has, where that is known: faces that name others
-/// are left out.
+/// Cleans the lines of a piece. `known` is the number of vertices in the file, if it is known. Then faces that name a
+/// higher vertex are left out.
 pub(super) fn wash(piece: &Piece, known: Option<usize>) -> Washed {
     let Piece { before, after, .. } = piece;
     let mut washer = Washer {
@@ -70,28 +70,30 @@ pub(super) fn wash(piece: &Piece, known: Option<usize>) -> Washed {
     washed
 }
 
-/// What washes the lines of a piece.
+/// Cleans the lines of a piece, one after another.
 struct Washer {
-    /// What stands before the line under way.
+    /// The counts before the current line.
     before: Counts,
-    /// How many vertices the file has, where that is known.
+    /// The number of vertices in the file, if it is known.
     known: Option<usize>,
-    /// Whether vertices have colours, which they have all or none. White where the file gives none.
+    /// Whether vertices have colours. In the text, all have one or none has. Vertices without a colour in the file are
+    /// white.
     coloured: bool,
     washed: Washed,
-    /// The vertex and the normal of each corner of the face under way.
+    /// The vertex and the normal of each corner of the current face.
     corners: Vec<(usize, Normal)>,
 }
 
-/// The coordinates of what cannot be read.
+/// The coordinates of a vertex or normal that cannot be read.
 const NOWHERE: &[u8] = b" nan nan nan";
-/// The coordinates of what another piece has.
+/// The coordinates of a stand-in for a vertex or normal of another piece.
 const STAND_IN: &[u8] = b" 0 0 0";
 /// The colour of a vertex without one.
 const WHITE: &[u8] = b" 1 1 1";
 
 impl Washer {
-    /// Writes the face that names all of the piece, and the vertex that nobody names but it.
+    /// Writes the extra first face, which names every vertex and normal of the piece, and an extra vertex that only
+    /// this face names.
     fn name_all(&mut self) {
         self.write_vertex(STAND_IN, false);
         let Washed {
@@ -124,7 +126,7 @@ impl Washer {
         }
     }
 
-    /// Takes a line by its keyword.
+    /// Handles a line according to its keyword.
     fn sort(&mut self, line: &[u8]) {
         let keyword = fields(line).next().unwrap_or_default();
         let end = keyword.end;
@@ -142,7 +144,7 @@ impl Washer {
         }
     }
 
-    /// The number of the line under way, from 1.
+    /// The number of the current line, from 1.
     fn number(&self) -> usize {
         self.before.lines + 1
     }
@@ -156,8 +158,8 @@ impl Washer {
         self.washed.outline.note(self.number(), what);
     }
 
-    /// Leaves three coordinates, and a colour where the vertex has one or others have. A fourth coordinate is a weight
-    /// for free-form curves.
+    /// Writes the three coordinates of a vertex, and a colour if this vertex or an earlier one has one. A fourth
+    /// coordinate, a weight for free-form curves, is dropped.
     fn vertex(&mut self, values: &[u8]) {
         let mut words: [Range<usize>; 6] = Default::default();
         let mut count = 0;
@@ -218,8 +220,8 @@ impl Washer {
         text.push(b'\n');
     }
 
-    /// Checks the corners, of which `tobj` would refuse the bad ones without saying where, and read absent normals as
-    /// those of the corner before.
+    /// Checks the corners of a face and writes it. `tobj` would refuse a bad corner without naming its line, and would
+    /// give a corner without a normal that of the corner before.
     fn face(&mut self, corners: &[u8]) {
         let corners = read_corners(corners, self.before, self.known, &mut self.corners);
         if let Err(fault) = corners {
@@ -258,7 +260,7 @@ impl Washer {
     }
 }
 
-/// A text whose vertices have no colours, with white ones.
+/// Gives every vertex of a text the colour white. None of them has a colour yet.
 fn whitened(text: &[u8]) -> Vec<u8> {
     let lines = text.split_inclusive(|&b| b == b'\n');
     let white = lines.flat_map(|line| match line {
@@ -279,14 +281,14 @@ fn write_corner(text: &mut Vec<u8>, vertex: usize, normal: Option<usize>) {
     }
 }
 
-/// What stands after the keyword: a name, in which a `#` begins a comment only where it stands alone.
+/// The name after a keyword. A `#` in it begins a comment only if it is a word by itself.
 fn rest(line: &[u8]) -> String {
     let text = String::from_utf8_lossy(line).replace('\t', " ");
     let name = text.split_once(" # ").map_or(&*text, |(name, _)| name);
     name.trim().trim_end_matches(" #").to_owned()
 }
 
-/// The name of an object or group. Each face may have another, so that only the start of an endless one is kept.
+/// The name of an object or group. A very long name is cut, because each face may have another name.
 fn short_rest(line: &[u8]) -> String {
     let mut name = rest(line);
     if let Some((end, _)) = name.char_indices().nth(LONGEST_NAME) {

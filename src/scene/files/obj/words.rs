@@ -1,8 +1,8 @@
-//! The words of a line: where they are, and what they are as numbers.
+//! Splits a line into words, and parses words as numbers and indices.
 
 use std::ops::Range;
 
-/// Where the words of a line stand.
+/// The ranges of the words in a line.
 pub(super) fn fields(line: &[u8]) -> impl Iterator<Item = Range<usize>> {
     let mut at = 0;
     std::iter::from_fn(move || {
@@ -14,25 +14,25 @@ pub(super) fn fields(line: &[u8]) -> impl Iterator<Item = Range<usize>> {
     })
 }
 
-/// What a word is as a number.
+/// Which kind of number a word is.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Number {
-    /// None.
+    /// The word is no number.
     Not,
     /// `nan`, `inf` or too large for `f64`.
     Endless,
-    /// A finite one.
+    /// A finite number.
     Finite,
 }
 
 impl Number {
-    /// As `tobj` reads it.
+    /// The kind of number that `tobj` reads from a word.
     pub fn of(word: &[u8]) -> Self {
         let unsigned = word.strip_prefix(b"-").unwrap_or(word);
         let point = unsigned.iter().position(|&b| b == b'.');
         let (whole, part) = unsigned.split_at(point.unwrap_or(unsigned.len()));
         let mut digits = whole.iter().chain(part.iter().skip(1));
-        // Nearly all of them; without an exponent, so few digits are finite.
+        // Nearly all words take this fast path: without an exponent, fewer than 300 whole digits make a finite number.
         let few = whole.len() < 300 && whole.len() + part.len() > usize::from(point.is_some());
         if few && digits.all(u8::is_ascii_digit) {
             return Self::Finite;
@@ -45,8 +45,8 @@ impl Number {
     }
 }
 
-/// An index of a face, from 1, where negative ones count back from `count`; `None` for what cannot be one. May be
-/// greater than `count`.
+/// Parses an index of a face and returns it counted from 1. Negative indices count back from `count`. The result may be
+/// greater than `count`. `None` if the text is no valid index.
 pub(super) fn index(text: &[u8], count: usize) -> Option<usize> {
     match integer(text)? {
         (0, _) => None,
@@ -55,13 +55,13 @@ pub(super) fn index(text: &[u8], count: usize) -> Option<usize> {
     }
 }
 
-/// An integer's magnitude, and whether it is negative.
+/// Parses an integer: its magnitude, and whether it is negative.
 pub(super) fn integer(text: &[u8]) -> Option<(usize, bool)> {
     let (digits, negative) = match text {
         [b'-', digits @ ..] => (digits, true),
         [b'+', digits @ ..] | digits => (digits, false),
     };
-    // 18 digits: beyond them tobj's own arithmetic overflows.
+    // With more than 18 digits, the arithmetic of tobj overflows.
     if !(1..=18).contains(&digits.len()) {
         return None;
     }

@@ -1,4 +1,4 @@
-//! A mesh as an OBJ file, with an MTL file where it has colours.
+//! Writes a mesh as the text of an OBJ file, and of an MTL file if the mesh has colours.
 
 use crate::{
     colour::Srgb,
@@ -7,8 +7,8 @@ use crate::{
 use glam::Vec3;
 use std::{collections::BTreeSet, fmt::Write};
 
-/// A mesh as the text of an OBJ file, whose colours are those of the MTL file `library`. Every number is written so that it
-/// reads back as it is.
+/// The text of an OBJ file for a mesh. Its colours are in the MTL file `library`. Every number reads back as exactly
+/// the same value.
 #[must_use]
 pub(in crate::scene::files) fn text(mesh: &Mesh, library: Option<&str>) -> String {
     let data = mesh.data();
@@ -31,7 +31,7 @@ pub(in crate::scene::files) fn text(mesh: &Mesh, library: Option<&str>) -> Strin
     }
     let mut runs = data.colours.iter().peekable();
     for part in &data.parts {
-        // A name of several lines is none that OBJ has.
+        // OBJ has no names of several lines.
         let name = part.name.replace(char::is_control, " ");
         let _ = writeln!(text, "o {name}");
         for triangle in part.triangles.clone() {
@@ -57,7 +57,7 @@ pub(in crate::scene::files) fn text(mesh: &Mesh, library: Option<&str>) -> Strin
     text
 }
 
-/// The text of the MTL file that [`text`] names; `None` where no triangle has a colour of its own.
+/// The text of the MTL file that [`text`] names; `None` if no triangle has a colour of its own.
 #[must_use]
 pub(in crate::scene::files) fn materials(mesh: &Mesh) -> Option<String> {
     let colours: BTreeSet<_> = (mesh.data().colours.iter())
@@ -87,11 +87,10 @@ fn unit(Srgb(channels): Srgb) -> [f64; 3] {
     channels.map(|c| f64::from(c) / 255.0)
 }
 
-/// Whether two meshes are picked and coloured alike to the bit, triangle by triangle, and shaded alike but for the last
-/// bits of their normals.
+/// Whether two meshes have bit-identical triangles and colours, and normals that differ by rounding only.
 #[must_use]
 pub(in crate::scene::files) fn same(a: &Mesh, b: &Mesh) -> bool {
-    /// Normals are of unit length, and are made that again when read: a rounding or two.
+    /// The largest difference of normals. Reading makes them unit length again, which rounds once or twice.
     const NORMALS: f32 = 4.0 * f32::EPSILON;
     let (a_data, b_data) = (a.data(), b.data());
     let count = a_data.triangles.len();

@@ -1,4 +1,4 @@
-//! What is read again of a face is what the file says, held against a reader that knows nothing of pieces.
+//! What is read again of a face equals the text of the file, according to a simple reader without pieces.
 
 use super::{
     super::{Again, AgainError, Stamp},
@@ -8,7 +8,7 @@ use crate::scene::{FileError, Progress};
 use glam::DVec3;
 use std::{env, fs, path::Path};
 
-/// The lines of a text by any of the three ends, as an editor numbers them.
+/// The lines of a text, with any of the three line ends, as an editor numbers them.
 fn editor_lines(text: &str) -> Vec<String> {
     let text = text
         .trim_start_matches('\u{feff}')
@@ -17,7 +17,7 @@ fn editor_lines(text: &str) -> Vec<String> {
     text.split('\n').map(str::to_owned).collect()
 }
 
-/// A line with those that continue it, up to its comment.
+/// A line joined with those that continue it, without its comment.
 fn joined(lines: &[String], at: usize) -> String {
     let mut text = String::new();
     for line in &lines[at..] {
@@ -32,8 +32,8 @@ fn joined(lines: &[String], at: usize) -> String {
     text.split('#').next().unwrap_or_default().to_owned()
 }
 
-/// Reads triangles again, each `step`th, and every face that is not too many; counts triangles and faces with others than
-/// three corners.
+/// Reads every `step`th triangle again, and every face if there are not too many. Counts the triangles, and the faces
+/// that do not have three corners.
 fn assert_read_again(path: &Path, bytes: &[u8], piece: usize, step: usize) -> [usize; 2] {
     let Ok(mut file) = read_in(piece, path, bytes) else {
         return [0, 0];
@@ -63,7 +63,7 @@ fn assert_read_again(path: &Path, bytes: &[u8], piece: usize, step: usize) -> [u
         let face = again
             .face_of(triangle)
             .unwrap_or_else(|error| panic!("{error}"));
-        // The line, as somebody reads it who looks it up.
+        // The line equals the one that an editor shows under this number.
         assert_eq!(face.line, face_lines[face.face - 1] + 1, "{path:?}");
         let text = joined(&lines, face.line - 1);
         let named: Vec<isize> = text
@@ -92,7 +92,7 @@ fn assert_read_again(path: &Path, bytes: &[u8], piece: usize, step: usize) -> [u
             let words: Vec<_> = text.split_whitespace().skip(1).take(3).collect();
             assert_eq!(vertex.written, words.join(" "));
         }
-        // The triangle is one of the polygon's, and stored as `f32` about the origin.
+        // The triangle's corners are corners of the polygon, stored as `f32` relative to the origin.
         let corners = face.corners[(triangle - face.triangles.start) as usize];
         let stored = corners.map(|corner| {
             let written = &face.vertices[corner as usize].written;
@@ -108,7 +108,7 @@ fn assert_read_again(path: &Path, bytes: &[u8], piece: usize, step: usize) -> [u
         polygons += usize::from(face.vertices.len() != 3);
     }
     if step == 1 {
-        // Every triangle is in one face, in order.
+        // Every triangle belongs to one face, in order.
         let mut next = 0;
         for number in 1..=file.contents.faces() {
             let face = again.face(number).unwrap_or_else(|error| panic!("{error}"));
@@ -201,7 +201,7 @@ fn a_changed_file_is_said_to_be_one() {
     let progress = Progress::default();
     let face = || Again::new(&path, &file.contents, &file.mesh, &progress).face_of(0);
     assert_eq!(face().expect("unchanged").line, 4);
-    // As long, and of the same time, as far as anybody can tell: the numbers are others.
+    // Other numbers, but the same size and the same time of modification.
     let modified = fs::metadata(&path)
         .and_then(|about| about.modified())
         .expect("a time");
@@ -209,7 +209,7 @@ fn a_changed_file_is_said_to_be_one() {
     let opened = fs::File::options().write(true).open(&path).expect("a file");
     opened.set_modified(modified).expect("set");
     assert!(matches!(face(), Err(AgainError::Changed { .. })));
-    // As it was, but written later.
+    // The same text, but a later time of modification.
     fs::write(&path, text).expect("written");
     let later = modified + std::time::Duration::from_secs(7);
     opened.set_modified(later).expect("set");
@@ -219,7 +219,7 @@ fn a_changed_file_is_said_to_be_one() {
     assert!(gone.contains("cannot be read again"), "{gone}");
 }
 
-/// What was read stays in memory, and is none of the file's any more once that has changed.
+/// Pieces that were read stay in memory, but are not used once the file has changed.
 #[test]
 fn a_change_after_the_first_answer_is_said_too() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -231,7 +231,7 @@ fn a_change_after_the_first_answer_is_said_too() {
     let progress = Progress::default();
     let mut again = Again::new(&path, &file.contents, &file.mesh, &progress);
     assert_eq!(again.face_of(0).expect("unchanged").line, 4);
-    // Another file of this name, as long and of the same time.
+    // Another file with the same name, size and time of modification.
     let modified = fs::metadata(&path).and_then(|about| about.modified());
     fs::write(&other, text).expect("written");
     let opened = fs::File::options().write(true).open(&other);
@@ -250,7 +250,7 @@ fn a_change_after_the_first_answer_is_said_too() {
         again.in_file(0).file_error,
         Some(error) if error.contains("cannot be read again")
     ));
-    // Not opened: whoever opens a pipe waits for what is written into it.
+    // A path that is no regular file is not opened: opening a pipe would wait for a writer.
     fs::create_dir(&path).expect("a folder");
     assert!(matches!(
         again.face_of(0),
@@ -276,7 +276,7 @@ fn numbers_that_a_file_has_not_are_refused() {
         );
         assert!(again.vertex(number).is_err());
     }
-    // Those that are left out are there, without triangles.
+    // Faces that are left out can be read; they have no triangles.
     for number in 2..=4 {
         assert_eq!(again.face(number).expect("a line").triangles.len(), 0);
     }
