@@ -2,6 +2,7 @@
 
 use super::finish::Finish;
 use crate::render::{Gpu, Renderer};
+use std::time::Instant;
 
 /// What every picture is drawn with.
 pub(super) struct Brush<'a> {
@@ -9,8 +10,8 @@ pub(super) struct Brush<'a> {
     pub renderer: &'a mut Renderer,
     /// Pixels of the window for one of its points.
     pub scale_factor: f32,
-    /// So many pictures share the time of a frame.
-    pub pictures: u32,
+    /// When the frame began, whose pictures share its time.
+    pub began: Instant,
 }
 
 impl Brush<'_> {

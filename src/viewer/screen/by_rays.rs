@@ -10,7 +10,7 @@ use std::{
 
 /// With more work than this, a moving picture's triangles take longer than its rays.
 pub(super) const MUCH: u64 = 20_000;
-/// How long the pictures of a frame may take.
+/// How long the pictures of a frame may take together.
 const LONGEST: Duration = Duration::from_millis(80);
 /// So many pictures are drawn after one that took rays too long, and twice as many after the next one, up to the most.
 const DRAWN_AFTER: [u32; 2] = [2, 64];
@@ -25,11 +25,11 @@ pub(super) struct ByRays {
 }
 
 impl ByRays {
-    /// What `cast` finds by a deadline, for one of so many pictures in the frame; `None` if rays are late, or were.
+    /// What `cast` finds by a deadline, for a picture of a frame that began at `began`; `None` if rays are late, or were.
     pub fn cast<T: Send>(
         &mut self,
         subject: &Subject,
-        pictures: u32,
+        began: Instant,
         cast: impl FnOnce(&Scene, Instant) -> Option<T> + Send,
     ) -> Option<T> {
         if !subject.scene.trees_are_built() {
@@ -39,7 +39,7 @@ impl ByRays {
             self.to_draw -= 1;
             return None;
         }
-        let deadline = Instant::now() + LONGEST / pictures.max(1);
+        let deadline = began + LONGEST;
         // On other threads alone: the window's own, whose processor time is bounded, waits as for an adapter.
         let cast = thread::scope(|scope| scope.spawn(|| cast(subject.scene, deadline)).join());
         let found = cast.unwrap_or_else(|panic| resume_unwind(panic));

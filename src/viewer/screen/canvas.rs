@@ -18,6 +18,7 @@ use crate::{
     },
 };
 use egui_wgpu::ScreenDescriptor;
+use std::time::Instant;
 use wgpu::TextureFormat;
 
 /// Everything that one device draws, and what it has drawn already.
@@ -98,7 +99,7 @@ impl Canvas {
     /// Takes an uploaded scene that is to be shown next, as a stage or, with `None`, as the camera's picture.
     pub fn take_uploaded(&mut self, stage: Option<Stage>, uploaded: Uploaded) {
         self.scene.scenes.meshes = uploaded.meshes.clone();
-        let (picture, ..) = self.picture_of(stage, 1.0, 1);
+        let (picture, ..) = self.picture_of(stage, 1.0, Instant::now());
         picture.scenes.take_uploaded(uploaded);
     }
 
@@ -127,6 +128,7 @@ impl Canvas {
         state: &State,
         laid: &Laid,
     ) -> Result<Progress, GpuError> {
+        let began = Instant::now();
         let is_new = self.size != size;
         if is_new {
             (self.page, self.size) = (page(&self.gpu, size, self.format), size);
@@ -141,7 +143,7 @@ impl Canvas {
         let (mut progress, mut looks) = (Ok(Progress::default()), Vec::new());
         for (stage, place) in &places {
             let (picture, mut brush, meshes) =
-                self.picture_of(*stage, laid.pixels_per_point, places.len());
+                self.picture_of(*stage, laid.pixels_per_point, began);
             picture.scenes.meshes = meshes;
             let Some(subject) = subject(state, *stage, *place) else {
                 looks.push((*place, None));
@@ -175,8 +177,7 @@ impl Canvas {
             }
             if let (place, Some(look)) = look {
                 let page = self.page.clone();
-                let (picture, mut brush, _) =
-                    self.picture_of(*stage, laid.pixels_per_point, places.len());
+                let (picture, mut brush, _) = self.picture_of(*stage, laid.pixels_per_point, began);
                 picture.composite(&mut brush, &look, &page, place);
                 self.panels.draw_over(&self.gpu, &self.page, place);
                 self.unshown = true;
@@ -191,18 +192,18 @@ impl Canvas {
         progress
     }
 
-    /// The picture of a stage, or with `None` the camera's, of so many on the page; what draws it; the uploaded meshes.
+    /// The picture of a stage, or with `None` the camera's; what draws it in this frame; the uploaded meshes.
     fn picture_of(
         &mut self,
         stage: Option<Stage>,
         scale_factor: f32,
-        pictures: usize,
+        began: Instant,
     ) -> (&mut ScenePicture, Brush<'_>, MeshStore) {
         let brush = Brush {
             gpu: &self.gpu,
             renderer: &mut self.renderer,
             scale_factor,
-            pictures: u32::try_from(pictures).unwrap_or(u32::MAX),
+            began,
         };
         let meshes = self.scene.scenes.meshes.clone();
         let new = || Box::new([(); 3].map(|()| ScenePicture::new(brush.gpu)));

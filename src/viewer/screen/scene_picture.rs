@@ -179,7 +179,7 @@ impl ScenePicture {
             let mask = |scene: &Scene, deadline| mask_until(scene, &view, object, deadline);
             if gpu.is_software()
                 && !at_once
-                && let Some(mask) = self.masks_by_rays.cast(subject, brush.pictures, mask)
+                && let Some(mask) = self.masks_by_rays.cast(subject, brush.began, mask)
             {
                 brush.scale_for(shown.finish);
                 (brush.renderer).take_mask(
@@ -218,7 +218,7 @@ impl ScenePicture {
         if !finish.is_exact()
             && wanted.wireframe().is_none()
             && scene.buffers.whole().work >= MUCH
-            && let Some(pixels) = self.by_rays.cast(subject, brush.pictures, cast)
+            && let Some(pixels) = self.by_rays.cast(subject, brush.began, cast)
         {
             self.show_pixels(brush, subject, wanted, finish, &pixels)?;
             return Ok(true);

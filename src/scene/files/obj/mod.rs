@@ -191,8 +191,9 @@ impl Stop {
 
 /// Loads an OBJ file and the MTL files it names.
 ///
-/// # Errors When the file cannot be read or has nothing to show; see [`ObjError`]. Any other problem of the file or its
-/// MTL files is a warning.
+/// # Errors
+/// When the file cannot be read or has nothing to show; see [`ObjError`]. Any other problem of the file or its MTL
+/// files is a warning.
 pub fn load(path: &Path, progress: &Progress) -> Result<ObjFile, ObjError> {
     load_with(path, progress, Detail::All)
 }
