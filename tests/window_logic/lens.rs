@@ -62,8 +62,9 @@ fn what_cannot_be_is_refused_with_a_reason_and_changes_nothing() {
 fn orthographic_and_back_shows_the_target_as_large() {
     let mut state = front_view();
     let span = |state: &State| {
-        let [a, b] =
-            [DVec3::NEG_X, DVec3::X].map(|p| state.view().project(p).expect("in front").px.x);
+        let target = state.view().camera.target();
+        let [a, b] = [DVec3::NEG_X, DVec3::X]
+            .map(|side| state.view().project(target + side).expect("in front").px.x);
         b - a
     };
     let before = span(&state);
