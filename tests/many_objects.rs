@@ -290,6 +290,42 @@ fn holds_its_sums(scene: &Scene) {
     assert_eq!(scene.hidden_count(), hidden);
 }
 
+/// Many objects are toggled by all cores; their indices need no order, and one that occurs twice stays as it was.
+#[test]
+fn many_objects_are_toggled_as_one_by_one() {
+    let count = 9_000;
+    let mut scene = scattered(count, DVec3::ZERO, 8.0, 2.0);
+    scene.toggle(&Vec::from_iter((0..count).filter(|object| object % 3 == 0)));
+    holds_its_sums(&scene);
+    let before = scene.clone();
+    let objects: Vec<_> = (0..count - 100)
+        .map(|i| i * 7 % count)
+        .chain([5, 5])
+        .collect();
+    scene.toggle(&objects);
+    holds_its_sums(&scene);
+    let times = |object| objects.iter().filter(|other| **other == object).count();
+    for object in (0..count).step_by(13).chain([5]) {
+        let [was, is] = [&before, &scene].map(|scene| scene.objects()[object].visible);
+        assert_eq!(was != is, times(object) % 2 == 1, "object {object}");
+    }
+    let log = scene.changed_since(before.changes()).expect("the log");
+    assert_eq!(log.len(), objects.len());
+    let mut logged = before.clone();
+    for change in log {
+        assert!(!change.moved && change.visible != logged.objects()[change.object].visible);
+        logged.set_visible(change.object, change.visible);
+    }
+    let visible = |scene: &Scene| {
+        scene
+            .objects()
+            .iter()
+            .map(|object| object.visible)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(visible(&logged), visible(&scene));
+}
+
 /// The derived data of a scene follows its objects: boxes, counts, the tree, the log of changes.
 #[test]
 fn a_scene_whose_objects_were_changed_is_as_one_made_of_them() {

@@ -50,7 +50,7 @@ pub fn fit_near_far(
             let end = (1.01 * end).min(end + room(end));
             let behind = |near: f64| if end > near { end } else { 1.01 * near };
             let far = far.unwrap_or_else(|| near.map_or(end, behind));
-            let least = (NEAREST * far).min(NEAREST_TO_TARGET * to_target);
+            let least = least_near(camera, far);
             let begins = (0.99 * z0).max(z0 - room(z0.abs())).max(least);
             let before = if begins < far { begins } else { 0.99 * far };
             let near = near.unwrap_or(before);
@@ -65,4 +65,10 @@ pub fn fit_near_far(
             (near, far)
         }
     }
+}
+
+/// The least near plane that [`fit_near_far`] fits in perspective before this far plane.
+pub(crate) fn least_near(camera: &Camera, far: f64) -> f64 {
+    let to_target = camera.target().distance(camera.eye());
+    (NEAREST * far).min(NEAREST_TO_TARGET * to_target)
 }

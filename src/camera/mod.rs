@@ -13,6 +13,7 @@ mod view;
 pub use choice::CameraChoice;
 pub(crate) use choice::{exactly, some_vector};
 pub use fit::fit_near_far;
+pub(crate) use fit::least_near;
 pub use lens::{DepthMapping, Lens, Projection};
 pub use orbit::{Orbit, UpAxis};
 pub use section_choice::{SectionChoice, SectionWordError};

@@ -35,7 +35,7 @@ pub(crate) fn on_all_cores<T, R: Send>(
 }
 
 /// The least share that is worth a thread.
-const LEAST: usize = 1 << 12;
+pub(crate) const LEAST: usize = 1 << 12;
 
 /// The results of `work` on equal shares of `0..count`, in order; at most one share a core.
 pub(crate) fn in_shares<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {

@@ -1,7 +1,7 @@
 //! A log of changed objects, so that data derived from a scene is updated for these objects only.
 
 /// An object was shown, hidden or moved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Change {
     /// Its index.
     pub object: usize,
@@ -24,12 +24,19 @@ impl Changes {
     /// Logs a change in a scene of `count` objects. Once the log has more than twice as many entries, only the latest
     /// `count` are kept.
     pub fn push(&mut self, change: Change, count: usize) {
+        self.room_for(1, count)[0] = change;
+    }
+
+    /// Room in the log for the next `more` changes, to be filled in.
+    pub fn room_for(&mut self, more: usize, count: usize) -> &mut [Change] {
         if self.log.len() > 2 * count {
             let old = self.log.len() - count;
             self.log.drain(..old);
             self.forgotten += old as u64;
         }
-        self.log.push(change);
+        let logged = self.log.len();
+        self.log.resize(logged + more, Change::default());
+        &mut self.log[logged..]
     }
 
     /// Logs a change that is more than one of single objects.

@@ -27,6 +27,7 @@ pub use section::NoSection;
 use crate::geometry::{Aabb, Mesh, Placement, Pyramid, WorldRay};
 use changes::Changes;
 use std::{
+    borrow::Cow,
     collections::{BTreeSet, HashSet},
     ops::{ControlFlow, Range},
     sync::{Arc, Weak, atomic::AtomicBool},
@@ -172,17 +173,13 @@ impl Scene {
     /// # Panics
     /// When an index names no object.
     pub fn toggle(&mut self, objects: &[usize]) {
+        let mut objects = Cow::Borrowed(objects);
+        if !objects.is_sorted() {
+            objects.to_mut().sort_unstable();
+        }
         let all = Arc::make_mut(&mut self.objects);
-        let count = all.len();
-        let tell = |object, visible| {
-            let change = Change {
-                object,
-                moved: false,
-                visible,
-            };
-            self.changes.push(change, count);
-        };
-        Arc::make_mut(&mut self.sums).toggle(objects, all, &self.bounds, tell);
+        let log = self.changes.room_for(objects.len(), all.len());
+        Arc::make_mut(&mut self.sums).toggle(&objects, all, &self.bounds, log);
     }
 
     /// Gives an object a new placement.

@@ -1,8 +1,11 @@
 //! Boxes and counts over all objects of a scene. They are kept per run of objects: a change recomputes one run.
 
-use super::Object;
-use crate::geometry::Aabb;
-use std::ops::Range;
+use super::{Object, changes::Change};
+use crate::geometry::{
+    Aabb,
+    shares::{LEAST, cores, on_all_cores},
+};
+use std::mem;
 
 /// The number of objects in a run.
 const RUN: usize = 512;
@@ -37,6 +40,12 @@ impl Sum {
         }
     }
 
+    fn of_run(objects: &[Object], bounds: &[Aabb]) -> Self {
+        let each = objects.iter().zip(bounds);
+        let each = each.map(|(object, bounds)| Self::of(object, bounds));
+        each.fold(Self::NOTHING, |sum, each| sum.and(&each))
+    }
+
     fn of(object: &Object, bounds: &Aabb) -> Self {
         let visible_bounds = if object.visible { *bounds } else { Aabb::EMPTY };
         Self {
@@ -68,8 +77,9 @@ impl Sums {
             runs: vec![Sum::NOTHING; objects.len().div_ceil(RUN)],
             all: Sum::NOTHING,
         };
-        for run in 0..sums.runs.len() {
-            sums.sum(run, objects, bounds);
+        let each = objects.chunks(RUN).zip(bounds.chunks(RUN));
+        for (run, (objects, bounds)) in sums.runs.iter_mut().zip(each) {
+            *run = Sum::of_run(objects, bounds);
         }
         sums.add_up();
         sums
@@ -82,50 +92,52 @@ impl Sums {
 
     /// Recomputes the sums after an object was moved, shown or hidden.
     pub fn renew(&mut self, object: usize, objects: &[Object], bounds: &[Aabb]) {
-        self.sum(object / RUN, objects, bounds);
+        let run = object / RUN;
+        let members = run * RUN..((run + 1) * RUN).min(objects.len());
+        self.runs[run] = Sum::of_run(&objects[members.clone()], &bounds[members]);
         self.add_up();
     }
 
-    /// Toggles the visibility of the `changed` objects, and tells `tell` of each whether it is now visible.
+    /// Toggles the visibility of the `changed` objects, whose indices ascend, and logs each in its place.
     pub fn toggle(
         &mut self,
         changed: &[usize],
         objects: &mut [Object],
         bounds: &[Aabb],
-        mut tell: impl FnMut(usize, bool),
+        log: &mut [Change],
     ) {
-        let mut is_changed = vec![false; self.runs.len()];
-        for &object in changed {
-            let run = object / RUN;
-            let visible = &mut objects[object].visible;
-            *visible = !*visible;
-            tell(object, *visible);
-            if *visible {
-                self.runs[run].hidden -= 1;
-            } else {
-                self.runs[run].hidden += 1;
-            }
-            is_changed[run] = true;
-        }
-        for run in (0..self.runs.len()).filter(|run| is_changed[*run]) {
-            let sum = &mut self.runs[run];
-            // In most runs all objects are visible or all are hidden: no need to visit them.
-            if sum.hidden == 0 {
-                sum.visible_bounds = sum.bounds;
-            } else if sum.hidden == members(run, objects.len()).len() {
-                sum.visible_bounds = Aabb::EMPTY;
-            } else {
-                self.sum(run, objects, bounds);
-            }
-        }
+        // Few are not worth threads.
+        let shares = if changed.len() < LEAST { 1 } else { cores() };
+        let runs = self.runs.len().div_ceil(shares).max(1);
+        let each = (self.runs.chunks_mut(runs))
+            .zip(objects.chunks_mut(runs * RUN))
+            .zip(bounds.chunks(runs * RUN));
+        let mut rest = (changed, log);
+        let shares: Vec<_> = (each.enumerate())
+            .map(|(share, ((sums, objects), bounds))| {
+                let first = share * runs * RUN;
+                let end = first + objects.len();
+                let (changed, log) = mem::take(&mut rest);
+                let count = changed.partition_point(|object| *object < end);
+                let (changed, later) = changed.split_at(count);
+                let (log, unlogged) = log.split_at_mut(count);
+                rest = (later, unlogged);
+                Share {
+                    first,
+                    sums,
+                    objects,
+                    bounds,
+                    changed,
+                    log,
+                }
+            })
+            .collect();
+        assert!(
+            rest.0.is_empty(),
+            "objects of the scene, in ascending order"
+        );
+        on_all_cores(shares.into_iter(), Share::toggle);
         self.add_up();
-    }
-
-    fn sum(&mut self, run: usize, objects: &[Object], bounds: &[Aabb]) {
-        let members = members(run, objects.len());
-        let each = objects[members.clone()].iter().zip(&bounds[members]);
-        let each = each.map(|(object, bounds)| Sum::of(object, bounds));
-        self.runs[run] = each.fold(Sum::NOTHING, |sum, each| sum.and(&each));
     }
 
     fn add_up(&mut self) {
@@ -133,7 +145,51 @@ impl Sums {
     }
 }
 
-/// The indices of a run's objects, in a scene of `count` objects.
-fn members(run: usize, count: usize) -> Range<usize> {
-    run * RUN..((run + 1) * RUN).min(count)
+/// Some runs of a scene, and what changes in them.
+struct Share<'a> {
+    /// The index of the first object.
+    first: usize,
+    /// Of each run.
+    sums: &'a mut [Sum],
+    objects: &'a mut [Object],
+    bounds: &'a [Aabb],
+    changed: &'a [usize],
+    /// Of each changed object.
+    log: &'a mut [Change],
+}
+
+impl Share<'_> {
+    fn toggle(self) {
+        let mut is_changed = vec![false; self.sums.len()];
+        for (&object, log) in self.changed.iter().zip(self.log) {
+            let run = (object - self.first) / RUN;
+            let visible = &mut self.objects[object - self.first].visible;
+            *visible = !*visible;
+            *log = Change {
+                object,
+                moved: false,
+                visible: *visible,
+            };
+            if *visible {
+                self.sums[run].hidden -= 1;
+            } else {
+                self.sums[run].hidden += 1;
+            }
+            is_changed[run] = true;
+        }
+        let runs = self.objects.chunks(RUN).zip(self.bounds.chunks(RUN));
+        for ((sum, (objects, bounds)), is_changed) in self.sums.iter_mut().zip(runs).zip(is_changed)
+        {
+            // In most runs all objects are visible or all are hidden: no need to visit them.
+            if !is_changed {
+                continue;
+            } else if sum.hidden == 0 {
+                sum.visible_bounds = sum.bounds;
+            } else if sum.hidden == objects.len() {
+                sum.visible_bounds = Aabb::EMPTY;
+            } else {
+                *sum = Sum::of_run(objects, bounds);
+            }
+        }
+    }
 }

@@ -118,6 +118,8 @@ fn a_large_file_is_shown_once_the_adapter_has_it() {
 fn the_picture_is_not_shown_as_the_world() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = open(vec![ground(folder.path(), 450)], 1.0);
+    // Rays would be quicker, but they find no edges.
+    press_key(&mut window, Modifiers::NONE, Key::W);
     window.picture().expect("a picture");
     let key = Event::Key {
         key: Key::Num4,

@@ -172,22 +172,120 @@ fn a_double_click_centres_the_point_and_on_nothing_frames_all() {
     );
 }
 
+/// Eyes about the row: its own corners lie exactly on the rim of a picture from some, beside it by rounding from others.
+fn eyes() -> impl Iterator<Item = DVec3> {
+    let of = |i: i32| {
+        let i = f64::from(i);
+        DVec3::new(3.1 * (1.7 * i).sin(), 2.3 * (0.9 * i).cos(), 7.0 + 0.31 * i)
+    };
+    [DVec3::new(0.0, 0.0, 10.0)]
+        .into_iter()
+        .chain((0..40).map(of))
+}
+
+/// The row from an eye.
+fn from_eye(eye: DVec3, ortho: Option<f64>) -> State {
+    let camera = CameraChoice {
+        eye: Some(eye),
+        target: Some(DVec3::ZERO),
+        ortho,
+        ..CameraChoice::default()
+    };
+    open(row(), camera)
+}
+
+fn near(state: &State) -> f64 {
+    state.view().camera.lens().near
+}
+
 /// Else freezing would change the very P that is to be looked at, and depth would lose its digits.
 #[test]
 fn freezing_the_camera_and_a_look_about_leave_near_where_it_was() {
-    let [mut state, mut unfrozen] = [front_view(), front_view()];
-    let lens = *state.view().camera.lens();
-    state.apply(Action::ToggleFreeze);
-    let frozen = *state.view().camera.lens();
-    assert_eq!(frozen.near.to_bits(), lens.near.to_bits());
-    assert!(frozen.far >= lens.far && frozen.far < 1.02 * lens.far);
-    for _ in 0..20 {
-        let [with, without] = [&mut state, &mut unfrozen].map(|state| {
-            state.apply(Action::Turn(DVec2::new(5.0, 1.0)));
-            state.view().camera.lens().near
-        });
-        assert!(with <= without && with > 0.1 * without, "{with}, {without}");
+    for (eye, ortho) in eyes().flat_map(|eye| [(eye, None), (eye, Some(3.0))]) {
+        let [mut state, mut unfrozen] = [from_eye(eye, ortho), from_eye(eye, ortho)];
+        let lens = *state.view().camera.lens();
+        state.apply(Action::ToggleFreeze);
+        let frozen = *state.view().camera.lens();
+        assert_eq!(
+            frozen.near.to_bits(),
+            lens.near.to_bits(),
+            "{eye}, {ortho:?}"
+        );
+        assert!(frozen.far >= lens.far && frozen.far < 1.02 * lens.far);
+        for _ in 0..20 {
+            let [with, without] = [&mut state, &mut unfrozen].map(|state| {
+                state.apply(Action::Turn(DVec2::new(5.0, 1.0)));
+                near(state)
+            });
+            let is_close = ortho.is_some() || with > 0.1 * without;
+            assert!(with <= without && is_close, "{eye}: {with}, {without}");
+        }
     }
+}
+
+/// The frozen eye is just in front of the eye, or just behind it: near stays where depth has digits.
+#[test]
+fn a_step_back_from_a_frozen_camera_leaves_near_its_floor() {
+    for eye in eyes() {
+        for zooms in [[1.001_f64.recip(), 1.0], [1.5, 1.4999_f64.recip()]] {
+            let mut state = from_eye(eye, None);
+            state.apply(Action::ToggleFreeze);
+            for zoom in zooms {
+                state.apply(Action::Zoom(MIDDLE, zoom));
+            }
+            let camera = state.view().camera;
+            let to_target = camera.eye().distance(camera.target());
+            let least = (1e-5 * camera.lens().far).min(1e-2 * to_target);
+            assert!(near(&state) >= least, "{eye}: {} < {least}", near(&state));
+        }
+    }
+}
+
+/// An orthographic near plane may lie behind the eye.
+#[test]
+fn a_frozen_camera_beside_a_parallel_one_is_not_clipped() {
+    let mut state = from_eye(DVec3::new(0.0, 0.0, 10.0), None);
+    state.apply(Action::ToggleFreeze);
+    let frozen = state.frozen().expect("it stands").view;
+    let eye = DVec3::new(9.0, 0.5, 4.0);
+    let target = DVec3::new(8.0, 0.5, 4.5);
+    state.apply(Action::Pose([eye, target, DVec3::Y]));
+    state.apply(Action::Camera(CameraChoice {
+        ortho: Some(60.0),
+        ..state.camera_choice()
+    }));
+    state.apply(Action::Turn(DVec2::ZERO));
+    let lens = *state.view().camera.lens();
+    let points = frozen
+        .frustum_corners()
+        .into_iter()
+        .chain([frozen.camera.eye()]);
+    let depths: Vec<_> = points
+        .map(|point| state.view().camera.to_view(point).z)
+        .collect();
+    assert!(depths.iter().any(|depth| *depth < 0.0), "{depths:?}");
+    assert!(
+        depths
+            .iter()
+            .all(|depth| lens.near < *depth && *depth < lens.far),
+        "{lens:?}, {depths:?}"
+    );
+}
+
+/// What the picture shows of a frozen camera depends on the picture's size.
+#[test]
+fn planes_follow_the_size_of_the_picture() {
+    let mut state = from_eye(DVec3::new(0.0, 0.0, 10.0), None);
+    state.apply(Action::ToggleFreeze);
+    let eye = DVec3::new(26.0, 0.0, 15.0);
+    state.apply(Action::Pose([eye, DVec3::ZERO, DVec3::Y]));
+    let [narrow, wide] = [100, 800].map(|width| {
+        let size = Viewport::new(width, 400).expect("a size");
+        state.apply(Action::Resize(size));
+        near(&state)
+    });
+    let frozen_eye = state.view().camera.to_view(DVec3::new(0.0, 0.0, 10.0)).z;
+    assert!(wide < frozen_eye && wide < narrow, "{narrow}, {wide}");
 }
 
 #[test]

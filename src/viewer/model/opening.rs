@@ -131,6 +131,10 @@ impl State {
             self.opened_at = Some(self.viewpoint());
         }
         if is_another {
+            if self.frozen.is_some() {
+                // Near holds what the picture shows of it.
+                self.fit();
+            }
             self.frame_untouched();
         }
     }

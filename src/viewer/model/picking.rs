@@ -99,7 +99,7 @@ impl State {
     /// A view with near and far fitted to the scene as it is now.
     fn refitted(&self, view: View) -> View {
         let (mut lens, controls) = (*view.camera.lens(), self.controls);
-        (lens.near, lens.far) = self.planes(&view.camera, &controls);
+        (lens.near, lens.far) = self.planes(&view, &controls);
         let camera = view.camera.with_lens(lens).unwrap_or(view.camera);
         View { camera, ..view }
     }

@@ -9,11 +9,14 @@ use super::{
 use crate::{
     camera::{
         Camera, CameraChoice, CameraError, Lens, Orbit, Projected, Projection, SectionChoice, View,
-        fit_near_far,
+        fit_near_far, least_near,
     },
     geometry::{Aabb, Placement, PlacementError},
 };
 use glam::{DVec2, DVec3};
+
+/// NDC of the rim of a picture, less than rounding moves a point that lies on it.
+const INNER: f64 = 1.0 - 1e-9;
 
 /// Why an action does nothing.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -101,29 +104,41 @@ impl State {
             depth: controls.depth,
         };
         let camera = pose.with_lens(lens)?;
-        (lens.near, lens.far) = self.planes(&camera, controls);
+        let view = View {
+            camera,
+            ..self.view
+        };
+        (lens.near, lens.far) = self.planes(&view, controls);
         camera.with_lens(lens)
     }
 
-    /// Near and far for a camera's pose and projection. They hold the visible scene, and those corners of a frozen
-    /// frustum that the picture shows: from within it, near would come as close as the frozen eye is.
-    pub(super) fn planes(&self, camera: &Camera, controls: &LensControls) -> (f64, f64) {
-        let bounds = self.scene.visible_bounds();
+    /// Near and far for a view's pose, projection and picture. They hold the visible scene and, of a frozen frustum,
+    /// far holds every corner and near those that the picture shows: if near held all, it would lie as close as the
+    /// frozen eye. So near may cut edges that leave the picture.
+    pub(super) fn planes(&self, view: &View, controls: &LensControls) -> (f64, f64) {
+        let (bounds, camera) = (self.scene.visible_bounds(), &view.camera);
         let (mut near, mut far) = fit_near_far(camera, &bounds, controls.near, controls.far);
-        let view = View {
-            camera: *camera,
-            ..self.view
-        };
-        for point in self.frozen.iter().flat_map(|frozen| corners(&frozen.view)) {
-            let depth = camera.to_view(point).z;
-            let room = 0.01 * depth.abs();
-            if controls.far.is_none() {
-                far = far.max(depth + room);
-            }
-            let is_shown = |seen: &Projected| depth > 0.0 && view.viewport.contains(seen.px);
-            if controls.near.is_none() && view.project(point).as_ref().is_some_and(is_shown) {
-                near = near.min(depth - room);
-            }
+        let corners = || self.frozen.iter().flat_map(|frozen| corners(&frozen.view));
+        let depth = |point| camera.to_view(point).z;
+        let room = |depth: f64| 0.01 * depth.abs();
+        if controls.far.is_none() {
+            let depths = corners().map(depth);
+            far = depths.fold(far, |far, depth| far.max(depth + room(depth)));
+        }
+        if controls.near.is_none() {
+            let least = if controls.orthographic {
+                f64::NEG_INFINITY
+            } else {
+                least_near(camera, far)
+            };
+            // A camera's own corners lie on the rim of its picture, and its eye at depth 0.
+            let is_inner = |seen: Projected| seen.ndc.truncate().abs().max_element() < INNER;
+            let is_shown = |seen: Projected| is_inner(seen) && seen.depth != 0.0;
+            let shown = corners().filter(|point| view.project(*point).is_some_and(is_shown));
+            let depths = shown.map(depth);
+            near = depths.fold(near, |near, depth| {
+                near.min((depth - room(depth)).max(least))
+            });
         }
         (near, far)
     }

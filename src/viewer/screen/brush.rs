@@ -10,7 +10,7 @@ pub(super) struct Brush<'a> {
     pub renderer: &'a mut Renderer,
     /// Pixels of the window for one of its points.
     pub scale_factor: f32,
-    /// When the frame began, whose pictures share its time.
+    /// When the frame began: its pictures share a time for their rays.
     pub began: Instant,
 }
 

@@ -1,7 +1,7 @@
 //! Pictures and masks by rays, where software draws: it transforms vertices on one core, and a ray costs little more in a
 //! large scene than in a small one.
 
-use crate::{scene::Scene, viewer::model::Subject};
+use crate::scene::Scene;
 use std::{
     panic::resume_unwind,
     thread,
@@ -10,52 +10,60 @@ use std::{
 
 /// With more work than this, a moving picture's triangles take longer than its rays.
 pub(super) const MUCH: u64 = 20_000;
-/// How long the pictures of a frame may take together.
+/// How long the rays of a frame's pictures may take together.
 const LONGEST: Duration = Duration::from_millis(80);
-/// So many pictures are drawn after one that took rays too long, and twice as many after the next one, up to the most.
+/// After rays were late, so many pictures are drawn before rays are tried again, twice as many each time in a row, up
+/// to the most.
 const DRAWN_AFTER: [u32; 2] = [2, 64];
 
-/// Decides when rays are quicker.
+/// Whether rays can be cast in a frame that began at `began`: the scene has its trees, and time is left.
+pub(super) fn can_cast(scene: &Scene, began: Instant) -> bool {
+    scene.trees_are_built() && began.elapsed() < LONGEST
+}
+
+/// What `cast` finds in time, for a picture of a frame that began at `began`.
+pub(super) fn cast<T: Send>(
+    scene: &Scene,
+    began: Instant,
+    cast: impl FnOnce(&Scene, Instant) -> Option<T> + Send,
+) -> Option<T> {
+    let deadline = began + LONGEST;
+    // On other threads alone: the window's own, whose processor time is bounded, waits as for an adapter.
+    let cast = thread::scope(|scope| scope.spawn(|| cast(scene, deadline)).join());
+    cast.unwrap_or_else(|panic| resume_unwind(panic))
+}
+
+/// Decides when a moving picture's rays are tried.
 #[derive(Debug, Default)]
-pub(super) struct ByRays {
-    /// How many pictures were drawn in place of the last that took rays too long; 0 if the last was in time.
-    patience: u32,
+pub(super) struct Patience {
+    /// How many pictures are drawn after the last that took rays too long; 0 if the last was in time.
+    wait: u32,
     /// Pictures still to be drawn before rays are tried again.
     to_draw: u32,
 }
 
-impl ByRays {
-    /// What `cast` finds by a deadline, for a picture of a frame that began at `began`; `None` if rays are late, or were.
-    pub fn cast<T: Send>(
-        &mut self,
-        subject: &Subject,
-        began: Instant,
-        cast: impl FnOnce(&Scene, Instant) -> Option<T> + Send,
-    ) -> Option<T> {
-        if !subject.scene.trees_are_built() {
-            return None;
-        }
-        if self.to_draw > 0 {
-            self.to_draw -= 1;
-            return None;
-        }
-        let deadline = began + LONGEST;
-        // On other threads alone: the window's own, whose processor time is bounded, waits as for an adapter.
-        let cast = thread::scope(|scope| scope.spawn(|| cast(subject.scene, deadline)).join());
-        let found = cast.unwrap_or_else(|panic| resume_unwind(panic));
-        self.came(found.is_some());
-        found
+impl Patience {
+    /// Whether the next picture's rays are tried.
+    pub fn tries(&mut self) -> bool {
+        let tries = self.to_draw == 0;
+        self.to_draw = self.to_draw.saturating_sub(1);
+        tries
+    }
+
+    /// The picture rests: the next that moves tries rays.
+    pub fn rest(&mut self) {
+        self.to_draw = 0;
     }
 
     /// Learns whether rays were in time.
-    fn came(&mut self, in_time: bool) {
+    pub fn came(&mut self, in_time: bool) {
         let [first, most] = DRAWN_AFTER;
-        self.patience = if in_time {
+        self.wait = if in_time {
             0
         } else {
-            (2 * self.patience).clamp(first, most)
+            (2 * self.wait).clamp(first, most)
         };
-        self.to_draw = self.patience;
+        self.to_draw = self.wait;
     }
 }
 
@@ -65,7 +73,7 @@ mod tests {
 
     #[test]
     fn rays_that_are_late_are_tried_again_ever_more_seldom() {
-        let mut rays = ByRays::default();
+        let mut rays = Patience::default();
         let drawn = [false, false, false, true, false].map(|in_time| {
             rays.came(in_time);
             rays.to_draw
@@ -75,5 +83,18 @@ mod tests {
             rays.came(false);
         }
         assert_eq!(rays.to_draw, 64);
+        assert_eq!(
+            [(); 65]
+                .map(|()| rays.tries())
+                .iter()
+                .filter(|t| **t)
+                .count(),
+            1
+        );
+        rays.came(false);
+        rays.rest();
+        assert!(rays.tries(), "a drag after a rest");
+        rays.came(false);
+        assert_eq!(rays.to_draw, 64, "still as late as before");
     }
 }

@@ -1,5 +1,6 @@
 //! Draws frames: the scene where it changed, lines about it, the panels over it. And the surface that shows them.
 
+mod begin;
 mod box_edges;
 mod brush;
 mod by_rays;

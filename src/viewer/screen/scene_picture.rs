@@ -2,20 +2,17 @@
 
 use super::{
     brush::Brush,
-    by_rays::{ByRays, MUCH},
+    by_rays::Patience,
     finish::Finish,
     pace::Pace,
     place::SceneRect,
     progress::Progress,
     scenes_on_gpu::ScenesOnGpu,
-    wanted::{Drawn, Motion, lines},
+    wanted::{Drawn, Motion},
 };
 use crate::{
-    camera::Viewport,
-    image::{Id, Image, Pixel},
-    pick::{mask_until, raycast_until},
+    image::{Id, Image},
     render::{Destination, Drawing, Gpu, GpuError, Marks, Piece, Targets},
-    scene::Scene,
     viewer::model::{OnScreen, Subject},
 };
 use std::{
@@ -25,32 +22,40 @@ use std::{
 
 /// A pass that has worked for this long begins no further piece.
 const WORKED: Duration = Duration::from_millis(4);
-/// Triangles with their edges take this many times the work of triangles.
-const EDGES_COST: u64 = 4;
 /// How soon a busy adapter is polled again. To poll at once would only keep a processor busy.
 const WAIT: Duration = Duration::from_millis(4);
 
 /// A scene on the GPU, and pictures of it.
 pub(super) struct ScenePicture {
     pub scenes: ScenesOnGpu,
-    shown: Option<Picture>,
-    next: Option<UnderWay>,
+    pub(super) shown: Option<Picture>,
+    pub(super) next: Option<UnderWay>,
     /// Targets of earlier pictures, to be used again.
-    spare: Vec<Targets>,
+    pub(super) spare: Vec<Targets>,
     /// For coarse pictures, and for others.
-    paces: [Pace; 2],
-    /// Pictures that move, and masks of a selection.
-    by_rays: ByRays,
-    masks_by_rays: ByRays,
+    pub(super) paces: [Pace; 2],
+    /// With the rays of pictures that move.
+    pub(super) patience: Patience,
     /// Counts the changes of what is shown.
-    changes: u64,
+    pub(super) changes: u64,
+}
+
+/// What was begun in a pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Begun {
+    /// Nothing, or what is drawn in pieces.
+    Pieces,
+    /// What is drawn in pieces, since rays were late.
+    Late,
+    /// A picture by rays, which is shown already.
+    Shown,
 }
 
 /// A finished picture.
-struct Picture {
-    targets: Targets,
-    of: Drawn,
-    finish: Finish,
+pub(super) struct Picture {
+    pub targets: Targets,
+    pub of: Drawn,
+    pub finish: Finish,
 }
 
 /// What a scene's picture looks like: two of equal looks are the same to the eye.
@@ -61,16 +66,16 @@ pub(super) struct Look {
 }
 
 /// An unfinished picture.
-struct UnderWay {
-    drawing: Drawing,
-    of: Drawn,
+pub(super) struct UnderWay {
+    pub drawing: Drawing,
+    pub of: Drawn,
     /// `None` where only the selection or smooth colours are drawn, onto the picture that is shown.
-    targets: Option<Targets>,
+    pub targets: Option<Targets>,
     /// Small enough for one pass.
-    at_once: bool,
-    finish: Finish,
+    pub at_once: bool,
+    pub finish: Finish,
     /// It only improves the picture that is shown: nobody waits for it.
-    refines: bool,
+    pub refines: bool,
 }
 
 impl ScenePicture {
@@ -81,8 +86,7 @@ impl ScenePicture {
             next: None,
             spare: Vec::new(),
             paces: [Pace::new(gpu), Pace::new(gpu)],
-            by_rays: ByRays::default(),
-            masks_by_rays: ByRays::default(),
+            patience: Patience::default(),
             changes: 0,
         }
     }
@@ -119,206 +123,42 @@ impl ScenePicture {
             // Software begins what moves anew, coarse and maybe by rays: an exact picture could take it seconds.
             let is_slow = gpu.is_software()
                 && motion == Motion::Goes
-                && next.targets.is_some()
-                && next.finish.is_exact();
+                && next.finish.is_exact()
+                && (next.targets.is_some() || next.of.unmarked() != wanted.unmarked());
             is_of_another || is_slow || (next.refines && (next.of != wanted || moves))
         });
         self.spare.extend(unwanted.and_then(|next| next.targets));
-        let (mut uploaded, mut is_by_rays) = (Some(0), false);
+        if motion == Motion::Rests {
+            self.patience.rest();
+        }
+        let (mut uploaded, mut begun) = (Some(0), Begun::Pieces);
         if self.next.is_none() {
             uploaded = self.scenes.upload(gpu, subject)?;
             if uploaded.is_some() {
-                is_by_rays = self.begin(brush, subject, &wanted, motion)?;
+                begun = self.begin(brush, subject, &wanted, motion)?;
             }
         }
         if self.next.is_none() && motion == Motion::Rests {
             self.begin_to_smooth(subject, &wanted);
         }
-        let ([anew, waits], drawn) = self.proceed(brush)?;
+        let is_at_once = self.next.as_ref().is_some_and(|next| next.at_once);
+        let ([anew, waits], drawn) = if begun == Begun::Late && !is_at_once {
+            // The pass has waited long enough.
+            Default::default()
+        } else {
+            self.proceed(brush)?
+        };
         let shown = self.shown.as_ref().filter(|shown| shown.of == wanted);
         let is_whole = shown.is_some() && self.next.as_ref().is_none_or(|next| next.refines);
         let waits = waits || uploaded.is_none();
         Ok(Progress {
-            anew: anew || is_by_rays,
+            anew: anew || begun == Begun::Shown,
             behind: (!is_whole).then_some(if waits { WAIT } else { Duration::ZERO }),
             is_coming: uploaded.is_none(),
             rough: is_whole && shown.is_some_and(|shown| shown.finish < Finish::Smooth),
             drawn,
             uploaded: uploaded.unwrap_or(0),
         })
-    }
-
-    /// Begins what the picture on screen lacks, if anything. Returns whether a new one is shown already, by rays.
-    fn begin(
-        &mut self,
-        brush: &mut Brush,
-        subject: &Subject,
-        wanted: &Drawn,
-        motion: Motion,
-    ) -> Result<bool, GpuError> {
-        let gpu = brush.gpu;
-        let Some(scene) = &self.scenes.now else {
-            return Ok(false);
-        };
-        let is_of_wanted = |shown: &&mut Picture| shown.of.unmarked() == wanted.unmarked();
-        let shown = self.shown.as_mut().filter(is_of_wanted);
-        let refines = shown.is_some();
-        let is_good = |shown: &&mut Picture| {
-            shown.finish.is_exact() || motion != Motion::Rests || shown.of != *wanted
-        };
-        if let Some(shown) = shown.filter(is_good) {
-            let other = wanted.selection.filter(|_| shown.of != *wanted);
-            shown.of.selection = wanted.selection.and(shown.of.selection);
-            let most = self.paces[usize::from(shown.finish.is_exact())].most();
-            let Some(object) = other else {
-                return Ok(false);
-            };
-            let view = shown.finish.drawn(&wanted.view);
-            let drawing = Drawing::of_selection(&scene.buffers, &view, object);
-            let at_once = most.holds(&drawing.whole(&scene.buffers));
-            let mask = |scene: &Scene, deadline| mask_until(scene, &view, object, deadline);
-            if gpu.is_software()
-                && !at_once
-                && let Some(mask) = self.masks_by_rays.cast(subject, brush.began, mask)
-            {
-                brush.scale_for(shown.finish);
-                (brush.renderer).take_mask(
-                    gpu,
-                    &scene.buffers,
-                    &shown.targets,
-                    &view,
-                    &mask,
-                    object,
-                );
-                shown.of = *wanted;
-                self.changes += 1;
-                return Ok(false);
-            }
-            self.next = Some(UnderWay {
-                drawing,
-                of: *wanted,
-                targets: None,
-                at_once,
-                finish: shown.finish,
-                refines: false,
-            });
-            return Ok(false);
-        }
-        let samples = gpu.samples_in_motion();
-        let finish = if gpu.is_software() && motion == Motion::Goes {
-            Finish::coarse(wanted.view.viewport)
-        } else if samples == gpu.smooth_samples() {
-            Finish::Smooth
-        } else {
-            Finish::Rough
-        };
-        let view = finish.drawn(&wanted.view);
-        let cast =
-            |scene: &Scene, deadline| raycast_until(scene, &view, subject.selection, deadline);
-        if !finish.is_exact()
-            && wanted.wireframe().is_none()
-            && scene.buffers.whole().work >= MUCH
-            && let Some(pixels) = self.by_rays.cast(subject, brush.began, cast)
-        {
-            self.show_pixels(brush, subject, wanted, finish, &pixels)?;
-            return Ok(true);
-        }
-        let drawing = Drawing::of_scene(samples, &view, lines(subject));
-        let most = self.paces[usize::from(finish.is_exact())].most();
-        let mut whole = drawing.whole(&scene.buffers);
-        if wanted.wireframe().is_some() {
-            whole.work *= EDGES_COST;
-        }
-        let at_once = most.holds(&whole) && scene.buffers.is_little();
-        if at_once {
-            // No frame shows the old picture in between.
-            self.spare
-                .extend(self.shown.take().map(|shown| shown.targets));
-        }
-        self.next = Some(UnderWay {
-            drawing,
-            of: *wanted,
-            targets: Some(self.targets(gpu, wanted.view.viewport, view.viewport)?),
-            at_once,
-            finish,
-            refines,
-        });
-        Ok(false)
-    }
-
-    /// Shows a picture by rays.
-    fn show_pixels(
-        &mut self,
-        brush: &mut Brush,
-        subject: &Subject,
-        wanted: &Drawn,
-        finish: Finish,
-        pixels: &Image<Pixel>,
-    ) -> Result<(), GpuError> {
-        let (gpu, view) = (brush.gpu, finish.drawn(&wanted.view));
-        let targets = self.targets(gpu, wanted.view.viewport, view.viewport)?;
-        let Some(scene) = &self.scenes.now else {
-            return Ok(());
-        };
-        brush.scale_for(finish);
-        let (lines, selection) = (lines(subject), wanted.selection);
-        (brush.renderer).take_pixels(
-            gpu,
-            &scene.buffers,
-            &targets,
-            &view,
-            pixels,
-            &lines,
-            selection,
-        )?;
-        self.changes += 1;
-        let before = self.shown.replace(Picture {
-            targets,
-            of: *wanted,
-            finish,
-        });
-        self.spare.extend(before.map(|before| before.targets));
-        Ok(())
-    }
-
-    /// Targets of a size, from the spare ones if possible. If none fit, only spare ones of the window's size are kept.
-    fn targets(
-        &mut self,
-        gpu: &Gpu,
-        window: Viewport,
-        size: Viewport,
-    ) -> Result<Targets, GpuError> {
-        let at = self
-            .spare
-            .iter()
-            .position(|targets| targets.viewport() == size);
-        let found = at.map(|at| self.spare.swap_remove(at));
-        self.spare
-            .retain(|targets| targets.viewport() == window || found.is_some());
-        self.spare.truncate(2);
-        found.map_or_else(|| Targets::new(gpu, size, gpu.smooth_samples()), Ok)
-    }
-
-    /// Begins to draw the picture on screen with smooth edges, where it has none.
-    fn begin_to_smooth(&mut self, subject: &Subject, wanted: &Drawn) {
-        let shown = (self.shown.as_ref())
-            .filter(|shown| shown.of == *wanted && shown.finish == Finish::Rough);
-        let (Some(_), Some(scene)) = (shown, &self.scenes.now) else {
-            return;
-        };
-        let lines = lines(subject);
-        let bare = Drawing::of_smooth_colours(&wanted.view, Vec::new(), 1);
-        let mut each = bare.whole(&scene.buffers);
-        each.work += lines.len() as u64;
-        let bands = self.paces[1].bands(wanted.view.viewport, each);
-        self.next = Some(UnderWay {
-            drawing: Drawing::of_smooth_colours(&wanted.view, lines, bands),
-            of: *wanted,
-            targets: None,
-            at_once: false,
-            finish: Finish::Smooth,
-            refines: true,
-        });
     }
 
     /// Draws the next pieces. Returns whether a new picture of the scene is shown, whether the picture waits for a busy
@@ -445,6 +285,7 @@ impl ScenePicture {
             return;
         };
         let coarseness = shown.finish.coarseness();
+        brush.scale_for(shown.finish);
         brush.renderer.composite(
             brush.gpu,
             &scene.buffers,

@@ -1,0 +1,217 @@
+//! What is begun: a picture of the scene, by rays or in pieces; the mask of a selection; smooth edges.
+
+use super::{
+    brush::Brush,
+    by_rays::{self, MUCH},
+    finish::Finish,
+    scene_picture::{Begun, Picture, ScenePicture, UnderWay},
+    wanted::{Drawn, Motion, lines},
+};
+use crate::{
+    camera::Viewport,
+    image::{Image, Pixel},
+    pick::{mask_until, raycast_until},
+    render::{Drawing, Gpu, GpuError, Targets},
+    scene::Scene,
+    viewer::model::Subject,
+};
+
+/// Triangles with their edges take this many times the work of triangles.
+const EDGES_COST: u64 = 4;
+
+impl ScenePicture {
+    /// Begins what the picture on screen lacks, if anything.
+    pub(super) fn begin(
+        &mut self,
+        brush: &mut Brush,
+        subject: &Subject,
+        wanted: &Drawn,
+        motion: Motion,
+    ) -> Result<Begun, GpuError> {
+        let is_of_wanted = |shown: &&mut Picture| shown.of.unmarked() == wanted.unmarked();
+        let shown = self.shown.as_mut().filter(is_of_wanted);
+        let refines = shown.is_some();
+        let is_good = |shown: &&mut Picture| {
+            shown.finish.is_exact() || motion != Motion::Rests || shown.of != *wanted
+        };
+        if let Some(shown) = shown.filter(is_good) {
+            let other = wanted.selection.filter(|_| shown.of != *wanted);
+            shown.of.selection = wanted.selection.and(shown.of.selection);
+            if let Some(object) = other {
+                self.begin_mask(brush, subject, wanted, object);
+            }
+            return Ok(Begun::Pieces);
+        }
+        self.begin_scene(brush, subject, wanted, motion, refines)
+    }
+
+    /// Begins the mask of a selected object for the picture on screen, which lacks it, or shows it if rays find it.
+    fn begin_mask(&mut self, brush: &mut Brush, subject: &Subject, wanted: &Drawn, object: usize) {
+        let (Some(scene), Some(shown)) = (&self.scenes.now, &mut self.shown) else {
+            return;
+        };
+        let (gpu, view) = (brush.gpu, shown.finish.drawn(&wanted.view));
+        let drawing = Drawing::of_selection(&scene.buffers, &view, object);
+        let most = self.paces[usize::from(shown.finish.is_exact())].most();
+        let at_once = most.holds(&drawing.whole(&scene.buffers));
+        let cast = |scene: &Scene, deadline| mask_until(scene, &view, object, deadline);
+        if gpu.is_software()
+            && !at_once
+            && by_rays::can_cast(subject.scene, brush.began)
+            && let Some(mask) = by_rays::cast(subject.scene, brush.began, cast)
+        {
+            brush.scale_for(shown.finish);
+            let (buffers, targets) = (&scene.buffers, &shown.targets);
+            (brush.renderer).take_mask(gpu, buffers, targets, &view, &mask, object);
+            shown.of = *wanted;
+            self.changes += 1;
+            return;
+        }
+        self.next = Some(UnderWay {
+            drawing,
+            of: *wanted,
+            targets: None,
+            at_once,
+            finish: shown.finish,
+            refines: false,
+        });
+    }
+
+    /// Begins a new picture of the scene, or shows it if it moves and rays find it. `refines`: it is of what the picture
+    /// on screen shows.
+    fn begin_scene(
+        &mut self,
+        brush: &mut Brush,
+        subject: &Subject,
+        wanted: &Drawn,
+        motion: Motion,
+        refines: bool,
+    ) -> Result<Begun, GpuError> {
+        let gpu = brush.gpu;
+        let Some(scene) = &self.scenes.now else {
+            return Ok(Begun::Pieces);
+        };
+        let samples = gpu.samples_in_motion();
+        let finish = if gpu.is_software() && motion == Motion::Goes {
+            Finish::coarse(wanted.view.viewport)
+        } else if samples == gpu.smooth_samples() {
+            Finish::Smooth
+        } else {
+            Finish::Rough
+        };
+        let view = finish.drawn(&wanted.view);
+        let mut begun = Begun::Pieces;
+        if !finish.is_exact()
+            && wanted.wireframe().is_none()
+            && scene.buffers.whole().work >= MUCH
+            && by_rays::can_cast(subject.scene, brush.began)
+            && self.patience.tries()
+        {
+            let cast =
+                |scene: &Scene, deadline| raycast_until(scene, &view, subject.selection, deadline);
+            let pixels = by_rays::cast(subject.scene, brush.began, cast);
+            self.patience.came(pixels.is_some());
+            if let Some(pixels) = pixels {
+                self.show_pixels(brush, subject, wanted, finish, &pixels)?;
+                return Ok(Begun::Shown);
+            }
+            begun = Begun::Late;
+        }
+        let drawing = Drawing::of_scene(samples, &view, lines(subject));
+        let most = self.paces[usize::from(finish.is_exact())].most();
+        let mut whole = drawing.whole(&scene.buffers);
+        if wanted.wireframe().is_some() {
+            whole.work *= EDGES_COST;
+        }
+        let at_once = most.holds(&whole) && scene.buffers.is_little();
+        if at_once {
+            // No frame shows the old picture in between.
+            self.spare
+                .extend(self.shown.take().map(|shown| shown.targets));
+        }
+        self.next = Some(UnderWay {
+            drawing,
+            of: *wanted,
+            targets: Some(self.targets(gpu, wanted.view.viewport, view.viewport)?),
+            at_once,
+            finish,
+            refines,
+        });
+        Ok(begun)
+    }
+
+    /// Shows a picture by rays.
+    fn show_pixels(
+        &mut self,
+        brush: &mut Brush,
+        subject: &Subject,
+        wanted: &Drawn,
+        finish: Finish,
+        pixels: &Image<Pixel>,
+    ) -> Result<(), GpuError> {
+        let (gpu, view) = (brush.gpu, finish.drawn(&wanted.view));
+        let targets = self.targets(gpu, wanted.view.viewport, view.viewport)?;
+        let Some(scene) = &self.scenes.now else {
+            return Ok(());
+        };
+        brush.scale_for(finish);
+        let (lines, selection) = (lines(subject), wanted.selection);
+        (brush.renderer).take_pixels(
+            gpu,
+            &scene.buffers,
+            &targets,
+            &view,
+            pixels,
+            &lines,
+            selection,
+        )?;
+        self.changes += 1;
+        let before = self.shown.replace(Picture {
+            targets,
+            of: *wanted,
+            finish,
+        });
+        self.spare.extend(before.map(|before| before.targets));
+        Ok(())
+    }
+
+    /// Targets of a size, from the spare ones if possible. If none fit, only spare ones of the window's size are kept.
+    fn targets(
+        &mut self,
+        gpu: &Gpu,
+        window: Viewport,
+        size: Viewport,
+    ) -> Result<Targets, GpuError> {
+        let at = self
+            .spare
+            .iter()
+            .position(|targets| targets.viewport() == size);
+        let found = at.map(|at| self.spare.swap_remove(at));
+        self.spare
+            .retain(|targets| targets.viewport() == window || found.is_some());
+        self.spare.truncate(2);
+        found.map_or_else(|| Targets::new(gpu, size, gpu.smooth_samples()), Ok)
+    }
+
+    /// Begins to draw the picture on screen with smooth edges, where it has none.
+    pub(super) fn begin_to_smooth(&mut self, subject: &Subject, wanted: &Drawn) {
+        let shown = (self.shown.as_ref())
+            .filter(|shown| shown.of == *wanted && shown.finish == Finish::Rough);
+        let (Some(_), Some(scene)) = (shown, &self.scenes.now) else {
+            return;
+        };
+        let lines = lines(subject);
+        let bare = Drawing::of_smooth_colours(&wanted.view, Vec::new(), 1);
+        let mut each = bare.whole(&scene.buffers);
+        each.work += lines.len() as u64;
+        let bands = self.paces[1].bands(wanted.view.viewport, each);
+        self.next = Some(UnderWay {
+            drawing: Drawing::of_smooth_colours(&wanted.view, lines, bands),
+            of: *wanted,
+            targets: None,
+            at_once: false,
+            finish: Finish::Smooth,
+            refines: true,
+        });
+    }
+}
