@@ -178,12 +178,11 @@ impl Share<'_> {
             is_changed[run] = true;
         }
         let runs = self.objects.chunks(RUN).zip(self.bounds.chunks(RUN));
-        for ((sum, (objects, bounds)), is_changed) in self.sums.iter_mut().zip(runs).zip(is_changed)
-        {
+        let runs = self.sums.iter_mut().zip(runs).zip(is_changed);
+        let changed = runs.filter(|(_, is_changed)| *is_changed);
+        for ((sum, (objects, bounds)), _) in changed {
             // In most runs all objects are visible or all are hidden: no need to visit them.
-            if !is_changed {
-                continue;
-            } else if sum.hidden == 0 {
+            if sum.hidden == 0 {
                 sum.visible_bounds = sum.bounds;
             } else if sum.hidden == objects.len() {
                 sum.visible_bounds = Aabb::EMPTY;

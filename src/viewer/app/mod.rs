@@ -25,4 +25,6 @@ pub(super) use memory::WindowPlace;
 pub use memory::memory_file;
 pub(super) use program::{App, Extent, Host};
 pub(super) use rest::REST_S;
+#[cfg(feature = "screen-readers")]
+pub(super) use wake::Reader;
 pub(super) use wake::{Wake, Waker};

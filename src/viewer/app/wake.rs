@@ -16,6 +16,20 @@ pub(in crate::viewer) enum Wake {
         /// Whether it is dark.
         is_dark: bool,
     },
+    /// A screen reader came, left, or uses a control.
+    #[cfg(feature = "screen-readers")]
+    Reader(Reader),
+}
+
+/// What a screen reader does.
+#[cfg(feature = "screen-readers")]
+pub(in crate::viewer) enum Reader {
+    /// It wants the controls' names and places, from now on.
+    Came,
+    /// It no longer wants them.
+    Left,
+    /// It uses a control.
+    Uses(egui::accesskit::ActionRequest),
 }
 
 /// How jobs and egui wake the host.

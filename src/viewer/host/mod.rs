@@ -5,6 +5,8 @@ mod controls;
 mod mark;
 mod offscreen;
 mod page;
+#[cfg(feature = "screen-readers")]
+mod reader;
 mod shell;
 mod views_picture;
 mod window;

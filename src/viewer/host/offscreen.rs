@@ -374,6 +374,8 @@ impl Offscreen {
                     Ok(Wake::Answered(answer)) => self.app.answered(answer),
                     // Tests set the theme themselves.
                     Ok(Wake::Look | Wake::RepaintAt(_) | Wake::Desktop { .. }) | Err(_) => {}
+                    #[cfg(feature = "screen-readers")]
+                    Ok(Wake::Reader(_)) => {}
                 }
                 self.app.take_finished();
             }

@@ -1,6 +1,10 @@
 //! The operating system's window, egui's side of it and the surface that it shows.
 
+#[cfg(feature = "screen-readers")]
+use super::reader;
 use super::{clipboard::Clipboard, mark::marked};
+#[cfg(feature = "screen-readers")]
+use crate::viewer::app::Waker;
 use crate::viewer::{
     app::WindowPlace,
     options::{Options, ViewerError},
@@ -28,6 +32,7 @@ impl Shell {
         options: &Options,
         remembered: Option<WindowPlace>,
         context: egui::Context,
+        #[cfg(feature = "screen-readers")] wake: &Waker,
     ) -> Result<Self, ViewerError> {
         let attributes = Window::default_attributes().with_title("Sightline");
         let attributes = match options.size {
@@ -36,6 +41,8 @@ impl Shell {
             }
             None => restored(attributes, remembered, event_loop),
         };
+        // Screen readers must know it before it shows.
+        let attributes = attributes.with_visible(!cfg!(feature = "screen-readers"));
         let window = event_loop.create_window(marked(attributes));
         let window = Arc::new(window.map_err(|error| ViewerError::no_display(&error))?);
         let surface = Surface::new(Arc::clone(&window), event_loop.owned_display_handle())?;
@@ -49,6 +56,11 @@ impl Shell {
             window.theme(),
             None,
         );
+        #[cfg(feature = "screen-readers")]
+        {
+            egui.accesskit = Some(reader::adapter(event_loop, &window, wake));
+            window.set_visible(true);
+        }
         let clipboard = Clipboard::new(&window, &mut egui);
         Ok(Self {
             window,

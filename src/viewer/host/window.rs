@@ -1,6 +1,8 @@
 //! The window's event loop: events in, frames out.
 
 use super::shell::Shell;
+#[cfg(feature = "screen-readers")]
+use crate::viewer::app::Reader;
 use crate::viewer::{
     app::{App, Extent, Host, Wake, Waker},
     jobs::ask_darkness,
@@ -122,6 +124,8 @@ impl ApplicationHandler<Wake> for Program {
             &app.options,
             app.memory.window,
             app.context.clone(),
+            #[cfg(feature = "screen-readers")]
+            &app.wake,
         ) {
             Ok(shell) => {
                 self.shell = Some(shell);
@@ -146,6 +150,19 @@ impl ApplicationHandler<Wake> for Program {
                 if let Some(shell) = &mut self.shell {
                     shell.egui.egui_input_mut().system_theme = Some(theme);
                     log::info!("the desktop is {theme:?}");
+                }
+                self.request_redraw();
+            }
+            #[cfg(feature = "screen-readers")]
+            Wake::Reader(reader) => {
+                match reader {
+                    Reader::Came => self.app.context.enable_accesskit(),
+                    Reader::Left => self.app.context.disable_accesskit(),
+                    Reader::Uses(request) => {
+                        if let Some(shell) = &mut self.shell {
+                            shell.egui.on_accesskit_action_request(request);
+                        }
+                    }
                 }
                 self.request_redraw();
             }
