@@ -3,6 +3,7 @@
 use super::*;
 use egui::vec2;
 use glam::DVec3;
+use sightline::scene::{self, Progress};
 use std::collections::HashMap;
 
 const NONE: Modifiers = Modifiers::NONE;
@@ -124,6 +125,26 @@ fn shortcuts_work_from_wherever_tab_leads() {
     press_key(&mut window, NONE, Key::Tab);
     press_key(&mut window, NONE, Key::Escape);
     assert_eq!((focused(&window), selected(&window)), (None, Some("front")));
+}
+
+/// Ctrl+S saves while a button has the focus: the scene as it was when the keys were pressed.
+#[test]
+fn ctrl_s_saves_while_a_button_has_the_focus() {
+    let (mut window, folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    press_key(&mut window, Modifiers::SHIFT, Key::H);
+    while focused(&window) != Some("Help") {
+        press_key(&mut window, NONE, Key::Tab);
+    }
+    press_key(&mut window, CTRL, Key::S);
+    // What is done before the dialog is answered is not saved.
+    press_key(&mut window, NONE, Key::U);
+    let path = folder.path().join("kept.toml");
+    window.save_as(path.clone());
+    let kept = scene::load(&[path], &Progress::default()).expect("a scene");
+    let visible = |object: &scene::Object| object.visible;
+    let visible: Vec<bool> = kept.scene.objects().iter().map(visible).collect();
+    assert_eq!(visible, [false, true, true], "as it was at Ctrl+S");
 }
 
 #[test]
