@@ -136,6 +136,39 @@ fn edits_are_marked_and_asked_about_before_they_go() {
     assert!(window.has_quit(), "nothing to ask");
 }
 
+/// What the Open dialog or Recent would open asks before it drops edits.
+#[test]
+fn what_is_chosen_to_open_asks_before_edits_go() {
+    let (mut window, folder) = row(1.0);
+    let other = folder.path().join("other.toml");
+    std::fs::write(&other, ROW).expect("writable");
+    let ways: [(&str, fn(&mut Offscreen, &Path)); 2] = [
+        ("dialog", |window, folder| {
+            window.open_files(vec![folder.join("row.toml")]);
+        }),
+        ("recent", |window, _| {
+            click_on(window, "Recent");
+            click_on(window, "row.toml");
+        }),
+    ];
+    for (way, opens) in ways {
+        // Nothing was edited, so nothing is asked.
+        window.drop_file(other.clone());
+        assert_eq!(window.state().name(), "other.toml", "{way}");
+        edit(&mut window);
+        opens(&mut window, folder.path());
+        assert!(is_asked(&window), "{way}");
+        click_on(&mut window, "Cancel");
+        assert_eq!(window.state().name(), "other.toml", "{way}");
+        assert_eq!(shown(&window), [false, true, true], "{way}");
+        assert!(is_marked(&window), "{way}");
+        opens(&mut window, folder.path());
+        click_on(&mut window, "Open, drop the edits");
+        assert_eq!(window.state().name(), "row.toml", "{way}");
+        assert_eq!(shown(&window), [true; 3], "{way}");
+    }
+}
+
 #[test]
 fn what_is_saved_first_is_closed_then() {
     let (mut window, folder) = row(1.0);

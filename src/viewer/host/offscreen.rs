@@ -125,6 +125,12 @@ impl Offscreen {
         self.settle();
     }
 
+    /// Opens files, as when the dialog is answered with them.
+    pub fn open_files(&mut self, paths: Vec<PathBuf>) {
+        self.app.answered(Answer::Open(paths));
+        self.settle();
+    }
+
     /// Saves to a file, as when the dialog is answered with it.
     pub fn save_as(&mut self, path: PathBuf) {
         self.app.answered(Answer::Save(path));
