@@ -8,7 +8,7 @@ use crate::camera::Viewport;
 use std::{
     sync::{
         Arc, Mutex,
-        atomic::{AtomicBool, Ordering},
+        atomic::{AtomicBool, AtomicU64, Ordering},
     },
     time::Instant,
 };
@@ -29,6 +29,8 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
     reports: Arc<Reports>,
+    /// How many triangles of meshes it was given.
+    triangles: Arc<AtomicU64>,
     numbers: Numbers,
     smooth_samples: u32,
     rasteriser: Rasteriser,
@@ -126,6 +128,7 @@ impl Gpu {
             queue,
             info,
             reports,
+            triangles: Arc::default(),
         };
         let start = Instant::now();
         gpu.probe()?;
@@ -266,6 +269,17 @@ impl Gpu {
             at += piece.len() as u64;
         }
         Ok(buffer)
+    }
+
+    /// Counts triangles of a mesh that was uploaded.
+    pub(super) fn note_triangles(&self, count: usize) {
+        self.triangles.fetch_add(count as u64, Ordering::Relaxed);
+    }
+
+    /// How many triangles of meshes were uploaded so far, by whatever thread.
+    #[must_use]
+    pub fn uploaded_triangles(&self) -> u64 {
+        self.triangles.load(Ordering::Relaxed)
     }
 
     /// An encoder for commands that are submitted together.

@@ -33,6 +33,7 @@ struct Chunk {
 impl MeshBuffers {
     pub fn upload(gpu: &Gpu, mesh: &Mesh) -> Result<Self, GpuError> {
         let (vertices, triangles) = unify(mesh);
+        gpu.note_triangles(triangles.len());
         Self::new(gpu, &vertices, &triangles)
     }
 

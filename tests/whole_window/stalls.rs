@@ -99,6 +99,35 @@ fn ndc_of_many_objects_is_made_beside_the_window() {
     assert_eq!(window.messages().count(), 0);
 }
 
+/// Draws until the wanted scene shows.
+fn draw_all(window: &mut Offscreen) {
+    while {
+        window.draw().expect("a frame");
+        !window.shows_scene()
+    } {}
+}
+
+/// The stages share one mesh in graphics memory with the picture. Only NDC has a mesh of its own.
+#[test]
+fn a_stage_uploads_no_triangle_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = open(vec![ground(folder.path(), SIDE)], 1.0);
+    // With the matrices open from the start, the picture keeps its size.
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    draw_all(&mut window);
+    let whole = window.state().scene().triangle_count() as u64;
+    assert_eq!(window.uploaded_triangles(), whole);
+    click_on(&mut window, "show NDC");
+    draw_all(&mut window);
+    let with_ndc = window.uploaded_triangles();
+    assert!(with_ndc > whole, "{with_ndc} of {whole}");
+    for stage in ["object", "world", "view", "four"] {
+        click_on(&mut window, &format!("show {stage}"));
+        draw_all(&mut window);
+        assert_eq!(window.uploaded_triangles(), with_ndc, "{stage}");
+    }
+}
+
 #[test]
 fn a_large_file_is_shown_once_the_adapter_has_it() {
     let folder = tempfile::tempdir().expect("a folder");

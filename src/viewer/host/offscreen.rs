@@ -215,6 +215,13 @@ impl Offscreen {
         self.app.picture.uploaded
     }
 
+    /// How many triangles of meshes were uploaded so far, by frames and by jobs.
+    #[must_use]
+    pub fn uploaded_triangles(&self) -> u64 {
+        let canvas = self.page.canvas.as_ref();
+        canvas.map_or(0, |canvas| canvas.gpu.uploaded_triangles())
+    }
+
     /// Whether the last frame looks different from the one before: a window presents only such frames.
     #[must_use]
     pub fn looks_different(&self) -> bool {
