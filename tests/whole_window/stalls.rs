@@ -173,3 +173,53 @@ fn the_picture_is_not_shown_as_the_world() {
     colours.dedup();
     assert_eq!(colours.len(), 1, "{colours:?}");
 }
+
+/// How much of a load is done by its bar, in per cent; `None` while there is no bar.
+fn loaded_percent(window: &Offscreen) -> Option<f64> {
+    let mut all = window.controls().iter();
+    let bar = all.find(|control| control.name == "loading")?;
+    bar.value.parse().ok()
+}
+
+/// A scene file of many objects says how much of it is read, and can be given up: the old scene stays.
+#[test]
+fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("very_many.toml");
+    let object = "[[object]]\nshape = \"cube\"\nposition = [1, 2, 3]\n";
+    std::fs::write(&path, object.repeat(200_000)).expect("writable");
+    let ways: [(&str, fn(&Offscreen) -> Vec<Event>); 2] = [
+        ("Esc", |_| {
+            vec![Event::Key {
+                key: Key::Escape,
+                physical_key: None,
+                pressed: true,
+                repeat: false,
+                modifiers: Modifiers::NONE,
+            }]
+        }),
+        ("the button", |window| {
+            let at = control(window, "cancel").rect.center();
+            let press = |pressed| button(at, PointerButton::Primary, pressed);
+            vec![Event::PointerMoved(at), press(true), press(false)]
+        }),
+    ];
+    let (mut window, _row) = row(1.0);
+    window.picture().expect("a picture");
+    for (way, events) in ways {
+        window.begin_to_drop(path.clone());
+        while loaded_percent(&window).is_none_or(|percent| percent <= 0.0) {
+            window.frame(Event::PointerGone).expect("a frame");
+            let count = window.state().scene().objects().len();
+            assert_eq!(count, 3, "{way}: it tells before it is done");
+        }
+        for event in events(&window) {
+            window.frame(event).expect("a frame");
+        }
+        window.send([Event::PointerGone]);
+        assert_eq!(loaded_percent(&window), None, "{way}");
+        assert_eq!(window.state().name(), "row.toml", "{way}");
+        assert_eq!(window.state().scene().objects().len(), 3, "{way}");
+        assert_eq!(window.messages().count(), 0, "{way}");
+    }
+}

@@ -31,6 +31,7 @@ pub struct Control {
 pub(super) fn controls(update: &TreeUpdate) -> Vec<Control> {
     let control = |(id, node): &(NodeId, Node)| {
         let value = node.value().unwrap_or_default();
+        let number = node.numeric_value().map(|number| number.to_string());
         let said = (node.role() == Role::Label).then_some(value);
         let is_of_use = node.supports_action(Action::Click) || node.supports_action(Action::Focus);
         let name = node.label().or(said).or(is_of_use.then_some(""))?;
@@ -41,7 +42,7 @@ pub(super) fn controls(update: &TreeUpdate) -> Vec<Control> {
         Some(Control {
             name: name.to_owned(),
             role: node.role(),
-            value: value.to_owned(),
+            value: number.unwrap_or_else(|| value.to_owned()),
             description: node.description().unwrap_or_default().to_owned(),
             is_on: node.toggled() == Some(Toggled::True),
             is_enabled: !node.is_disabled(),
