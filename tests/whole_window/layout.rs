@@ -168,22 +168,23 @@ fn all_of_the_toolbar_can_be_reached_at_any_width() {
     assert_ne!(window.state().grid(), before);
 }
 
+/// The controls of the panels, and where each is.
+fn places(window: &Offscreen) -> Vec<(String, egui::Rect)> {
+    let controls = window.controls().iter();
+    // The cross turns with the camera.
+    let of_use = controls
+        .filter(|control| control.role != Role::Label && !control.name.starts_with("look from"));
+    of_use
+        .map(|control| (control.name.clone(), control.rect))
+        .collect()
+}
+
 /// No control of the panels moves, whatever the view.
 #[test]
 fn numbers_move_nothing() {
     let (mut window, _folder) = row(1.0);
     click(&mut window, MIDDLE);
     press_key(&mut window, Modifiers::NONE, Key::P);
-    let places = |window: &Offscreen| -> Vec<_> {
-        let controls = window.controls().iter();
-        // The cross turns with the camera.
-        let of_use = controls.filter(|control| {
-            control.role != Role::Label && !control.name.starts_with("look from")
-        });
-        of_use
-            .map(|control| (control.name.clone(), control.rect))
-            .collect()
-    };
     let before = places(&window);
     assert!(before.len() > 60, "{}", before.len());
     for (x, y) in [(70.0, -31.0), (-333.0, 200.0), (211.0, -640.0)] {
@@ -195,6 +196,94 @@ fn numbers_move_nothing() {
         }
         assert_eq!(places(&window).len(), before.len());
     }
+}
+
+/// A long number moves no control, neither while it is typed nor after. The field shows it shortened, its tooltip whole.
+#[test]
+fn a_long_number_moves_nothing_and_is_told_whole() {
+    let (mut window, _folder) = row(1.0);
+    let before = places(&window);
+    for (field, typed, shown, value) in [
+        (
+            "up x",
+            "-0.000952597",
+            "-0.000953",
+            (|window| window.state().view().camera.up().x) as fn(&Offscreen) -> f64,
+        ),
+        ("far", "99999999999999999999", "1e20", |window| {
+            window.state().view().camera.lens().far
+        }),
+    ] {
+        type_into(&mut window, field, typed);
+        window.send([Event::PointerGone]);
+        assert_eq!(places(&window), before, "{typed} is typed");
+        press_key(&mut window, Modifiers::NONE, Key::Enter);
+        assert_eq!(places(&window), before, "{typed} is in force");
+        let Control {
+            value: text,
+            description,
+            ..
+        } = control(&window, field);
+        assert_eq!(text, shown);
+        let exactly = format!("exactly {}", value(&window));
+        assert!(description.ends_with(&exactly), "{description}: {exactly}");
+    }
+}
+
+/// Where each number of the matrices, and of a point's way through them, begins and ends.
+fn columns(window: &Offscreen) -> Vec<[f32; 2]> {
+    let of_matrix = |matrix: &str| ["x", "y", "z", "w"].map(|row| format!("{matrix}, row {row}"));
+    let rows = ["P", "V", "M"].into_iter().flat_map(of_matrix);
+    let way = ["object", "clip", "ray along"].map(|step| format!("{step:<9}"));
+    let edge = control(window, "edge of the left side").rect.center().x;
+    let mut all = Vec::new();
+    for name in rows.chain(way) {
+        let row = control(window, &name).rect.y_range();
+        let beside = window.controls().iter().filter(|number| {
+            number.role == Role::Label
+                && number.name.trim().parse::<f64>().is_ok()
+                && number.rect.right() < edge
+                && row.contains(number.rect.center().y)
+        });
+        let mut beside: Vec<_> = beside
+            .map(|number| [number.rect.left(), number.rect.right()])
+            .collect();
+        beside.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        all.extend(beside);
+    }
+    all
+}
+
+/// The numbers of matrices stand in columns that neither other numbers nor a wider panel move.
+#[test]
+fn the_columns_of_matrices_stay_where_they_are() {
+    let (mut window, folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    let before = columns(&window);
+    assert_eq!(before.len(), 3 * 4 * 4 + 3 + 4 + 3);
+    for (field, number) in [("eye x", "-0.000952597"), ("far", "99999999999999999999")] {
+        type_into(&mut window, field, number);
+        press_key(&mut window, Modifiers::NONE, Key::Enter);
+        assert_eq!(columns(&window), before, "{field}");
+    }
+    // A scene of seven digits.
+    let large = folder.path().join("large.toml");
+    let text = "[camera]\neye = [0, 0, 4e6]\ntarget = [0, 0, 0]\n\
+                [[object]]\nshape = \"cube\"\nscale = 1e6\n";
+    std::fs::write(&large, text).expect("writable");
+    window.drop_file(large);
+    click(&mut window, MIDDLE);
+    assert!(picked_px(&window).is_some());
+    assert_eq!(columns(&window), before, "large");
+    // There is room for a wider panel where the other side is folded.
+    click_on(&mut window, "right side");
+    let edge = control(&window, "edge of the left side").rect.center();
+    let to = edge + vec2(60.0, 0.0);
+    drag(&mut window, PointerButton::Primary, edge, to);
+    let now = control(&window, "edge of the left side").rect.center();
+    assert!((now.x - to.x).abs() < 1.0, "{now} {to}");
+    assert_eq!(columns(&window), before, "wider");
 }
 
 #[test]

@@ -262,7 +262,7 @@ fn table(ui: &mut Ui, values: &Values) {
             for value in values {
                 // Four numbers must each be narrower than three.
                 let text = if values.len() > 3 {
-                    format!("{value:>7.3}")
+                    format!("{:>NARROW$}", narrow(*value))
                 } else {
                     format!("{:>9}", short(*value))
                 };
@@ -270,5 +270,37 @@ fn table(ui: &mut Ui, values: &Values) {
                     .hint(value.to_string());
             }
         });
+    }
+}
+
+/// The most characters of a number where four stand beside their name.
+const NARROW: usize = 7;
+
+/// With three decimals, or as many as there is room for; as a power of ten where there is none.
+fn narrow(value: f64) -> String {
+    let fixed = (0..=3).rev().map(|decimals| format!("{value:.decimals$}"));
+    let powers = (0..=3).rev().map(|decimals| format!("{value:.decimals$e}"));
+    let mut all = fixed.chain(powers);
+    let fits = all.find(|text| text.len() <= NARROW);
+    fits.unwrap_or_else(|| format!("{value:.0e}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn four_numbers_of_any_size_have_room_in_a_row() {
+        for (value, text) in [
+            (-7.5, "-7.500"),
+            (1e-300, "0.000"),
+            (12_345.678, "12345.7"),
+            (-1_234_567.0, "-1.23e6"),
+            (3.5e6, "3500000"),
+            (-1e300, "-1e300"),
+            (f64::INFINITY, "inf"),
+        ] {
+            assert_eq!(narrow(value), text);
+        }
     }
 }
