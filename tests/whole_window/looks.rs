@@ -134,6 +134,44 @@ fn what_is_copied_or_saved_is_said_for_a_while() {
     assert!(window.messages().any(|text| text.contains("no pick")));
 }
 
+/// How far from grey a message is written: 0 for grey, 255 for a pure colour.
+fn colourfulness(window: &mut Offscreen) -> u8 {
+    window.send([Event::PointerGone]);
+    let text = window.messages().next().expect("a message").to_owned();
+    let rect = control(window, &text).rect;
+    let [left, top] = whole(rect.min);
+    let [right, bottom] = whole(rect.max);
+    let picture = window.picture().expect("a picture");
+    let pixels = (top..bottom).flat_map(|y| (left..right).map(move |x| (x, y)));
+    let spread = |[r, g, b]: [u8; 3]| r.max(g).max(b) - r.min(g).min(b);
+    let spreads = pixels.map(|(x, y)| spread(picture.at(x, y)));
+    spreads.max().expect("a text")
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a place in the window"
+)]
+fn whole(at: Pos2) -> [u32; 2] {
+    [at.x.round() as u32, at.y.round() as u32]
+}
+
+/// What was saved is told in the colour of plain text. A warning is not.
+#[test]
+fn what_is_done_is_no_warning() {
+    let (mut window, folder) = row(1.0);
+    window.save_as(folder.path().join("kept.toml"));
+    let done = colourfulness(&mut window);
+    let odd = folder.path().join("odd.obj");
+    let text = "mtllib absent.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
+    std::fs::write(&odd, text).expect("writable");
+    window.drop_file(odd);
+    assert_eq!(window.state().name(), "odd.obj");
+    let warns = colourfulness(&mut window);
+    assert!(done < 40 && warns > 90, "{done} {warns}");
+}
+
 #[test]
 fn the_picture_alone_is_saved() {
     let (mut window, folder) = row(1.0);

@@ -51,18 +51,19 @@ impl Look {
 }
 
 /// egui as the viewer wants it: dark or light as the desktop is, with text that is readable on projectors too, which swallow
-/// dark greys.
+/// dark greys. Warnings are yellow: orange is the selection.
 pub(in crate::viewer) fn context() -> egui::Context {
     let context = egui::Context::default();
     mouse::options(&context);
     let mut dark = egui::Visuals::dark();
     dark.error_fg_color = Color32::from_rgb(255, 120, 105);
+    dark.warn_fg_color = Color32::from_rgb(236, 224, 90);
     dark.override_text_color = Some(Color32::from_gray(222));
     dark.weak_text_color = Some(Color32::from_gray(160));
     context.set_visuals_of(Theme::Dark, dark);
     let mut light = egui::Visuals::light();
     light.error_fg_color = Color32::from_rgb(176, 20, 0);
-    light.warn_fg_color = Color32::from_rgb(140, 75, 0);
+    light.warn_fg_color = Color32::from_rgb(104, 96, 0);
     light.override_text_color = Some(Color32::from_gray(24));
     light.weak_text_color = Some(Color32::from_gray(86));
     context.set_visuals_of(Theme::Light, light);
@@ -78,4 +79,33 @@ pub(in crate::viewer) fn note_missing(context: &egui::Context, missing: Missing)
             .for_each(|character| missing.add(character));
         None
     }));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::look;
+
+    /// Where a colour is on the wheel, in degrees from red to yellow, which is at 60.
+    fn hue_deg(colour: Color32) -> f32 {
+        let [red, green, blue] = [colour.r(), colour.g(), colour.b()];
+        assert!(red >= green && green >= blue && red > blue, "{colour:?}");
+        60.0 * f32::from(green - blue) / f32::from(red - blue)
+    }
+
+    /// A warning has neither the selection's colour nor that of errors or plain text.
+    #[test]
+    fn warnings_have_a_colour_of_their_own() {
+        let context = context();
+        for theme in [Theme::Dark, Theme::Light] {
+            let style = context.style_of(theme);
+            let (visuals, warns) = (&style.visuals, style.visuals.warn_fg_color);
+            for other in [color32(look::SELECTION), visuals.error_fg_color] {
+                let apart_deg = (hue_deg(warns) - hue_deg(other)).abs();
+                assert!(apart_deg > 12.0, "{theme:?}, {other:?}: {apart_deg}");
+            }
+            let from_grey = warns.r() - warns.b();
+            assert!(from_grey > 90, "{theme:?}: {from_grey}");
+        }
+    }
 }
