@@ -30,18 +30,28 @@ fn is_mark(pixel: Rgb) -> bool {
         .all(|(a, b)| a.abs_diff(b) < 40)
 }
 
+/// A hit is marked on whatever shape it is, here a cube and a sphere. A back face has another mark.
 #[test]
 fn a_hit_has_a_mark_and_a_back_face_another() {
+    hits_are_marked(Key::Num1, "front");
+    hits_are_marked(Key::Num9, "middle");
+}
+
+/// Checks the marks on both sides of an object that is in the middle of a view.
+fn hits_are_marked(view: Key, object: &str) {
     let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, view);
     let at = pos2(590.5, 360.5);
     let bare = window.picture().expect("a picture");
     click(&mut window, at);
     window.send([Event::PointerGone]);
     let pick = |window: &Offscreen| window.state().selection()?.pick.as_ref()?.hit.clone();
     assert!(pick(&window).is_some_and(|hit| hit.front));
+    assert_eq!(selected(&window), Some(object));
     let front = window.picture().expect("a picture");
     press_key(&mut window, Modifiers::NONE, Key::N);
     assert!(pick(&window).is_some_and(|hit| !hit.front));
+    assert_eq!(selected(&window), Some(object));
     let back = window.picture().expect("a picture");
     // The ring, right of the middle and above it; then what is inside it.
     for ring in [[7, 0], [0, -7]] {
