@@ -1,6 +1,7 @@
 //! Lines over the scene are where they should be, in the picture and nowhere else.
 
 use super::*;
+use egui::{Rect, vec2};
 use glam::DVec3;
 use sightline::{
     image::{Image, Rgb},
@@ -80,4 +81,72 @@ fn overlays_are_about_the_selection() {
     assert_eq!(of_selection, bare);
     let of_all = seen(Some(Key::Escape));
     assert!(turned(&bare, &of_all, look::BOXES.0), "{of_all:?}");
+}
+
+/// Where an object shows in the window, with room for its outline.
+fn place_of(window: &Offscreen, object: usize) -> Rect {
+    let view = window.state().view();
+    let size = DVec2::new(view.viewport.width().into(), view.viewport.height().into());
+    let corners = window.state().scene().bounds_of(object).corners();
+    let shown = corners.map(|corner| {
+        let px = view.project(corner).expect("before the eye").px - 0.5 * size;
+        #[expect(clippy::cast_possible_truncation, reason = "a place in the window")]
+        let from_middle = vec2(px.x as f32, px.y as f32);
+        MIDDLE + from_middle
+    });
+    Rect::from_points(&shown).expand(10.0)
+}
+
+/// How many pixels around the middle of the picture differ visibly outside of `objects`.
+fn differing(a: &Image<Rgb>, b: &Image<Rgb>, objects: &[Rect]) -> usize {
+    let pixels = (60..580_u16).flat_map(|y| (240..940_u16).map(move |x| (x, y)));
+    let beside = pixels.filter(|(x, y)| {
+        let at = pos2(f32::from(*x), f32::from(*y));
+        !objects.iter().any(|object| object.contains(at))
+    });
+    let differ = beside.filter(|(x, y)| {
+        let [a, b] = [a, b].map(|picture| picture.at(u32::from(*x), u32::from(*y)));
+        images::apart(a, b, 12)
+    });
+    differ.count()
+}
+
+/// The grid stays where it is and as large as it is when an object is hidden or moved, even one that lies apart and makes
+/// most of the scene's size.
+#[test]
+fn the_grid_stays_when_an_object_is_hidden_or_moved() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("apart.toml");
+    // Fixed planes: those that follow the scene would cut the grid elsewhere.
+    let camera = ROW.replace("[camera]", "[camera]\nnear = 0.1\nfar = 1000");
+    let distant = "name = \"distant\"\nshape = \"cube\"\nposition = [60, 0, 0]\n";
+    std::fs::write(&path, format!("{camera}\n[[object]]\n{distant}")).expect("writable");
+    let mut window = open(vec![path], 1.0);
+    let seen = |window: &mut Offscreen| {
+        window.send([Event::PointerGone]);
+        window.picture().expect("a picture")
+    };
+    press_key(&mut window, Modifiers::NONE, Key::Num9);
+    press_key(&mut window, Modifiers::NONE, Key::A);
+    let before = seen(&mut window);
+    let mut objects: Vec<_> = (0..4).map(|object| place_of(&window, object)).collect();
+    press_key(&mut window, Modifiers::NONE, Key::G);
+    let of_grid = differing(&before, &seen(&mut window), &objects);
+    press_key(&mut window, Modifiers::NONE, Key::G);
+    assert!(of_grid > 1500, "{of_grid}");
+
+    click_on(&mut window, "distant");
+    press_key(&mut window, Modifiers::SHIFT, Key::H);
+    assert!(!window.state().scene().objects()[3].visible);
+    let hidden = differing(&before, &seen(&mut window), &objects);
+    assert!(20 * hidden < of_grid, "hidden: {hidden} of {of_grid}");
+
+    press_key(&mut window, Modifiers::NONE, Key::U);
+    click_on(&mut window, "Model matrix");
+    type_into(&mut window, "position x", "61");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    objects.push(place_of(&window, 3));
+    let moved = differing(&before, &seen(&mut window), &objects);
+    assert!(20 * moved < of_grid, "moved: {moved} of {of_grid}");
+    assert!(window.state().scene().objects()[3].visible);
 }
