@@ -45,3 +45,40 @@ impl App {
         Some((file, toml::to_string(&self.memory).ok()?))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::App;
+    use crate::viewer::{
+        app::{Host, WindowPlace},
+        options::Options,
+        ui::Command,
+    };
+    use std::sync::Arc;
+
+    /// Where the window stood when it was closed is known when it opens again.
+    #[test]
+    fn the_windows_place_is_kept_from_run_to_run() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let options = Options {
+            memory: Some(folder.path().join("window.toml")),
+            ..Options::default()
+        };
+        let start = || App::start(options.clone(), Arc::new(drop), Host::Picture);
+        let place = |corner_px| WindowPlace {
+            size: [900.0, 600.5],
+            corner_px,
+            maximised: corner_px.is_none(),
+        };
+        let mut app = start();
+        assert_eq!(app.memory.window, None);
+        // Where the system does not tell the place, there is none.
+        for place in [Some([-1920, 30]), None].map(place) {
+            app.memory.window = Some(place);
+            app.run_command(Command::Quit);
+            assert!(app.quit);
+            app = start();
+            assert_eq!(app.memory.window, Some(place));
+        }
+    }
+}

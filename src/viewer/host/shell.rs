@@ -39,7 +39,11 @@ impl Shell {
             Some(size) => {
                 attributes.with_inner_size(PhysicalSize::new(size.width(), size.height()))
             }
-            None => restored(attributes, remembered, event_loop),
+            None => {
+                let screens = event_loop.available_monitors();
+                let screens = screens.map(|screen| (screen.position(), screen.size()));
+                restored(attributes, remembered, screens)
+            }
         };
         // Screen readers must know it before it shows.
         let attributes = attributes.with_visible(!cfg!(feature = "screen-readers"));
@@ -114,11 +118,12 @@ impl Shell {
     }
 }
 
-/// Restores the size and place that the window had when it was closed last. The place only if a screen is still there.
+/// Restores the size and place that the window had when it was closed last. The place only if one of the screens, each with
+/// its corner and size, is still there.
 fn restored(
     attributes: WindowAttributes,
     remembered: Option<WindowPlace>,
-    event_loop: &ActiveEventLoop,
+    mut screens: impl Iterator<Item = (PhysicalPosition<i32>, PhysicalSize<u32>)>,
 ) -> WindowAttributes {
     let Some(place) = remembered else {
         return attributes.with_inner_size(LogicalSize::new(1280, 720));
@@ -128,8 +133,7 @@ fn restored(
         .with_inner_size(LogicalSize::new(width, height))
         .with_maximized(place.maximised);
     let is_on_a_screen = |[x, y]: &[i32; 2]| {
-        event_loop.available_monitors().any(|screen| {
-            let (corner, size) = (screen.position(), screen.size());
+        screens.any(|(corner, size)| {
             let within = |at: i32, from: i32, long: u32| {
                 let past = i64::from(at) - i64::from(from);
                 (0..i64::from(long) - 50).contains(&past)
@@ -140,5 +144,57 @@ fn restored(
     match place.corner_px.filter(is_on_a_screen) {
         Some([x, y]) => attributes.with_position(PhysicalPosition::new(x, y)),
         None => attributes,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use winit::dpi::{Position, Size};
+
+    /// What a window asks for: size, place, and whether it is maximised. The first of these screens are there: two side
+    /// by side.
+    fn asked(
+        remembered: Option<WindowPlace>,
+        screens: usize,
+    ) -> (Option<Size>, Option<Position>, bool) {
+        let all = [0, 1920].map(|x| (PhysicalPosition::new(x, 0), PhysicalSize::new(1920, 1080)));
+        let there = all.into_iter().take(screens);
+        let attributes = restored(Window::default_attributes(), remembered, there);
+        (
+            attributes.inner_size,
+            attributes.position,
+            attributes.maximized,
+        )
+    }
+
+    /// A window opens as large as it was closed, and where it was closed if that is on a screen.
+    #[test]
+    fn a_window_opens_where_it_was_closed_unless_no_screen_is_there() {
+        let size = |width: f64, height: f64| Some(Size::from(LogicalSize::new(width, height)));
+        let at = |x: i32, y: i32| Some(Position::from(PhysicalPosition::new(x, y)));
+        assert_eq!(asked(None, 2), (size(1280.0, 720.0), None, false));
+        let place = WindowPlace {
+            size: [900.0, 600.0],
+            corner_px: Some([2000, 100]),
+            maximised: true,
+        };
+        let own = size(900.0, 600.0);
+        assert_eq!(asked(Some(place), 2), (own, at(2000, 100), true));
+        assert_eq!(
+            asked(Some(place), 1),
+            (own, None, true),
+            "its screen is gone"
+        );
+        // Just off the screens at each side, so far that its title bar could not be grasped, and of no known place.
+        for corner_px in [Some([-1, 100]), Some([100, -1]), Some([3800, 100]), None] {
+            let place = WindowPlace { corner_px, ..place };
+            assert_eq!(asked(Some(place), 2), (own, None, true), "{corner_px:?}");
+        }
+        let tiny = WindowPlace {
+            size: [2.0, 1e9],
+            ..place
+        };
+        assert_eq!(asked(Some(tiny), 2).0, size(320.0, 16_384.0));
     }
 }
