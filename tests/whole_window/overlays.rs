@@ -142,6 +142,7 @@ fn the_grid_stays_when_an_object_is_hidden_or_moved() {
     assert!(20 * hidden < of_grid, "hidden: {hidden} of {of_grid}");
 
     press_key(&mut window, Modifiers::NONE, Key::U);
+    click_on(&mut window, "distant");
     click_on(&mut window, "Model matrix");
     type_into(&mut window, "position x", "61");
     press_key(&mut window, Modifiers::NONE, Key::Enter);
