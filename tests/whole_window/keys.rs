@@ -139,6 +139,7 @@ fn ctrl_s_saves_while_a_button_has_the_focus() {
     press_key(&mut window, CTRL, Key::S);
     // What is done before the dialog is answered is not saved.
     press_key(&mut window, NONE, Key::U);
+    assert!(window.state().scene().objects()[0].visible);
     let path = folder.path().join("kept.toml");
     window.save_as(path.clone());
     let kept = scene::load(&[path], &Progress::default()).expect("a scene");
