@@ -30,11 +30,16 @@ pub use verify::{Picker, VerifyArgs};
 pub use view::ViewArgs;
 pub use window::WindowArgs;
 
-use crate::scene::{self, Detail, Loaded, Progress};
+use crate::{
+    render::{Gpu, GpuError},
+    scene::{self, Detail, Loaded, Progress},
+};
 use clap::{Parser, Subcommand};
 use command_first::command_first;
 use contract::{CONTRACT, FIELDS, NUMBERS, PLACES, SNAPS};
-use std::{ffi::OsString, path::PathBuf, process::ExitCode, time::Instant};
+use std::{
+    ffi::OsString, panic::resume_unwind, path::PathBuf, process::ExitCode, thread, time::Instant,
+};
 use terminal::start_log;
 
 /// How many warnings are printed before the rest is only counted.
@@ -130,6 +135,18 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
 /// Loads the scene that a command names, and prints the load's warnings.
 fn load(args: &SceneArgs) -> Result<Loaded, CliError> {
     load_with(args, Detail::All)
+}
+
+/// Like [`load`], while another thread makes the device that draws: for a small file, that takes longer.
+fn load_beside_gpu(args: &SceneArgs) -> Result<(Loaded, Result<Gpu, GpuError>), CliError> {
+    start_log(args.verbose);
+    // The thread is waited for in any case: drivers do not like to be left in the middle.
+    thread::scope(|scope| {
+        let gpu = scope.spawn(Gpu::headless);
+        let loaded = load(args);
+        let gpu = gpu.join().unwrap_or_else(|panic| resume_unwind(panic));
+        Ok((loaded?, gpu))
+    })
 }
 
 /// Like [`load`], but loads only what `detail` requires.

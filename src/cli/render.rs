@@ -1,11 +1,12 @@
 //! `sightline render`: draws a picture without a window.
 
-use super::{CliError, SceneArgs, ViewArgs, build_trees, load, pick::inside, value};
+use super::{
+    CliError, SceneArgs, ViewArgs, build_trees, load, load_beside_gpu, pick::inside, value,
+};
 use crate::{
     camera::{View, Viewport},
     image::{Id, Image, ImageError, Rgb},
-    pick,
-    render::{self, Gpu},
+    pick, render,
     scene::Scene,
     viewer::{self, model::Views},
 };
@@ -58,11 +59,17 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
             "--output and --ids name one file, which cannot hold both".to_owned(),
         ));
     }
-    let mut loaded = load(&args.scene)?;
+    let views = args.views.filter(|views| *views != Views::Picture);
+    let (mut loaded, gpu) = if args.by == By::Raster && views.is_none() {
+        let (loaded, gpu) = load_beside_gpu(&args.scene)?;
+        (loaded, Some(gpu))
+    } else {
+        (load(&args.scene)?, None)
+    };
     let view = args.view.apply(&mut loaded)?;
     // The warnings were printed already.
     loaded.warnings.clear();
-    if let Some(views) = args.views.filter(|views| *views != Views::Picture) {
+    if let Some(views) = views {
         let options = viewer::Options {
             paths: args.scene.scenes.clone(),
             camera: args.view.choice(),
@@ -83,22 +90,19 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     let selection = at.and_then(|ray| pick::closest(scene, ray, view.sides));
     let selection = selection.map(|hit| hit.object);
     let start = Instant::now();
-    let (ids, colours) = match args.by {
-        By::Raster => {
-            let gpu = Gpu::headless()?;
-            log::info!("drawing with {}", gpu.adapter_name());
-            if args.ids.is_none() && selection.is_none() {
-                (None, render::picture(&gpu, scene, &view)?)
-            } else {
-                let (ids, colours) = render::render(&gpu, scene, &view, selection)?;
-                (Some(ids), colours)
-            }
-        }
-        By::Raycast => {
-            check_memory(view.viewport)?;
-            let (ids, colours) = raycast(scene, &view, selection);
+    let (ids, colours) = if let Some(gpu) = gpu {
+        let gpu = gpu?;
+        log::info!("drawing with {}", gpu.adapter_name());
+        if args.ids.is_none() && selection.is_none() {
+            (None, render::picture(&gpu, scene, &view)?)
+        } else {
+            let (ids, colours) = render::render(&gpu, scene, &view, selection)?;
             (Some(ids), colours)
         }
+    } else {
+        check_memory(view.viewport)?;
+        let (ids, colours) = raycast(scene, &view, selection);
+        (Some(ids), colours)
     };
     log::info!("drew the picture in {:.1?}", start.elapsed());
     colours.write_png(&args.output)?;

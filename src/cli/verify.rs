@@ -1,11 +1,11 @@
 //! `sightline verify`: compares the drawn picture with picks, pixel by pixel.
 
-use super::{CliError, SceneArgs, ViewArgs, build_trees, load, value};
+use super::{CliError, SceneArgs, ViewArgs, build_trees, load_beside_gpu, value};
 use crate::{
     camera::View,
     image::{Id, Image},
     json, pick,
-    render::{self, Gpu, Rasteriser},
+    render::{self, Rasteriser},
     scene::Scene,
     study::methods::usual,
     verify::{
@@ -47,11 +47,11 @@ pub enum Picker {
 
 /// Draws, picks, compares and prints the report.
 pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
-    let mut loaded = load(&args.scene)?;
+    let (mut loaded, gpu) = load_beside_gpu(&args.scene)?;
     let view = args.view.apply(&mut loaded)?;
     let scene = &loaded.scene;
+    let gpu = gpu.map_err(CliError::NothingDrawn)?;
     let start = Instant::now();
-    let gpu = Gpu::headless().map_err(CliError::NothingDrawn)?;
     let (drawn, colours) =
         render::render(&gpu, scene, &view, None).map_err(CliError::NothingDrawn)?;
     let drawn_s = start.elapsed().as_secs_f64();

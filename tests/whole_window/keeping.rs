@@ -142,7 +142,8 @@ fn what_is_chosen_to_open_asks_before_edits_go() {
     let (mut window, folder) = row(1.0);
     let other = folder.path().join("other.toml");
     std::fs::write(&other, ROW).expect("writable");
-    let ways: [(&str, fn(&mut Offscreen, &Path)); 2] = [
+    type Way = fn(&mut Offscreen, &Path);
+    let ways: [(&str, Way); 2] = [
         ("dialog", |window, folder| {
             window.open_files(vec![folder.join("row.toml")]);
         }),

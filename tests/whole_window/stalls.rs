@@ -188,7 +188,8 @@ fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
     let path = folder.path().join("very_many.toml");
     let object = "[[object]]\nshape = \"cube\"\nposition = [1, 2, 3]\n";
     std::fs::write(&path, object.repeat(200_000)).expect("writable");
-    let ways: [(&str, fn(&Offscreen) -> Vec<Event>); 2] = [
+    type Way = fn(&Offscreen) -> Vec<Event>;
+    let ways: [(&str, Way); 2] = [
         ("Esc", |_| {
             vec![Event::Key {
                 key: Key::Escape,

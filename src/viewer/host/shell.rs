@@ -35,15 +35,12 @@ impl Shell {
         #[cfg(feature = "screen-readers")] wake: &Waker,
     ) -> Result<Self, ViewerError> {
         let attributes = Window::default_attributes().with_title("Sightline");
-        let attributes = match options.size {
-            Some(size) => {
-                attributes.with_inner_size(PhysicalSize::new(size.width(), size.height()))
-            }
-            None => {
-                let screens = event_loop.available_monitors();
-                let screens = screens.map(|screen| (screen.position(), screen.size()));
-                restored(attributes, remembered, screens)
-            }
+        let attributes = if let Some(size) = options.size {
+            attributes.with_inner_size(PhysicalSize::new(size.width(), size.height()))
+        } else {
+            let screens = event_loop.available_monitors();
+            let screens = screens.map(|screen| (screen.position(), screen.size()));
+            restored(attributes, remembered, screens)
         };
         // Screen readers must know it before it shows.
         let attributes = attributes.with_visible(!cfg!(feature = "screen-readers"));
