@@ -139,10 +139,10 @@ fn edits_are_marked_and_asked_about_before_they_go() {
 /// What the Open dialog or Recent would open asks before it drops edits.
 #[test]
 fn what_is_chosen_to_open_asks_before_edits_go() {
+    type Way = fn(&mut Offscreen, &Path);
     let (mut window, folder) = row(1.0);
     let other = folder.path().join("other.toml");
     std::fs::write(&other, ROW).expect("writable");
-    type Way = fn(&mut Offscreen, &Path);
     let ways: [(&str, Way); 2] = [
         ("dialog", |window, folder| {
             window.open_files(vec![folder.join("row.toml")]);

@@ -184,11 +184,11 @@ fn loaded_percent(window: &Offscreen) -> Option<f64> {
 /// A scene file of many objects says how much of it is read, and can be given up: the old scene stays.
 #[test]
 fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
+    type Way = fn(&Offscreen) -> Vec<Event>;
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("very_many.toml");
     let object = "[[object]]\nshape = \"cube\"\nposition = [1, 2, 3]\n";
     std::fs::write(&path, object.repeat(200_000)).expect("writable");
-    type Way = fn(&Offscreen) -> Vec<Event>;
     let ways: [(&str, Way); 2] = [
         ("Esc", |_| {
             vec![Event::Key {
