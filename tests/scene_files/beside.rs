@@ -158,3 +158,41 @@ fn a_mesh_that_obj_cannot_hold_exactly_is_refused_and_leaves_nothing() {
     assert_eq!(std::fs::read(&path).unwrap(), b"old");
     assert_eq!(names(folder.path()), ["scene.toml"]);
 }
+
+/// A save that fails half way leaves the old scene file to the byte, and nothing beside it. The failure is a limit on the
+/// size of files, which holds for root too: a shell sets it, and runs this test in it again.
+#[cfg(unix)]
+#[test]
+fn a_save_that_fails_half_way_leaves_the_old_scene_file() {
+    use std::process::Command;
+    const SCENE_FILE: &str = "SIGHTLINE_TEST_SCENE_FILE";
+    if let Some(path) = std::env::var_os(SCENE_FILE) {
+        let ball = Object::new("ball", Shape::Sphere, Placement::IDENTITY);
+        // 40 kB and more.
+        let scene = Scene::new(vec![ball; 1000]);
+        let saved = save(Path::new(&path), &scene, &CameraChoice::default(), &[]);
+        assert!(saved.is_err(), "it is beyond the limit");
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = write(&folder, "scene.toml", "old");
+    // Blocks of 512 or 1024 bytes. Without the signal, the write fails and the process lives.
+    let limited = "trap '' XFSZ; ulimit -f 8; exec \"$0\" \"$@\"";
+    let output = Command::new("sh")
+        .args(["-c", limited])
+        .arg(std::env::current_exe().unwrap())
+        .args([
+            "--exact",
+            "beside::a_save_that_fails_half_way_leaves_the_old_scene_file",
+        ])
+        .env(SCENE_FILE, &path)
+        .output()
+        .expect("sh runs");
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(
+        output.status.success() && said.contains("1 passed"),
+        "{said}"
+    );
+    assert_eq!(std::fs::read(&path).unwrap(), b"old");
+    assert_eq!(names(folder.path()), ["scene.toml"]);
+}
