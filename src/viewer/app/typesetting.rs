@@ -38,7 +38,7 @@ mod tests {
         model::{Stage, Views},
         options::Options,
     };
-    use std::{sync::Arc, thread, time::Duration};
+    use std::{collections::BTreeSet, sync::Arc, thread, time::Duration};
 
     /// Another typeface makes egui rasterise all glyphs again, which takes longer than a pass may.
     #[test]
@@ -57,7 +57,31 @@ mod tests {
             }
             app.pass(egui::RawInput::default());
             app.take_finished();
-            assert!(!app.typefaces.has_searched(), "{views:?}");
+            assert!(app.typefaces.searched().is_empty(), "{views:?}");
         }
+    }
+
+    /// A typeface of the system is asked for each character of a name that egui's own lack, and for no other.
+    #[test]
+    fn names_in_any_script_ask_for_other_typefaces() {
+        let mut app = App::start(Options::default(), Arc::new(drop), Host::Picture);
+        app.pass(egui::RawInput::default());
+        let names = [
+            "\u{4f60}\u{597d}",
+            "\u{65e5}\u{672c}\u{306b}",
+            "\u{d55c}\u{ad6d}",
+            "\u{633}\u{644}\u{627}\u{645}",
+            "\u{5e9}\u{5dc}\u{5d5}\u{5dd}",
+            "\u{e2a}\u{e27}\u{e31}\u{e2a}\u{e14}\u{e35}",
+            "\u{1f980}\u{1fabf}",
+        ];
+        for name in names.into_iter().chain(["Egg \u{e9} \u{1f600}"]) {
+            let (text, font) = (name.to_owned(), egui::FontId::default());
+            let white = egui::Color32::WHITE;
+            (app.context).fonts_mut(|fonts| fonts.layout_no_wrap(text, font, white));
+        }
+        app.take_finished();
+        let lacked: BTreeSet<char> = names.into_iter().flat_map(str::chars).collect();
+        assert_eq!(app.typefaces.searched(), &lacked);
     }
 }

@@ -69,10 +69,10 @@ impl Typefaces {
         found.unwrap_or_default()
     }
 
-    /// Whether anything was missing so far.
+    /// The characters that were missing so far.
     #[cfg(test)]
-    pub fn has_searched(&self) -> bool {
-        !self.known.is_empty()
+    pub fn searched(&self) -> &BTreeSet<char> {
+        &self.known
     }
 
     /// Whether a search is under way.
@@ -81,11 +81,16 @@ impl Typefaces {
     }
 }
 
-/// Typefaces of the system that have these characters: each time the one with most of those left. Of equals, an
-/// upright, proportional one of regular weight.
-fn search(mut wanted: BTreeSet<char>) -> Vec<Typeface> {
+/// Typefaces of the system that have these characters.
+fn search(wanted: BTreeSet<char>) -> Vec<Typeface> {
     let mut system = fontdb::Database::new();
     system.load_system_fonts();
+    choose(&system, wanted)
+}
+
+/// Typefaces that have these characters: each time the one with most of those left. Of equals, an upright, proportional
+/// one of regular weight.
+fn choose(system: &fontdb::Database, mut wanted: BTreeSet<char>) -> Vec<Typeface> {
     let faces: Vec<_> = system
         .faces()
         .map(|face| {
@@ -129,4 +134,70 @@ fn held(bytes: &[u8], index: u32, wanted: &BTreeSet<char>) -> BTreeSet<char> {
     let characters = face.charmap();
     let has = |character: &&char| characters.map(**character).is_some();
     wanted.iter().filter(has).copied().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{choose, held};
+    use fontdb::{Database, FaceInfo, ID, Source, Stretch, Style, Weight};
+    use std::{collections::BTreeSet, sync::Arc};
+
+    /// The file of a typeface that has these characters: the table that says so, and no outlines.
+    fn file(characters: &str) -> Vec<u8> {
+        let characters: BTreeSet<char> = characters.chars().collect();
+        let count = u32::try_from(characters.len()).expect("few");
+        let tag = u32::from_be_bytes(*b"cmap");
+        let directory = [0x0001_0000, 0x0001_0010, 0, tag, 0, 28, 28 + 12 * count];
+        let table = [1, 0x0003_000a, 12, 0x000c_0000, 16 + 12 * count, 0, count];
+        let glyphs = (1_u32..).zip(characters);
+        let groups = glyphs.flat_map(|(glyph, c)| [u32::from(c), u32::from(c), glyph]);
+        let words = directory.into_iter().chain(table).chain(groups);
+        words.flat_map(u32::to_be_bytes).collect()
+    }
+
+    /// Each script gets a typeface that has it, upright and of regular weight, and a character that none has ends the
+    /// search. The system's own typefaces are not asked.
+    #[test]
+    fn every_script_gets_a_typeface_that_has_it() {
+        let scripts = [
+            ("Arabic", "\u{633}\u{644}\u{627}\u{645}"),
+            ("Chinese", "\u{4f60}\u{597d}"),
+            ("Emoji", "\u{1f980}\u{1fabf}"),
+            ("Japanese", "\u{65e5}\u{672c}\u{306b}"),
+            ("Korean", "\u{d55c}\u{ad6d}"),
+            ("Thai", "\u{e2a}\u{e27}\u{e31}\u{e14}\u{e35}"),
+        ];
+        let mut system = Database::new();
+        for (script, characters) in scripts {
+            for (kind, style, weight) in [
+                ("Italic", Style::Italic, Weight::NORMAL),
+                ("Regular", Style::Normal, Weight::NORMAL),
+                ("Bold", Style::Normal, Weight::BOLD),
+            ] {
+                system.push_face_info(FaceInfo {
+                    id: ID::dummy(),
+                    source: Source::Binary(Arc::new(file(characters))),
+                    index: 0,
+                    families: Vec::new(),
+                    post_script_name: format!("{script}-{kind}"),
+                    style,
+                    weight,
+                    stretch: Stretch::Normal,
+                    monospaced: false,
+                });
+            }
+        }
+        let of_scripts = scripts
+            .iter()
+            .flat_map(|(_, characters)| characters.chars());
+        let wanted: BTreeSet<char> = of_scripts.chain(['\u{e000}']).collect();
+        let mut found = choose(&system, wanted.clone());
+        found.sort_by(|a, b| a.name.cmp(&b.name));
+        assert_eq!(found.len(), scripts.len());
+        for ((script, characters), face) in scripts.into_iter().zip(&found) {
+            assert_eq!(face.name, format!("{script}-Regular"));
+            let has = held(&face.bytes, face.index, &wanted);
+            assert_eq!(has, BTreeSet::from_iter(characters.chars()), "{script}");
+        }
+    }
 }
