@@ -372,3 +372,21 @@ fn in_the_four_views_steps_of_the_picture_say_where_to_go() {
     press_key(&mut window, NONE, Key::Num4);
     assert_eq!(says(&window), 1);
 }
+
+/// `cargo run` installs nothing: the step that says to paste a command also says how a shell comes to know `sightline`.
+#[test]
+fn the_step_of_the_command_says_how_to_install_it() {
+    let mut window = tour();
+    for _ in 1..DEEDS.len() {
+        click_on(&mut window, "skip");
+    }
+    let words = task(&window).expect("the last step");
+    assert!(words.contains("paste the command"), "{words}");
+    assert!(
+        words.contains("cargo install --path . installs sightline"),
+        "{words}"
+    );
+    DEEDS[DEEDS.len() - 1].1(&mut window);
+    let command = window.copied().expect("a command");
+    assert!(command.starts_with("sightline pick "), "{command}");
+}
