@@ -74,9 +74,14 @@ position = [0, 0, -2]
 
 /// A window that shows [`ROW`], and the folder of its file.
 fn row(scale: f32) -> (Offscreen, TempDir) {
+    row_as(ROW, scale)
+}
+
+/// The same of another text.
+fn row_as(text: &str, scale: f32) -> (Offscreen, TempDir) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("row.toml");
-    std::fs::write(&path, ROW).expect("a writable folder");
+    std::fs::write(&path, text).expect("a writable folder");
     (open(vec![path], scale), folder)
 }
 
