@@ -160,3 +160,89 @@ fn configuration(
         view_formats: Vec::new(),
     })
 }
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use super::*;
+    use crate::{camera::CameraChoice, geometry::Sides, scene::Loaded, viewer::screen::Motion};
+    use std::{env, process::Command};
+    use winit::{
+        application::ApplicationHandler,
+        event::WindowEvent,
+        event_loop::{ActiveEventLoop, EventLoop},
+        platform::x11::EventLoopBuilderExtX11,
+        window::WindowId,
+    };
+
+    /// Loses a window's device as soon as there is a window.
+    #[derive(Default)]
+    struct Losing {
+        is_done: bool,
+    }
+
+    impl ApplicationHandler for Losing {
+        fn resumed(&mut self, event_loop: &ActiveEventLoop) {
+            let window = event_loop.create_window(Window::default_attributes());
+            let window = Arc::new(window.expect("a window"));
+            let surface = Surface::new(window, event_loop.owned_display_handle());
+            let mut surface = surface.unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(surface.restore(), Ok(false), "nothing is lost");
+            surface.canvas.gpu.device.destroy();
+            // The next poll reports the loss.
+            let _ = surface.canvas.gpu.wait();
+            assert_eq!(surface.restore(), Ok(true));
+            assert_eq!(surface.restore(), Ok(false), "once for each loss");
+            let state = State::new(
+                Loaded::default(),
+                CameraChoice::default(),
+                Viewport::DEFAULT,
+                Sides::Both,
+            );
+            let laid = Laid {
+                place: None,
+                panes: Vec::new(),
+                primitives: Vec::new(),
+                pixels_per_point: 1.0,
+                motion: Motion::Rests,
+            };
+            let drawn = surface.draw(&state.expect("nothing is framed"), &laid);
+            drawn.unwrap_or_else(|error| panic!("{error}"));
+            assert!(!surface.canvas.unshown, "it is presented");
+            self.is_done = true;
+            event_loop.exit();
+        }
+
+        fn window_event(&mut self, _: &ActiveEventLoop, _: WindowId, _: WindowEvent) {}
+    }
+
+    /// A window whose device is lost goes on with another, on the same window. Windows need a display: the test runs
+    /// itself again under Xvfb.
+    #[test]
+    fn a_window_s_lost_device_is_replaced() {
+        const HAS_DISPLAY: &str = "SIGHTLINE_TEST_HAS_DISPLAY";
+        if env::var_os(HAS_DISPLAY).is_none() {
+            let output = Command::new("xvfb-run")
+                .arg("-a")
+                .arg(env::current_exe().expect("this test"))
+                .args([
+                    "--exact",
+                    "viewer::screen::surface::tests::a_window_s_lost_device_is_replaced",
+                ])
+                .env(HAS_DISPLAY, "")
+                .output()
+                .expect("xvfb-run runs (Debian, Ubuntu: apt-get install xvfb)");
+            let said = String::from_utf8_lossy(&output.stdout);
+            let is_done = output.status.success() && said.contains("1 passed");
+            assert!(is_done, "{said}{}", String::from_utf8_lossy(&output.stderr));
+            return;
+        }
+        let event_loop = EventLoop::builder()
+            .with_x11()
+            .with_any_thread(true)
+            .build()
+            .expect("a display");
+        let mut losing = Losing::default();
+        event_loop.run_app(&mut losing).expect("it ends");
+        assert!(losing.is_done);
+    }
+}
