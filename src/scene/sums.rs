@@ -192,3 +192,53 @@ impl Share<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{RUN, Sums};
+    use crate::{
+        geometry::{Aabb, Placement},
+        scene::{Object, Scene, Shape},
+    };
+    use glam::DVec3;
+    use std::sync::Arc;
+
+    fn ball() -> Object {
+        Object::new("ball", Shape::Sphere, Placement::IDENTITY)
+    }
+
+    /// A change of one object reads its run and no other. Here all others are made wrong meanwhile, and the sums stay.
+    #[test]
+    fn a_change_reads_one_run_of_objects() {
+        let unit = Aabb {
+            min: DVec3::ZERO,
+            max: DVec3::ONE,
+        };
+        let mut objects = vec![ball(); 3 * RUN];
+        let mut bounds = vec![unit; objects.len()];
+        let mut sums = Sums::of(&objects, &bounds);
+        for other in (0..RUN).chain(2 * RUN..3 * RUN) {
+            objects[other].visible = false;
+            bounds[other].max = DVec3::splat(9.0);
+        }
+        objects[RUN].visible = false;
+        sums.renew(RUN, &objects, &bounds);
+        assert_eq!(sums.all().hidden, 1);
+        assert_eq!([sums.all().bounds, sums.all().visible_bounds], [unit; 2]);
+    }
+
+    /// What each pass asks of a scene reads no object: with the sums of an empty scene, it answers as that one.
+    #[test]
+    fn a_scene_answers_by_its_sums() {
+        let hidden = Object {
+            visible: false,
+            ..ball()
+        };
+        let mut scene = Scene::new(vec![ball(), hidden]);
+        assert!(!scene.bounds().is_empty() && !scene.visible_bounds().is_empty());
+        assert_eq!(scene.hidden_count(), 1);
+        scene.sums = Arc::default();
+        assert!(scene.bounds().is_empty() && scene.visible_bounds().is_empty());
+        assert_eq!((scene.hidden_count(), scene.triangle_count()), (0, 0));
+    }
+}

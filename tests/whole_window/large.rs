@@ -108,7 +108,7 @@ fn what_is_large_is_read_again_in_shares() {
 #[test]
 fn a_large_stage_is_taken_into_graphics_memory_beside_the_window() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut window = open(vec![stalls::many(folder.path())], 1.0);
+    let mut window = open(vec![stalls::many(folder.path(), stalls::MANY)], 1.0);
     press_key(&mut window, Modifiers::NONE, Key::P);
     window.picture().expect("a picture");
     for stage in ["view", "NDC", "picture"] {

@@ -57,10 +57,13 @@ fn a_large_scene_is_drawn_in_pieces_and_the_old_picture_stays() {
     assert_eq!(differ.count(), 0);
 }
 
-/// Cubes and balls, enough for a stage to be made in the background.
-pub(super) fn many(folder: &Path) -> PathBuf {
+/// Enough objects for a stage to be made in the background.
+pub(super) const MANY: usize = 20_000;
+
+/// So many cubes and balls.
+pub(super) fn many(folder: &Path, count: usize) -> PathBuf {
     let mut text = String::new();
-    for i in 0..20_000 {
+    for i in 0..count {
         let shape = if i % 100 == 0 { "sphere" } else { "cube" };
         let (x, z) = (i % 150, i / 150);
         let _ = writeln!(
@@ -76,7 +79,7 @@ pub(super) fn many(folder: &Path) -> PathBuf {
 #[test]
 fn ndc_of_many_objects_is_made_beside_the_window() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut window = open(vec![many(folder.path())], 1.0);
+    let mut window = open(vec![many(folder.path(), MANY)], 1.0);
     window.picture().expect("a picture");
     press_key(&mut window, Modifiers::NONE, Key::Num4);
     let first = window.picture().expect("a picture");
@@ -224,4 +227,20 @@ fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
         assert_eq!(window.state().scene().objects().len(), 3, "{way}");
         assert_eq!(window.messages().count(), 0, "{way}");
     }
+}
+
+/// A pass lays out the rows in view, however many objects there are. A frame without a change draws and uploads none.
+#[test]
+fn a_pass_over_many_objects_lays_out_what_one_over_few_does() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let controls = |count| {
+        let mut window = open(vec![many(folder.path(), count)], 1.0);
+        press_key(&mut window, Modifiers::NONE, Key::ArrowDown);
+        assert_eq!(window.state().scene().objects().len(), count);
+        window.picture().expect("a picture");
+        assert!(!window.draw().expect("a frame"), "nothing had changed");
+        assert_eq!((window.drawn_work(), window.uploaded_work()), (0, 0));
+        window.controls().len()
+    };
+    assert_eq!(controls(MANY), controls(200));
 }
