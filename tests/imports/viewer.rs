@@ -272,18 +272,6 @@ fn facades_of_the_viewer_hold_nothing_of_their_own() {
     );
 }
 
-/// One driver orders the steps of a frame. Windows and pictures of them call it, so tests run the frames that users see.
-#[test]
-fn one_file_orders_the_steps_of_a_frame() {
-    let viewer = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/viewer");
-    let files = ["app", "host"].map(|room| files_under(&viewer.join(room)));
-    for step in [".run_ui(", ".tessellate(", ".restore()", "screen.draw("] {
-        let orders = |path: &&PathBuf| code(path).contains(step);
-        let found: Vec<_> = files.iter().flatten().filter(orders).collect();
-        assert_eq!(found, [&viewer.join("app/frame.rs")], "{step}");
-    }
-}
-
 #[test]
 fn files_of_the_viewer_have_a_name_each() {
     let modules = Modules::read();
