@@ -301,3 +301,48 @@ fn rooms_do_without_what_is_kept_out_of_them() {
         }
     }
 }
+
+/// The files of a room, or of a folder in it.
+fn files_of(folder: &str) -> Vec<PathBuf> {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/viewer");
+    files_under(&src.join(folder))
+}
+
+/// One file orders the steps of a frame, for windows and for pictures of them. Hosts ask it for a whole frame, for a
+/// pass without a picture, or for the results of jobs. They ask for no step in between.
+#[test]
+fn one_driver_orders_the_steps_of_a_frame() {
+    let driver = files_of("app")
+        .into_iter()
+        .find(|path| path.ends_with("frame.rs"));
+    let driver = driver.expect("a driver");
+    for step in [".run_ui(", ".tessellate(", ".restore()", ".take_textures("] {
+        let files = ["app", "host"].map(files_of).into_iter().flatten();
+        let callers: Vec<_> = files.filter(|path| code(path).contains(step)).collect();
+        assert_eq!(callers, [driver.clone()], "{step}");
+    }
+    let code = code(&driver);
+    let offered = code.lines().filter_map(|line| {
+        let (before, name) = line.split_once("fn ")?;
+        let is_offered = before.trim_start().starts_with("pub");
+        is_offered.then(|| name.split('(').next().unwrap_or_default())
+    });
+    let offered: Vec<_> = offered.collect();
+    assert_eq!(offered, ["frame", "pass", "take_finished"]);
+}
+
+/// Panels are laid out in each pass, so they go through no list of all objects. The list's filter goes through it once
+/// for each text.
+#[test]
+fn panels_go_through_no_list_of_all_objects() {
+    let mut seen = 0;
+    for path in files_of("ui/panels") {
+        let code: String = code(&path).split_whitespace().collect();
+        let walks = [".objects().iter()", ".objects(){", ".batches().iter()"];
+        let walks = walks.map(|walk| code.matches(walk).count());
+        let may = usize::from(path.ends_with("objects.rs"));
+        assert_eq!(walks.iter().sum::<usize>(), may, "{}", path.display());
+        seen += 1;
+    }
+    assert!(seen > 30, "{seen}");
+}
