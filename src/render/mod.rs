@@ -82,6 +82,13 @@ use crate::{
 /// Samples a pixel of a picture at rest, where the adapter can ([`Gpu::smooth_samples`]): its edges are smooth.
 pub const SMOOTH_SAMPLES: u32 = 4;
 
+/// Software keeps what it has transformed until it has drawn it: of 10 million triangles at once, half a gigabyte. Waiting
+/// for pieces of this size costs no time.
+const SOFTWARE_PIECE: Piece = Piece {
+    work: 1 << 18,
+    ..Piece::WHOLE
+};
+
 /// The pipelines of one device, for one number of colour samples.
 #[derive(Debug)]
 pub struct Renderer {
@@ -147,7 +154,14 @@ fn draw_alone(
     let targets = Targets::new(gpu, view.viewport, gpu.smooth_samples())?;
     let buffers = SceneBuffers::upload(gpu, scene)?;
     let mut renderer = Renderer::new(gpu, gpu.smooth_samples());
-    while !renderer.advance(gpu, &buffers, &targets, &mut drawing, Piece::WHOLE)? {}
+    let piece = if gpu.is_software() {
+        SOFTWARE_PIECE
+    } else {
+        Piece::WHOLE
+    };
+    while !renderer.advance(gpu, &buffers, &targets, &mut drawing, piece)? {
+        gpu.wait()?;
+    }
     if let Some(object) = selection {
         renderer.draw_selection(gpu, &buffers, &targets, view, object)?;
     }

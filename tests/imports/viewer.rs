@@ -4,6 +4,7 @@ use super::{code, files_under};
 use std::{
     collections::{BTreeMap, BTreeSet},
     path::{Path, PathBuf},
+    slice,
 };
 
 /// The rooms, each of which names only those before it; `options` is a file beside them.
@@ -319,7 +320,7 @@ fn one_driver_orders_the_steps_of_a_frame() {
     for step in [".run_ui(", ".tessellate(", ".restore()", ".take_textures("] {
         let files = ["app", "host"].map(files_of).into_iter().flatten();
         let callers: Vec<_> = files.filter(|path| code(path).contains(step)).collect();
-        assert_eq!(callers, [driver.clone()], "{step}");
+        assert_eq!(callers, slice::from_ref(&driver), "{step}");
     }
     let code = code(&driver);
     let offered = code.lines().filter_map(|line| {
