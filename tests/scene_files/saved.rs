@@ -9,9 +9,9 @@ use sightline::{
     camera::{CameraChoice, DepthMapping, SectionChoice, UpAxis},
     colour::Srgb,
     geometry::{Placement, Section},
-    scene::{self, Loaded, MeshFile, Object, Scene, Shape, description::to_toml},
+    scene::{Loaded, MeshFile, Object, Scene, Shape, description::to_toml},
 };
-use std::{io::Read as _, path::PathBuf};
+use std::path::PathBuf;
 
 /// Whether two scenes of primitives are the same to the bit.
 #[track_caller]
@@ -209,22 +209,4 @@ fn mesh_files_bring_their_objects_once_and_are_saved_by_part() {
     .unwrap();
     assert_eq!(both.scene.objects().len(), 7);
     assert_eq!(both.meshes.len(), 2, "also when both name it");
-}
-
-/// The old file is never cut short, as writing over it would do before a full disk is noticed: who has it open reads the
-/// old scene to its end.
-#[cfg(unix)]
-#[test]
-fn what_is_saved_replaces_the_old_file_at_once() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let old = "[[object]]\nshape = \"cube\"\nname = \"old\"\n";
-    let path = write(&folder, "kept.toml", old);
-    let mut open = std::fs::File::open(&path).expect("the old file");
-    let scene = Scene::new(vec![Object::new("new", Shape::Sphere, Placement::IDENTITY)]);
-    scene::save(&path, &scene, &CameraChoice::default(), &[]).expect("a writable folder");
-    let mut read = String::new();
-    open.read_to_string(&mut read).expect("still there");
-    assert_eq!(read, old);
-    let loaded = load(&[path]).expect("a scene");
-    assert_eq!(loaded.scene.objects()[0].name, "new");
 }
