@@ -14,6 +14,7 @@
 //! | `render` | drawing by wgpu, and `verify`, which compares drawings with picks |
 //! | `study` | ray methods measured against exact arithmetic; brings `files` and `render` |
 //! | `window`, on by default | window, command line and the program; brings all of the above |
+//! | `screen-readers` | the window's controls for screen readers; brings `window` |
 //!
 //! Everything is `Send` and `Sync`, and a pick changes nothing: many threads may ask one scene at a time. Impossible
 //! input is a miss (`None`) or an error; the index of an object or triangle that does not exist panics. Vectors and

@@ -137,8 +137,10 @@ fn load(args: &SceneArgs) -> Result<Loaded, CliError> {
     load_with(args, Detail::All)
 }
 
-/// Like [`load`], while another thread makes the device that draws: for a small file, that takes longer.
+/// Like [`load`], while another thread makes the device that draws. For a small file, the device takes longer than the
+/// load.
 fn load_beside_gpu(args: &SceneArgs) -> Result<(Loaded, Result<Gpu, GpuError>), CliError> {
+    // The device's thread logs, too.
     start_log(args.verbose);
     // The thread is waited for in any case: drivers do not like to be left in the middle.
     thread::scope(|scope| {

@@ -278,7 +278,7 @@ impl Gpu {
 
     /// How many triangles of meshes were uploaded so far, by whatever thread.
     #[must_use]
-    pub fn uploaded_triangles(&self) -> u64 {
+    pub(crate) fn uploaded_triangles(&self) -> u64 {
         self.triangles.load(Ordering::Relaxed)
     }
 

@@ -33,8 +33,9 @@ struct Chunk {
 impl MeshBuffers {
     pub fn upload(gpu: &Gpu, mesh: &Mesh) -> Result<Self, GpuError> {
         let (vertices, triangles) = unify(mesh);
+        let buffers = Self::new(gpu, &vertices, &triangles)?;
         gpu.note_triangles(triangles.len());
-        Self::new(gpu, &vertices, &triangles)
+        Ok(buffers)
     }
 
     fn new(gpu: &Gpu, vertices: &[Vertex], triangles: &[[u32; 3]]) -> Result<Self, GpuError> {

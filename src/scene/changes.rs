@@ -21,13 +21,13 @@ pub(super) struct Changes {
 }
 
 impl Changes {
-    /// Logs a change in a scene of `count` objects. Once the log has more than twice as many entries, only the latest
-    /// `count` are kept.
+    /// Logs a change in a scene of `count` objects.
     pub fn push(&mut self, change: Change, count: usize) {
         self.room_for(1, count)[0] = change;
     }
 
-    /// Room in the log for the next `more` changes, to be filled in.
+    /// Room in the log of a scene of `count` objects for the next `more` changes, to be filled in. If the log has more
+    /// than twice as many entries as objects, only the latest `count` are kept before.
     pub fn room_for(&mut self, more: usize, count: usize) -> &mut [Change] {
         if self.log.len() > 2 * count {
             let old = self.log.len() - count;

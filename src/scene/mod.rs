@@ -178,6 +178,8 @@ impl Scene {
             objects.to_mut().sort_unstable();
         }
         let all = Arc::make_mut(&mut self.objects);
+        let is_known = objects.last().is_none_or(|last| *last < all.len());
+        assert!(is_known, "an index names no object");
         let log = self.changes.room_for(objects.len(), all.len());
         Arc::make_mut(&mut self.sums).toggle(&objects, all, &self.bounds, log);
     }

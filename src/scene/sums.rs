@@ -132,10 +132,6 @@ impl Sums {
                 }
             })
             .collect();
-        assert!(
-            rest.0.is_empty(),
-            "objects of the scene, in ascending order"
-        );
         on_all_cores(shares.into_iter(), Share::toggle);
         self.add_up();
     }

@@ -128,13 +128,15 @@ impl State {
         self.view.viewport = viewport;
         if is_as_opened && is_another {
             self.view_as_opened();
+        }
+        if is_another && self.frozen.is_some() {
+            // Near holds what the picture shows of it.
+            self.fit();
+        }
+        if is_as_opened && is_another {
             self.opened_at = Some(self.viewpoint());
         }
         if is_another {
-            if self.frozen.is_some() {
-                // Near holds what the picture shows of it.
-                self.fit();
-            }
             self.frame_untouched();
         }
     }

@@ -8,15 +8,12 @@ use super::{
 };
 use crate::{
     camera::{
-        Camera, CameraChoice, CameraError, Lens, Orbit, Projected, Projection, SectionChoice, View,
+        Camera, CameraChoice, CameraError, Lens, Orbit, Projection, SectionChoice, View,
         fit_near_far, least_near,
     },
     geometry::{Aabb, Placement, PlacementError},
 };
 use glam::{DVec2, DVec3};
-
-/// NDC of the rim of a picture, less than rounding moves a point that lies on it.
-const INNER: f64 = 1.0 - 1e-9;
 
 /// Why an action does nothing.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -38,6 +35,14 @@ pub(super) fn with_frustum(bounds: Aabb, view: View) -> Aabb {
 fn corners(view: &View) -> impl Iterator<Item = DVec3> {
     let frustum = view.frustum_corners().into_iter();
     frustum.chain([view.camera.eye()])
+}
+
+/// Whether two views have the same picture, near and far planes apart.
+fn looks_alike(a: &View, b: &View) -> bool {
+    let [a_lens, b_lens] = [a, b].map(|view| *view.camera.lens());
+    a_lens.projection == b_lens.projection
+        && a.viewport == b.viewport
+        && b.camera.with_lens(a_lens) == Ok(a.camera)
 }
 
 impl State {
@@ -114,28 +119,32 @@ impl State {
 
     /// Near and far for a view's pose, projection and picture. They hold the visible scene and, of a frozen frustum,
     /// far holds every corner and near those that the picture shows: if near held all, it would lie as close as the
-    /// frozen eye. So near may cut edges that leave the picture.
+    /// frozen eye. So near may cut edges that leave the picture. A view that is the frozen one sees its own frustum
+    /// end on, along the picture's rim: freezing changes neither plane.
     pub(super) fn planes(&self, view: &View, controls: &LensControls) -> (f64, f64) {
         let (bounds, camera) = (self.scene.visible_bounds(), &view.camera);
         let (mut near, mut far) = fit_near_far(camera, &bounds, controls.near, controls.far);
-        let corners = || self.frozen.iter().flat_map(|frozen| corners(&frozen.view));
-        let depth = |point| camera.to_view(point).z;
+        let others = self
+            .frozen
+            .iter()
+            .filter(|frozen| !looks_alike(&frozen.view, view));
+        let points: Vec<_> = others.flat_map(|frozen| corners(&frozen.view)).collect();
+        let depth = |point: &DVec3| camera.to_view(*point).z;
         let room = |depth: f64| 0.01 * depth.abs();
         if controls.far.is_none() {
-            let depths = corners().map(depth);
+            let depths = points.iter().map(depth);
             far = depths.fold(far, |far, depth| far.max(depth + room(depth)));
         }
         if controls.near.is_none() {
-            let least = if controls.orthographic {
-                f64::NEG_INFINITY
-            } else {
-                least_near(camera, far)
+            let least = match camera.lens().projection {
+                Projection::Orthographic { .. } => f64::NEG_INFINITY,
+                Projection::Perspective { .. } => least_near(camera, far),
             };
-            // A camera's own corners lie on the rim of its picture, and its eye at depth 0.
-            let is_inner = |seen: Projected| seen.ndc.truncate().abs().max_element() < INNER;
-            let is_shown = |seen: Projected| is_inner(seen) && seen.depth != 0.0;
-            let shown = corners().filter(|point| view.project(*point).is_some_and(is_shown));
-            let depths = shown.map(depth);
+            let is_shown = |point: &&DVec3| {
+                let seen = view.project(**point);
+                seen.is_some_and(|seen| view.viewport.contains(seen.px))
+            };
+            let depths = points.iter().filter(is_shown).map(depth);
             near = depths.fold(near, |near, depth| {
                 near.min((depth - room(depth)).max(least))
             });

@@ -38,34 +38,41 @@ impl ScenePicture {
             let other = wanted.selection.filter(|_| shown.of != *wanted);
             shown.of.selection = wanted.selection.and(shown.of.selection);
             if let Some(object) = other {
-                self.begin_mask(brush, subject, wanted, object);
+                return Ok(self.begin_mask(brush, subject, wanted, object));
             }
             return Ok(Begun::Pieces);
         }
         self.begin_scene(brush, subject, wanted, motion, refines)
     }
 
-    /// Begins the mask of a selected object for the picture on screen, which lacks it, or shows it if rays find it.
-    fn begin_mask(&mut self, brush: &mut Brush, subject: &Subject, wanted: &Drawn, object: usize) {
+    /// Begins the mask of a selected object, which the picture on screen lacks. If rays find the mask in time, it is
+    /// shown at once. They are tried for each click: one that is late costs little beside drawing such a mask.
+    fn begin_mask(
+        &mut self,
+        brush: &mut Brush,
+        subject: &Subject,
+        wanted: &Drawn,
+        object: usize,
+    ) -> Begun {
         let (Some(scene), Some(shown)) = (&self.scenes.now, &mut self.shown) else {
-            return;
+            return Begun::Pieces;
         };
         let (gpu, view) = (brush.gpu, shown.finish.drawn(&wanted.view));
         let drawing = Drawing::of_selection(&scene.buffers, &view, object);
         let most = self.paces[usize::from(shown.finish.is_exact())].most();
         let at_once = most.holds(&drawing.whole(&scene.buffers));
         let cast = |scene: &Scene, deadline| mask_until(scene, &view, object, deadline);
-        if gpu.is_software()
-            && !at_once
-            && by_rays::can_cast(subject.scene, brush.began)
-            && let Some(mask) = by_rays::cast(subject.scene, brush.began, cast)
-        {
-            brush.scale_for(shown.finish);
-            let (buffers, targets) = (&scene.buffers, &shown.targets);
-            (brush.renderer).take_mask(gpu, buffers, targets, &view, &mask, object);
-            shown.of = *wanted;
-            self.changes += 1;
-            return;
+        let mut begun = Begun::Pieces;
+        if gpu.is_software() && !at_once && by_rays::can_cast(subject.scene, brush.began) {
+            if let Some(mask) = by_rays::cast(subject.scene, brush.began, cast) {
+                brush.scale_for(shown.finish);
+                let (buffers, targets) = (&scene.buffers, &shown.targets);
+                (brush.renderer).take_mask(gpu, buffers, targets, &view, &mask, object);
+                shown.of = *wanted;
+                self.changes += 1;
+                return begun;
+            }
+            begun = Begun::Late;
         }
         self.next = Some(UnderWay {
             drawing,
@@ -75,6 +82,7 @@ impl ScenePicture {
             finish: shown.finish,
             refines: false,
         });
+        begun
     }
 
     /// Begins a new picture of the scene, or shows it if it moves and rays find it. `refines`: it is of what the picture

@@ -16,9 +16,9 @@ const LONGEST: Duration = Duration::from_millis(80);
 /// to the most.
 const DRAWN_AFTER: [u32; 2] = [2, 64];
 
-/// Whether rays can be cast in a frame that began at `began`: the scene has its trees, and time is left.
+/// Whether rays can be cast in a frame that began at `began`: the scene has its trees, and half of the time is left.
 pub(super) fn can_cast(scene: &Scene, began: Instant) -> bool {
-    scene.trees_are_built() && began.elapsed() < LONGEST
+    scene.trees_are_built() && began.elapsed() < LONGEST / 2
 }
 
 /// What `cast` finds in time, for a picture of a frame that began at `began`.
@@ -36,7 +36,8 @@ pub(super) fn cast<T: Send>(
 /// Decides when a moving picture's rays are tried.
 #[derive(Debug, Default)]
 pub(super) struct Patience {
-    /// How many pictures are drawn after the last that took rays too long; 0 if the last was in time.
+    /// How many pictures are drawn before rays are tried again, unless the picture rests meanwhile; 0 if the last rays
+    /// were in time.
     wait: u32,
     /// Pictures still to be drawn before rays are tried again.
     to_draw: u32,

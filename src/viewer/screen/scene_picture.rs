@@ -34,7 +34,7 @@ pub(super) struct ScenePicture {
     pub(super) spare: Vec<Targets>,
     /// For coarse pictures, and for others.
     pub(super) paces: [Pace; 2],
-    /// With the rays of pictures that move.
+    /// Decides when a moving picture's rays are tried.
     pub(super) patience: Patience,
     /// Counts the changes of what is shown.
     pub(super) changes: u64,
@@ -43,7 +43,7 @@ pub(super) struct ScenePicture {
 /// What was begun in a pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Begun {
-    /// Nothing, or what is drawn in pieces.
+    /// Nothing, a whole mask by rays, or what is drawn in pieces.
     Pieces,
     /// What is drawn in pieces, since rays were late.
     Late,
