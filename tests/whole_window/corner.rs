@@ -1,6 +1,7 @@
 //! What stands over the picture: the mark of a hit, the axes' cross, the grid's step.
 
 use super::*;
+use egui::vec2;
 use glam::DVec3;
 use sightline::{
     image::{Image, Rgb},
@@ -12,15 +13,6 @@ fn beside(picture: &Image<Rgb>, [x, y]: [i32; 2]) -> Rgb {
     let [column, row] =
         [(590, x), (360, y)].map(|(middle, by): (u32, i32)| middle.strict_add_signed(by));
     picture.at(column, row)
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "small and positive"
-)]
-fn whole(px: [f32; 2]) -> [u32; 2] {
-    px.map(|px| px.round() as u32)
 }
 
 fn is_mark(pixel: Rgb) -> bool {
@@ -112,7 +104,7 @@ fn an_end_of_the_cross_is_lit_under_the_cursor() {
     window.send([Event::PointerMoved(end.center())]);
     let lit = window.picture().expect("a picture");
     let white = |picture: &Image<Rgb>| {
-        let [x, y] = whole([end.center().x - 5.0, end.center().y]);
+        let [x, y] = whole(end.center() - vec2(5.0, 0.0));
         is_mark(picture.at(x, y))
     };
     assert!(white(&lit) && !white(&bare));

@@ -93,14 +93,7 @@ fn what_is_large_is_read_again_in_shares() {
     let mut window = open(vec![path], 1.0);
     window.picture().expect("a picture");
     let old = middle(&window);
-    let again = Event::Key {
-        key: Key::R,
-        physical_key: None,
-        pressed: true,
-        repeat: false,
-        modifiers: Modifiers::NONE,
-    };
-    window.frame(again).expect("a frame");
+    window.frame(press(Key::R)).expect("a frame");
     let seen = watch(&mut window, &old);
     check(&window, &seen, 1);
 }

@@ -148,15 +148,6 @@ fn colourfulness(window: &mut Offscreen) -> u8 {
     spreads.max().expect("a text")
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a place in the window"
-)]
-fn whole(at: Pos2) -> [u32; 2] {
-    [at.x.round() as u32, at.y.round() as u32]
-}
-
 /// What was saved is told in the colour of plain text. A warning is not.
 #[test]
 fn what_is_done_is_no_warning() {

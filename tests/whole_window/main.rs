@@ -174,15 +174,33 @@ fn type_into(window: &mut Offscreen, name: &str, text: &str) {
     window.send([Event::Text(text.into())]);
 }
 
-fn press_key(window: &mut Offscreen, modifiers: Modifiers, key: Key) {
-    let event = |pressed| Event::Key {
+fn key_event(modifiers: Modifiers, key: Key, pressed: bool) -> Event {
+    Event::Key {
         key,
         physical_key: None,
         pressed,
         repeat: false,
         modifiers,
-    };
-    window.send([event(true), event(false)]);
+    }
+}
+
+/// A key goes down.
+fn press(key: Key) -> Event {
+    key_event(Modifiers::NONE, key, true)
+}
+
+fn press_key(window: &mut Offscreen, modifiers: Modifiers, key: Key) {
+    window.send([true, false].map(|pressed| key_event(modifiers, key, pressed)));
+}
+
+/// The pixel of the window that begins nearest to a point of it, at scale 1.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a place in the window"
+)]
+fn whole(at: Pos2) -> [u32; 2] {
+    [at.x.round() as u32, at.y.round() as u32]
 }
 
 fn selected(window: &Offscreen) -> Option<&str> {

@@ -67,17 +67,6 @@ fn what_moves_is_coarse_and_what_rests_is_exact() {
     assert_eq!(picked, Some(drawn));
 }
 
-/// A key goes down.
-fn press(key: Key) -> Event {
-    Event::Key {
-        key,
-        physical_key: None,
-        pressed: true,
-        repeat: false,
-        modifiers: Modifiers::NONE,
-    }
-}
-
 #[test]
 fn a_leap_is_exact_at_once_and_steps_in_a_row_move() {
     let (mut window, _folder) = row(1.0);

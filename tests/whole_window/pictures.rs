@@ -4,7 +4,7 @@
 use super::{
     MIDDLE, ROW, click, click_on, control, drag, has_control, here,
     images::{apart, read},
-    open, press_key, px, row_as,
+    open, press_key, px, row_as, whole,
 };
 use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
 use glam::DVec2;
@@ -76,13 +76,8 @@ fn scene_part(window: &Offscreen, window_height: u32) -> Part {
     const STATUS: u32 = 25;
     let size = window.state().view().viewport;
     let edge = "edge of the left side";
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a place in the window"
-    )]
     let left = if has_control(window, edge) {
-        control(window, edge).rect.center().x.round() as u32
+        whole(control(window, edge).rect.center())[0]
     } else {
         0
     };

@@ -85,14 +85,7 @@ fn ndc_of_many_objects_is_made_beside_the_window() {
     let first = window.picture().expect("a picture");
     // The camera keeps moving: the window answers at once, and NDC follows.
     for _ in 0..3 {
-        let key = Event::Key {
-            key: Key::Num7,
-            physical_key: None,
-            pressed: true,
-            repeat: false,
-            modifiers: Modifiers::NONE,
-        };
-        window.frame(key).expect("a frame");
+        window.frame(press(Key::Num7)).expect("a frame");
         assert!(!window.is_at_rest());
     }
     window.send([]);
@@ -153,14 +146,7 @@ fn the_picture_is_not_shown_as_the_world() {
     // Rays would be quicker, but they find no edges.
     press_key(&mut window, Modifiers::NONE, Key::W);
     window.picture().expect("a picture");
-    let key = Event::Key {
-        key: Key::Num4,
-        physical_key: None,
-        pressed: true,
-        repeat: false,
-        modifiers: Modifiers::NONE,
-    };
-    window.frame(key).expect("a frame");
+    window.frame(press(Key::Num4)).expect("a frame");
     window.frame(Event::PointerGone).expect("a frame");
     let world = control(&window, "stage world").rect;
     assert!(!window.shows_scene(), "it takes longer");
@@ -193,15 +179,7 @@ fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
     let object = "[[object]]\nshape = \"cube\"\nposition = [1, 2, 3]\n";
     std::fs::write(&path, object.repeat(200_000)).expect("writable");
     let ways: [(&str, Way); 2] = [
-        ("Esc", |_| {
-            vec![Event::Key {
-                key: Key::Escape,
-                physical_key: None,
-                pressed: true,
-                repeat: false,
-                modifiers: Modifiers::NONE,
-            }]
-        }),
+        ("Esc", |_| vec![press(Key::Escape)]),
         ("the button", |window| {
             let at = control(window, "cancel").rect.center();
             let press = |pressed| button(at, PointerButton::Primary, pressed);

@@ -1,11 +1,12 @@
 //! Screen readers: the system's side of egui's tree of controls.
 
+use super::shell::Shell;
 use crate::viewer::app::{Reader, Wake, Waker};
 use egui::accesskit::{
     ActionHandler, ActionRequest, ActivationHandler, DeactivationHandler, TreeUpdate,
 };
 use egui_winit::accesskit_winit::Adapter;
-use winit::{event_loop::ActiveEventLoop, window::Window};
+use winit::event_loop::ActiveEventLoop;
 
 /// Tells the program what screen readers do.
 struct Teller(Waker);
@@ -30,11 +31,14 @@ impl DeactivationHandler for Teller {
     }
 }
 
-/// Shows a window's controls to screen readers.
+/// Shows a window's controls to screen readers, and then the window.
 ///
 /// # Panics
 /// When the window is visible already.
-pub(super) fn adapter(event_loop: &ActiveEventLoop, window: &Window, wake: &Waker) -> Adapter {
+pub(super) fn show(shell: &mut Shell, event_loop: &ActiveEventLoop, wake: &Waker) {
     let teller = || Teller(wake.clone());
-    Adapter::with_direct_handlers(event_loop, window, teller(), teller(), teller())
+    let adapter =
+        Adapter::with_direct_handlers(event_loop, &shell.window, teller(), teller(), teller());
+    shell.egui.accesskit = Some(adapter);
+    shell.window.set_visible(true);
 }

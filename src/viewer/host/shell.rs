@@ -1,10 +1,6 @@
 //! The operating system's window, egui's side of it and the surface that it shows.
 
-#[cfg(feature = "screen-readers")]
-use super::reader;
 use super::{clipboard::Clipboard, mark::marked};
-#[cfg(feature = "screen-readers")]
-use crate::viewer::app::Waker;
 use crate::viewer::{
     app::WindowPlace,
     options::{Options, ViewerError},
@@ -26,13 +22,13 @@ pub(super) struct Shell {
 }
 
 impl Shell {
-    /// Opens the window with its surface; from inside the event loop.
+    /// Opens the window with its surface; from inside the event loop. With screen readers, it is to be shown to them
+    /// before it shows.
     pub fn open(
         event_loop: &ActiveEventLoop,
         options: &Options,
         remembered: Option<WindowPlace>,
         context: egui::Context,
-        #[cfg(feature = "screen-readers")] wake: &Waker,
     ) -> Result<Self, ViewerError> {
         let attributes = Window::default_attributes().with_title("Sightline");
         let attributes = if let Some(size) = options.size {
@@ -42,7 +38,6 @@ impl Shell {
             let screens = screens.map(|screen| (screen.position(), screen.size()));
             restored(attributes, remembered, screens)
         };
-        // Screen readers must know it before it shows.
         let attributes = attributes.with_visible(!cfg!(feature = "screen-readers"));
         let window = event_loop.create_window(marked(attributes));
         let window = Arc::new(window.map_err(|error| ViewerError::no_display(&error))?);
@@ -57,11 +52,6 @@ impl Shell {
             window.theme(),
             None,
         );
-        #[cfg(feature = "screen-readers")]
-        {
-            egui.accesskit = Some(reader::adapter(event_loop, &window, wake));
-            window.set_visible(true);
-        }
         let clipboard = Clipboard::new(&window, &mut egui);
         Ok(Self {
             window,

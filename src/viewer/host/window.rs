@@ -124,11 +124,13 @@ impl ApplicationHandler<Wake> for Program {
             &app.options,
             app.memory.window,
             app.context.clone(),
-            #[cfg(feature = "screen-readers")]
-            &app.wake,
         ) {
             Ok(shell) => {
                 self.shell = Some(shell);
+                #[cfg(feature = "screen-readers")]
+                if let Some(shell) = &mut self.shell {
+                    super::reader::show(shell, event_loop, &app.wake);
+                }
                 self.request_redraw();
             }
             Err(error) => {

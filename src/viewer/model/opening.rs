@@ -124,21 +124,20 @@ impl State {
     /// of the scene is in view, whatever size the window turns out to have.
     pub(super) fn resize(&mut self, viewport: Viewport) {
         let is_as_opened = self.opened_at == Some(self.viewpoint()) && self.edits == self.filed;
-        let is_another = self.view.viewport != viewport;
-        self.view.viewport = viewport;
-        if is_as_opened && is_another {
+        if mem::replace(&mut self.view.viewport, viewport) == viewport {
+            return;
+        }
+        if is_as_opened {
             self.view_as_opened();
         }
-        if is_another && self.frozen.is_some() {
+        if self.frozen.is_some() {
             // Near holds what the picture shows of it.
             self.fit();
         }
-        if is_as_opened && is_another {
+        if is_as_opened {
             self.opened_at = Some(self.viewpoint());
         }
-        if is_another {
-            self.frame_untouched();
-        }
+        self.frame_untouched();
     }
 
     /// Moves the view to where the scene would open in a picture of this size, with what is visible now.

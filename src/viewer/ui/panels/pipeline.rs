@@ -279,7 +279,7 @@ const NARROW: usize = 7;
 /// With three decimals, or as many as there is room for; as a power of ten where there is none.
 fn narrow(value: f64) -> String {
     let fixed = (0..=3).rev().map(|decimals| format!("{value:.decimals$}"));
-    let powers = (0..=3).rev().map(|decimals| format!("{value:.decimals$e}"));
+    let powers = (1..=3).rev().map(|decimals| format!("{value:.decimals$e}"));
     let mut all = fixed.chain(powers);
     let fits = all.find(|text| text.len() <= NARROW);
     fits.unwrap_or_else(|| format!("{value:.0e}"))
