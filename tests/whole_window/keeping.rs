@@ -308,3 +308,18 @@ fn the_demo_and_the_gallery_are_saved_with_their_meshes() {
         std::fs::remove_dir_all(elsewhere).expect("ours");
     }
 }
+
+/// The mesh is written beside the scene, under a name that file systems take.
+#[test]
+fn a_mesh_with_a_long_name_is_saved_when_its_file_is_gone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mesh = folder.path().join(format!("{}.obj", "n".repeat(250)));
+    std::fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("writable");
+    let mut window = open(vec![mesh.clone()], 1.0);
+    std::fs::remove_file(&mesh).expect("removable");
+    press_key(&mut window, CTRL, Key::S);
+    let path = folder.path().join("kept.toml");
+    window.save_as(path.clone());
+    let kept = scene::load(&[path], &Progress::default()).expect("a scene");
+    assert_eq!(kept.scene.triangle_count(), 1);
+}

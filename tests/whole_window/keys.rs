@@ -111,9 +111,7 @@ fn shortcuts_work_from_wherever_tab_leads() {
     assert_eq!(seen.len(), 6, "{seen:?}");
     // Enter and Space press the button that has the focus; Esc takes the focus away.
     let view = *window.state().view();
-    while focused(&window) != Some("Help") {
-        press_key(&mut window, NONE, Key::Tab);
-    }
+    tab_to(&mut window, "Help");
     press_key(&mut window, NONE, Key::Enter);
     assert!(
         has_control(&window, "Keys and mouse"),
@@ -127,15 +125,24 @@ fn shortcuts_work_from_wherever_tab_leads() {
     assert_eq!((focused(&window), selected(&window)), (None, Some("front")));
 }
 
+/// Presses Tab until this control has the focus.
+fn tab_to(window: &mut Offscreen, name: &str) {
+    for _ in 0..100 {
+        if focused(window) == Some(name) {
+            return;
+        }
+        press_key(window, NONE, Key::Tab);
+    }
+    panic!("Tab does not reach {name}");
+}
+
 /// Ctrl+S saves while a button has the focus: the scene as it was when the keys were pressed.
 #[test]
 fn ctrl_s_saves_while_a_button_has_the_focus() {
     let (mut window, folder) = row(1.0);
     click(&mut window, MIDDLE);
     press_key(&mut window, Modifiers::SHIFT, Key::H);
-    while focused(&window) != Some("Help") {
-        press_key(&mut window, NONE, Key::Tab);
-    }
+    tab_to(&mut window, "Help");
     press_key(&mut window, CTRL, Key::S);
     // What is done before the dialog is answered is not saved.
     press_key(&mut window, NONE, Key::U);

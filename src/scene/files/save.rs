@@ -78,6 +78,9 @@ fn from(folder: &Path, file: &Path) -> PathBuf {
     }
 }
 
+/// Bytes of the longest file name that common file systems take.
+const LONGEST_NAME: usize = 255;
+
 /// Writes a mesh beside the scene file, and checks that it reads back the same.
 fn write_mesh(
     scene_file: &Path,
@@ -98,8 +101,10 @@ fn write_mesh(
             '_'
         }
     };
-    let name: String = name.chars().map(plain).collect();
+    let mut name: String = name.chars().map(plain).collect();
     let scene = stem(scene_file).unwrap_or_default();
+    let rest = scene.len() + "--1000000.obj".len();
+    name.truncate(name.floor_char_boundary(LONGEST_NAME.saturating_sub(rest)));
     let not_exact = || SaveError::NotExact(name.clone());
     let colours = write::materials(mesh);
     for number in 1.. {
