@@ -8,6 +8,7 @@ use super::{
     lines::{self, Line},
     pipelines::{BATCHES, Drawn, Pass},
     raster::begin,
+    resolve::Resolve,
     scene_buffers::SceneBuffers,
     seen::Tables,
     slices::{Piece, Slice},
@@ -192,7 +193,7 @@ impl Renderer {
         {
             let mut render_pass = match pass {
                 Pass::Mask => flat::begin(&mut encoder, &targets.mask_view, is_first),
-                _ => begin(&mut encoder, targets, &view, pass, [is_first, is_last]),
+                _ => begin(gpu, &mut encoder, targets, &view, pass, [is_first, is_last]),
             };
             render_pass.set_bind_group(0, &scene_bindings, &[]);
             render_pass.set_vertex_buffer(BATCHES, tables.triangles.slice(..));
@@ -216,6 +217,10 @@ impl Renderer {
                 render_pass.set_vertex_buffer(0, line_buffer.slice(..));
                 render_pass.draw(line_ends, 0..1);
             }
+        }
+        if is_last && pass == Pass::Colour && !gpu.resolves() {
+            let resolve = self.resolve.get_or_init(|| Resolve::new(gpu));
+            resolve.encode(gpu, &mut encoder, targets);
         }
         gpu.queue.submit([encoder.finish()]);
         begin_at(tables, draws, &step.surfaces, |_, draw| {

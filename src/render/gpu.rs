@@ -187,6 +187,12 @@ impl Gpu {
         self.smooth_samples
     }
 
+    /// Whether passes resolve samples at their end. In software a shader does ([`Resolve`](super::resolve::Resolve)).
+    #[must_use]
+    pub(super) fn resolves(&self) -> bool {
+        !self.is_software()
+    }
+
     /// The rasteriser, as measured when the device was made.
     #[must_use]
     pub fn rasteriser(&self) -> Rasteriser {

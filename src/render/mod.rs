@@ -46,6 +46,7 @@ mod pixels;
 mod probe;
 mod raster;
 mod readback;
+mod resolve;
 mod scene_buffers;
 pub(crate) mod section;
 mod seen;
@@ -78,6 +79,7 @@ use crate::{
     image::{Id, Image, Rgb},
     scene::Scene,
 };
+use std::cell::OnceCell;
 
 /// Samples a pixel of a picture at rest, where the adapter can ([`Gpu::smooth_samples`]): its edges are smooth.
 pub const SMOOTH_SAMPLES: u32 = 4;
@@ -98,6 +100,8 @@ pub struct Renderer {
     pub wireframe: Option<Wireframe>,
     pipelines: pipelines::Pipelines,
     post: outline::PostPasses,
+    /// Made at first use.
+    resolve: OnceCell<resolve::Resolve>,
     frame: wgpu::Buffer,
 }
 
@@ -110,6 +114,7 @@ impl Renderer {
             wireframe: None,
             pipelines: pipelines::Pipelines::new(gpu, colour_samples),
             post: outline::PostPasses::new(gpu),
+            resolve: OnceCell::new(),
             frame: uniform_buffer::<layout::Frame>(gpu, "frame"),
         }
     }

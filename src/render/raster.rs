@@ -121,8 +121,9 @@ impl Renderer {
 }
 
 /// Begins a pass over the whole picture, or a piece of one. The first piece clears to "nothing there"; the last
-/// resolves samples.
+/// resolves samples, if the adapter does ([`Gpu::resolves`]).
 pub(super) fn begin<'a>(
+    gpu: &Gpu,
     encoder: &'a mut wgpu::CommandEncoder,
     targets: &Targets,
     view: &View,
@@ -130,7 +131,7 @@ pub(super) fn begin<'a>(
     [is_first, is_last]: [bool; 2],
 ) -> wgpu::RenderPass<'a> {
     let attach = |view, resolve_target: Option<_>| {
-        let resolve_target = resolve_target.filter(|_| is_last);
+        let resolve_target = resolve_target.filter(|_| is_last && gpu.resolves());
         Some(wgpu::RenderPassColorAttachment {
             view,
             depth_slice: None,

@@ -3,7 +3,7 @@
 use super::gpu::Gpu;
 
 /// WGSL of each shader by name, with the parts that it shares in front.
-pub const SHADERS: [(&str, &str); 8] = [
+pub const SHADERS: [(&str, &str); 9] = [
     (
         "mesh by primitive",
         concat!(
@@ -41,6 +41,13 @@ pub const SHADERS: [(&str, &str); 8] = [
         concat!(
             include_str!("../../shaders/cover.wgsl"),
             include_str!("../../shaders/composite.wgsl")
+        ),
+    ),
+    (
+        "resolve",
+        concat!(
+            include_str!("../../shaders/cover.wgsl"),
+            include_str!("../../shaders/resolve.wgsl")
         ),
     ),
     (

@@ -62,8 +62,12 @@ impl Targets {
             let colour = texture("colour", COLOUR, 1, read);
             let ids = texture("ids", IDS, 1, read);
             let multisampled = (samples > 1).then(|| {
-                [("colour samples", COLOUR), ("depth samples", DEPTH)]
-                    .map(|(label, format)| view(&texture(label, format, samples, none)))
+                let sampled = TextureUsages::TEXTURE_BINDING;
+                [
+                    ("colour samples", COLOUR, sampled),
+                    ("depth samples", DEPTH, none),
+                ]
+                .map(|(label, format, usage)| view(&texture(label, format, samples, usage)))
             });
             Self {
                 viewport,

@@ -1,0 +1,48 @@
+//! One colour of each pixel's samples, by a shader. Adapters have a circuit for it. Lavapipe (Mesa 22.3) compiles its own
+//! way anew in each process, which takes longer than the picture of a small scene; it keeps compiled shaders on disk.
+
+use super::{
+    bindings, flat,
+    gpu::Gpu,
+    shaders::shader_module,
+    targets::{COLOUR, Targets},
+};
+
+/// The pass that resolves samples, where the adapter is software.
+#[derive(Debug)]
+pub(super) struct Resolve {
+    bind_group_layout: wgpu::BindGroupLayout,
+    pipeline: wgpu::RenderPipeline,
+}
+
+impl Resolve {
+    pub fn new(gpu: &Gpu) -> Self {
+        let samples = wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Float { filterable: false },
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: true,
+        };
+        let (bind_group_layout, layout) =
+            bindings::layouts(gpu, "resolve", wgpu::ShaderStages::FRAGMENT, &[samples]);
+        let module = shader_module(gpu, "resolve");
+        let entries = ["cover", "resolve"];
+        let pipeline = flat::pipeline(gpu, Some(&layout), &module, entries, COLOUR.into());
+        Self {
+            bind_group_layout,
+            pipeline,
+        }
+    }
+
+    /// Resolves all samples of the colours. Does nothing for targets with one sample a pixel.
+    pub fn encode(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
+        let Some([samples, _]) = &targets.multisampled else {
+            return;
+        };
+        let samples = wgpu::BindingResource::TextureView(samples);
+        let bind_group = bindings::bind(gpu, "resolve", &self.bind_group_layout, [samples]);
+        let mut pass = flat::begin(encoder, &targets.colour_view, true);
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &bind_group, &[]);
+        pass.draw(0..3, 0..1);
+    }
+}
