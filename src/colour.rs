@@ -1,4 +1,4 @@
-//! Colours in sRGB, as files and screens have them, and in linear light, which adds up.
+//! Colours in sRGB, as files and screens have them, and in linear light, which can be added.
 
 use std::sync::LazyLock;
 
@@ -50,11 +50,11 @@ static LIGHT: LazyLock<[f32; 256]> = LazyLock::new(|| {
 /// See [`Steps`].
 static STEPS: LazyLock<Steps> = LazyLock::new(Steps::new);
 
-/// [`encode`] as a table: its power would be most of a ray's cost.
+/// [`encode`] as a table, because its `powf` would be most of a ray's cost.
 struct Steps {
-    /// The least light that encodes to each value; infinity past the last.
+    /// The least light that encodes to each value; infinity after the last value.
     least: [f32; 257],
-    /// The value at each 4096th of light; within one, it grows by at most 1.
+    /// The value at each multiple of 1/4096 of light. From one multiple to the next it grows by at most 1.
     values: [u8; 4097],
 }
 
@@ -86,7 +86,7 @@ impl Steps {
 
     /// The channel's value for this light.
     fn value(&self, light: f32) -> u8 {
-        // The comparison makes NaN dark.
+        // The comparison is false for NaN, so NaN becomes 0.
         let light = if light > 0.0 { light.min(1.0) } else { 0.0 };
         #[expect(
             clippy::cast_possible_truncation,

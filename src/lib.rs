@@ -1,12 +1,12 @@
 //! **Sightline** shows 3D scenes, and what you see is what you pick, to the pixel.
 //!
 //! A rasteriser draws the scene with Projection * View * Model; a click casts one ray on the CPU through *the same
-//! camera* and selects what that pixel shows. What a pick is, to the last bit, stands in [`pick`]. This page is the map.
+//! camera* and selects what that pixel shows. [`pick`] defines a pick to the last bit. This page is the map.
 //!
 //! # A core to build on
 //!
 //! With `default-features = false` the crate is the picking core: [`geometry`], [`camera`], [`scene`] and [`pick`] (and
-//! [`colour`], [`image`], [`look`] for pictures by rays), which know no graphics and no window. Features add the rest:
+//! [`colour`], [`image`], [`look`] for pictures by rays). It needs no GPU and no window. Features add the rest:
 //!
 //! | feature | adds |
 //! |---|---|
@@ -16,11 +16,11 @@
 //! | `window`, on by default | window, command line and the program; brings all of the above |
 //! | `screen-readers` | the window's controls for screen readers; brings `window` |
 //!
-//! Everything is `Send` and `Sync`, and a pick changes nothing: many threads may ask one scene at a time. Impossible
-//! input is a miss (`None`) or an error; the index of an object or triangle that does not exist panics. Vectors and
-//! matrices are those of [`glam`], which is re-exported.
+//! Everything is `Send` and `Sync`, and a pick changes nothing: many threads may query one scene at the same time.
+//! Impossible input gives a miss (`None`) or an error; the index of an object or triangle that does not exist panics.
+//! Vectors and matrices are those of [`glam`], which is re-exported.
 //!
-//! **Picks in a scene of your own.** The camera's numbers are what a renderer has already:
+//! **Picks in a scene of your own.** The camera takes the numbers that a renderer already has:
 //!
 //! ```
 //! use sightline::{
@@ -97,8 +97,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **Many rays.** Build the trees first, then ask from as many threads as there are; [`pick::ids`] does so for a whole
-//! picture:
+//! **Many rays.** Build the trees first, then pick on all threads; [`pick::ids`] does so for a whole picture:
 //!
 //! ```
 //! use sightline::{
@@ -152,19 +151,19 @@
 //!
 //! Imports point one way: `geometry` <- `camera` <- `scene` <- `pick`, `render` <- `verify`, `study` <- `viewer` <-
 //! `cli`; modules of one step do not import each other. Only `render` and `viewer` know wgpu; only `viewer` knows winit
-//! and egui. The core (above) names nothing of the other modules, and `scene` nothing of `scene/files`. `colour`,
+//! and egui. The core (above) uses nothing of the other modules, and `scene` nothing of `scene/files`. `colour`,
 //! `image`, `json`, `look` (light, and what each colour means) and `replace` (writes a file whole or not at all) stand
 //! beside these and import none of them, except that an image has a `camera::Viewport`. `tests/imports` checks all of
 //! this.
 //!
 //! # Where to look
 //!
-//! The folders and files are named for what they hold; these are the ones that are hard to guess:
+//! Folders and files are named for what they hold. These places are hard to guess:
 //!
 //! | what | where |
 //! |---|---|
 //! | whether a hit lies between near and far | `geometry/interval.rs`, exactly `geometry/exact` |
-//! | which of two hits comes first: ties | `pick/order.rs` |
+//! | which of two hits comes first, ties included | `pick/order.rs` |
 //! | which of two touching surfaces is drawn | `render/order.rs` |
 //! | how far `f32` moves what is drawn | `render/transform.rs`, `render/sphere.rs`; in pixels `verify/polygon.rs`, `verify/sphere.rs` |
 //! | a camera from flags or from a scene file | `camera/choice.rs` |
@@ -183,12 +182,12 @@
 //! | pixel | physical pixels from the top left corner, y down; pixel (i, j) has its centre at (i + 0.5, j + 0.5) | [`camera::Viewport`] |
 //!
 //! Everything on the CPU is `f64`; vertices are `f32` about one `f64` origin per file. Matrices for the GPU are
-//! composed in `f64` (in pairs of `f64` where one is too coarse) about a point near what the camera looks at: large
+//! composed in `f64` (in double-double where `f64` is too coarse) about a point near what the camera looks at, so large
 //! coordinates and close views stay sharp.
 //!
 //! # Words
 //!
-//! * **in one place**: said of surfaces that lie closer together at a position than drawing can resolve
+//! * **in one place**: surfaces are in one place where they lie closer together than drawing can resolve
 //!   ([`verify::Places`]).
 //! * **placement**: an object's model matrix and its inverse.
 //! * **view**: camera, viewport, whether back faces show, and the section: with the scene, they decide what a pixel
@@ -198,10 +197,10 @@
 //!   so its t is view depth. **distance** is from the eye; **depth** is along F; **measured depth** is depth as the GPU
 //!   counts it, from the plane where `f32` keeps most digits ([`render::transform::depth_origin`]).
 //! * **near, far**: planes at a *depth*. They clip the picture and, as `t_min` and `t_max`, the ray.
-//! * **section**: a plane that cuts the world: what lies behind it is neither drawn nor hit ([`geometry::Section`]). It
+//! * **section**: a plane that cuts the world. What lies behind it is neither drawn nor hit ([`geometry::Section`]). It
 //!   bounds the ray exactly, as near and far do.
 //! * **bound**: the most by which a rounded number may differ from the exact one. Rays carry theirs
-//!   ([`geometry::RayError`]). **In doubt**: a decision that a bound leaves open and exact arithmetic makes.
+//!   ([`geometry::RayError`]). **In doubt**: said of a decision that a bound leaves open; exact arithmetic makes it.
 //!   **Filter**: a cheap test that may decide before the exact one.
 //! * **part**: one object of a file; its triangles are a range of the file's mesh.
 //! * **batch**: objects that are drawn and tested for hits together: parts of one mesh under one placement, or a single
@@ -210,18 +209,18 @@
 //! * **pivot**: the world point that the mouse turns the view about; in `render`, the point that is subtracted from
 //!   vertices or pixels before they become `f32`.
 //! * **at rest**: the window's picture when nothing has moved for a moment; its edges are then smooth. Until then it is
-//!   *rough*. Ids are the same in both. *Coarse*: with pixels larger than the window's, as a moving picture has on a
-//!   software adapter.
-//! * **stage**: a space along M, V, P that is shown: object, world, view, NDC ([`viewer::model::Stage`]). The *four
-//!   views* show one each, seen by an *observer* of its own. The *picture* is the camera's and none of these four.
-//! * **followed**: the point that is shown at every stage: the pick's, or the one under the cursor.
+//!   *rough*. Ids are the same in both. *Coarse*: drawn with pixels larger than the window's, as a moving picture is on
+//!   a software adapter.
+//! * **stage**: one of the spaces along M, V, P: object, world, view, NDC ([`viewer::model::Stage`]). Each of the *four
+//!   views* shows one stage, seen by its own *observer*. The *picture* is the camera's and none of these four.
+//! * **followed**: the point that is shown at every stage. It is the pick's, or the one under the cursor.
 //! * **step**: undoes one change of the window's state ([`viewer::model::State::next_step`]).
 //! * **exhibit**: a scene of the failure gallery ([`scene::gallery::Exhibit`]).
 //!
 //! # To add
 //!
 //! **A shape.** Give it a file in `geometry` with its box and its hits with a [`geometry::LocalRay`]: a filter in `f64`
-//! with bounds. What the filter leaves open is decided in `geometry/exact`. Test it against a closed form in
+//! with error bounds. `geometry/exact` decides what the filter leaves open. Test it against a closed form in
 //! `tests/shapes` and against the oracle in `tests/exact_picks`. Add the variant to [`scene::Shape`] and its word to
 //! `scene/files/entry.rs`; the compiler then names every place that needs a case for it: its bounds, hits, edges, how
 //! it is drawn, what its outline explains in `verify`, the study's truth. Name the word in README's scene file and in

@@ -9,7 +9,7 @@ use glam::Vec3;
 pub const BACKGROUND: [Srgb; 2] = [Srgb([43, 48, 58]), Srgb([18, 20, 25])];
 /// The selected object, and the ray that picks it.
 pub const SELECTION: Srgb = Srgb([255, 170, 10]);
-/// Hits of a ray: the pick's mark, its triangle, normals at hits, the line between two picks.
+/// What belongs to a ray's hits: the pick's mark, its triangle, normals at hits, the line between two picks.
 pub const HIT: Srgb = Srgb::WHITE;
 /// The x, y and z axes, of the world or of a camera.
 pub const AXES: [Srgb; 3] = [
@@ -41,7 +41,7 @@ pub const IN_ONE_PLACE: Srgb = Srgb([0, 114, 178]);
 /// What is wrong: a difference that nothing explains, a method's wrong answer.
 pub const WRONG: Srgb = Srgb([213, 94, 0]);
 
-/// The colours with a meaning, one each. What is under the cursor is lit instead.
+/// The colours that have a meaning, each a different one. What is under the cursor is lit instead.
 pub const MEANINGS: [Srgb; 16] = [
     SELECTION,
     HIT,
@@ -71,7 +71,7 @@ pub const CAMERA_PIXELS: Srgb = Srgb([74, 118, 118]);
 
 /// Share of the tint in a selected pixel.
 pub const TINT: f32 = 0.16;
-/// Light added to what is under the cursor: this share of its own, and this much white.
+/// Light added to what is under the cursor: this fraction of its own light, and this much white.
 pub const LIT: [f32; 2] = [0.15, 0.03];
 /// Half the width of the selection's outline, in pixels of the picture at scale factor 1.
 pub const OUTLINE_PX: u32 = 2;
@@ -81,9 +81,9 @@ pub const KEY_DIRECTION: Vec3 = Vec3::new(-0.408_248_3, 0.408_248_3, -0.816_496_
 /// Ambient light, the key light, and the fill from above.
 pub const LIGHT: [f32; 3] = [0.10, 0.80, 0.16];
 
-/// Light that a surface sends to the eye: from a wrapped headlight, so that nothing is black, and a soft fill from
-/// above. `normal_view` is the normal of the side that is seen, in view space, of any length. `albedo` and result are
-/// linear. (Wrapped as by Mitchell, `McTaggart` & Green, Shading in Valve's Source Engine, 2006.)
+/// The light that a surface sends to the eye. It comes from a wrapped headlight, so that nothing is black, and from a
+/// soft fill above. `normal_view` is the normal of the visible side, in view space, of any length. `albedo` and result
+/// are linear. (Wrapped as by Mitchell, `McTaggart` & Green, Shading in Valve's Source Engine, 2006.)
 #[must_use]
 pub fn shade(albedo: [f32; 3], normal_view: Vec3) -> [f32; 3] {
     let normal = normal_view.normalize_or_zero();

@@ -1,4 +1,4 @@
-//! A camera given only in part, by flags or a scene file; framing does the rest.
+//! A camera that flags or a scene file give in part. Framing the scene fills in the rest.
 
 use super::{
     Camera, CameraError, DepthMapping, Lens, Orbit, Projection, SectionChoice, UpAxis, Viewport,
@@ -8,8 +8,8 @@ use crate::geometry::Aabb;
 use glam::DVec3;
 use serde::{Deserialize, Deserializer, Serialize, de::Error};
 
-/// The camera as far as the user chose it; `None` leaves a field to the next source. World space and units; angles in
-/// degrees, as users give them.
+/// The parts of a camera that the user chose; `None` leaves a field to the next source. World space and units; angles
+/// in degrees.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct CameraChoice {
@@ -41,7 +41,7 @@ pub struct CameraChoice {
     pub section: Option<SectionChoice>,
 }
 
-/// An array of exactly `N` values: plain arrays ignore extra ones.
+/// Reads an array of exactly `N` values. Plain arrays would ignore extra ones.
 pub(crate) fn exactly<'de, const N: usize, T: Deserialize<'de>, D: Deserializer<'de>>(
     from: D,
 ) -> Result<[T; N], D::Error> {
@@ -53,7 +53,7 @@ pub(crate) fn exactly<'de, const N: usize, T: Deserialize<'de>, D: Deserializer<
         .map_err(|_| D::Error::invalid_length(count, &expected.as_str()))
 }
 
-/// A vector, for an optional field.
+/// Reads a vector into an optional field.
 pub(crate) fn some_vector<'de, D: Deserializer<'de>>(from: D) -> Result<Option<DVec3>, D::Error> {
     exactly(from).map(|vector| Some(DVec3::from_array(vector)))
 }
@@ -62,8 +62,8 @@ impl CameraChoice {
     /// Vertical field of view where none is given, in degrees.
     pub const FOV: f64 = 45.0;
 
-    /// These choices; where there are none, `other`'s. A target replaces a look and the reverse; so do field of view
-    /// and orthographic height.
+    /// These choices, and `other`'s for the fields without one. Target and look count as one field, and so do field of
+    /// view and orthographic height.
     #[must_use]
     pub fn or(self, other: Self) -> Self {
         let aims = self.target.is_some() || self.look.is_some();
@@ -83,7 +83,7 @@ impl CameraChoice {
         }
     }
 
-    /// The camera as chosen; framing of `bounds_world` decides the rest.
+    /// The camera as chosen. Framing `bounds_world` decides the fields that are `None`.
     ///
     /// # Errors
     /// When the choices make no camera; see [`CameraError`].
@@ -95,7 +95,7 @@ impl CameraChoice {
                 Some(height) => Projection::Orthographic { height },
                 None => Projection::Perspective { fov_y },
             },
-            // Any valid planes; they are fitted once there is a camera.
+            // Any valid planes will do: they are fitted once there is a camera.
             near: 1.0,
             far: 2.0,
             depth: self.depth.unwrap_or_default(),
@@ -128,7 +128,7 @@ impl CameraChoice {
         let camera = match self.up {
             Some(up) => camera(up)?,
             None => match camera(upright.y_axis) {
-                // Straight down or up: the picture is turned like that of an orbit that ends there.
+                // Looking straight down or up: the picture is turned as in an orbit at that pitch.
                 Err(CameraError::UpAlongForward) => {
                     let down = camera(upright.z_axis)?.forward().dot(upright.y_axis) < 0.0;
                     camera(if down {

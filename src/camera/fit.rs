@@ -1,9 +1,9 @@
-//! Near and far planes that hold the scene.
+//! Fits near and far planes around the scene.
 
 use super::{Camera, Projection};
 use crate::geometry::Aabb;
 
-/// The least near plane as a fraction of far, unless the eye is closer to its target than that.
+/// The least near plane as a fraction of far, unless [`NEAREST_TO_TARGET`] gives a smaller one.
 const NEAREST: f64 = 1e-5;
 /// The least near plane as a fraction of the distance to the target, so that zooming in never cuts what is looked at.
 const NEAREST_TO_TARGET: f64 = 1e-2;
@@ -11,14 +11,14 @@ const NEAREST_TO_TARGET: f64 = 1e-2;
 /// The least margin about the scene as a fraction of its depth, well above the rounding of a depth in `f64`.
 const LEAST_ROOM: f64 = 1e-12;
 
-/// View depths `(near, far)` of planes that hold `bounds_world`, for this camera's eye and direction; its own planes do
-/// not matter. A given plane stays, and the other is fitted on its proper side.
+/// View depths `(near, far)` of planes that enclose `bounds_world`, for this camera's eye and direction. The planes of
+/// the camera itself do not matter. A given plane stays, and the other is fitted on its proper side.
 ///
-/// The margin is a hundredth of the depth, but at most the scene's diagonal: from afar, depth has its precision where the
-/// scene is. In perspective near is at least 1e-5 of far, or 1/100 of the distance to the target if that is less; in
-/// orthographic projection it may lie behind the eye. Without bounds, or with nothing in front of the eye, the planes
-/// enclose the target. The result is valid unless a given plane is not: not positive in perspective, or two in the wrong
-/// order.
+/// The margin is a hundredth of the depth, but at most the scene's diagonal, so that a distant scene keeps its depth
+/// precision. In perspective, near is at least 1e-5 of far, or 1/100 of the distance to the target if that is less. In
+/// orthographic projection, near may lie behind the eye. Without bounds, or in perspective with nothing in front of the
+/// eye, the planes enclose the target. The result is valid unless the given planes are not: one that is not positive in
+/// perspective, or two in the wrong order.
 #[must_use]
 pub fn fit_near_far(
     camera: &Camera,
@@ -37,7 +37,7 @@ pub fn fit_near_far(
         (least, depths.into_iter().fold(f64::NEG_INFINITY, f64::max))
     };
     let diagonal = (bounds_world.max - bounds_world.min).length();
-    // An empty box or a single point has only its depth.
+    // An empty box or a single point has no diagonal, so only the depth limits its margin.
     let most = if diagonal > 0.0 {
         diagonal
     } else {

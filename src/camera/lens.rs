@@ -36,7 +36,8 @@ pub enum Projection {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum DepthMapping {
-    /// Near becomes 1 and far 0: the steps of a floating-point buffer are then in proportion to the distance.
+    /// Near becomes 1 and far 0. In perspective, the steps of a floating-point buffer then grow in proportion to the
+    /// depth.
     #[default]
     Reversed,
     /// Near becomes 0 and far 1, as taught in courses.
@@ -95,7 +96,7 @@ impl Lens {
         DVec2::new(top * aspect, top)
     }
 
-    /// w of clip space at a view depth: the picture there is [`Lens::half_extent`] times this.
+    /// Clip-space w at a view depth. There the picture's half extent is [`Lens::half_extent`] times w.
     #[must_use]
     pub fn w(&self, depth: f64) -> f64 {
         match self.projection {
@@ -104,8 +105,8 @@ impl Lens {
         }
     }
 
-    /// The third row of the projection, `(a, b)`: clip z is `a * depth + b`, to be divided by the depth in
-    /// perspective.
+    /// The third row of the projection matrix, `(a, b)`: clip z is `a * depth + b`. NDC z is clip z divided by
+    /// [`Lens::w`].
     #[must_use]
     pub fn depth_row(&self) -> (f64, f64) {
         let Self {
@@ -126,7 +127,7 @@ impl Lens {
     #[must_use]
     pub fn ndc_depth(&self, depth: f64) -> f64 {
         let Self { near, far, .. } = *self;
-        // Halved: the distance between the planes may exceed `f64`.
+        // Halved, because the distance between the planes may overflow.
         let range = 0.5 * far - 0.5 * near;
         let [to_near, to_far] =
             [(depth, near), (far, depth)].map(|(a, b)| (0.5 * a - 0.5 * b) / range);
@@ -136,14 +137,14 @@ impl Lens {
         };
         match self.depth {
             DepthMapping::Reversed => from_far,
-            // The complement, where that rounds less; it never exceeds 1.
+            // In this half the complement rounds less, and it never exceeds 1.
             DepthMapping::Standard if from_far < 0.5 => 1.0 - from_far,
             DepthMapping::Standard => from_near,
         }
     }
 
-    /// The step in view depth from what a 32-bit floating-point depth buffer stores for `depth` to the next value away
-    /// from the eye. Infinite where none follows before the far plane.
+    /// The resolution of a 32-bit floating-point depth buffer at `depth`: the step in view depth from the stored value
+    /// to the next value away from the eye. Infinite where no value follows up to the far plane.
     #[must_use]
     pub fn depth_step(&self, depth: f64) -> f64 {
         #[expect(clippy::cast_possible_truncation, reason = "what the buffer stores")]

@@ -58,7 +58,7 @@ pub enum CameraError {
     /// Not a positive number.
     #[error("the orthographic height must be a positive number, not {0}")]
     Height(f64),
-    /// In perspective there is nothing at or behind the eye.
+    /// Perspective shows nothing at or behind the eye.
     #[error("near must be greater than 0 in perspective, not {0}")]
     NearNotPositive(f64),
     /// Near has to come first, and both have to be finite.
@@ -122,10 +122,10 @@ impl Camera {
         let forward = unit(direction).ok_or(CameraError::NoDirection)?;
         let right = unit(up).and_then(|up| {
             let right = forward.cross(up);
-            // Two parallel unit vectors leave only rounding here: no direction.
+            // The cross product of two parallel unit vectors is only rounding error.
             (right.length() > 4.0 * f64::EPSILON).then(|| right.normalize())
         });
-        // The nearer up is to the line of sight, the more of the rest is rounding, which need not be perpendicular to it.
+        // If up is close to the line of sight, rounding error makes `right` oblique; this makes it perpendicular again.
         let right = right.map(|right| (right - right.dot(forward) * forward).normalize());
         let right = right.ok_or(CameraError::UpAlongForward)?;
         Ok(Self {
@@ -165,7 +165,8 @@ impl Camera {
         self.target
     }
 
-    /// Up as it was given: with eye and target it makes this camera again, to the bit.
+    /// Up as it was given. [`Camera::new`] with eye, target, this up and the lens makes the same camera again; to the
+    /// bit, if it came from [`Camera::new`].
     #[must_use]
     pub fn up_hint(&self) -> DVec3 {
         self.up_hint
@@ -208,7 +209,7 @@ impl Camera {
         DMat3::from_cols(self.right, self.up, self.forward).transpose()
     }
 
-    /// View = O * T: rows R, U, F after the translation by -eye.
+    /// The view matrix: the translation by -eye, then the rotation with rows R, U, F.
     #[must_use]
     pub fn view(&self) -> DMat4 {
         DMat4::from_mat3(self.rotation()) * DMat4::from_translation(-self.eye)
@@ -231,7 +232,7 @@ impl Camera {
         )
     }
 
-    /// The numbers from which a picture's pixel rays are made.
+    /// The data from which the ray of each pixel is computed.
     #[must_use]
     pub fn pixel_grid(&self, viewport: Viewport) -> PixelGrid {
         PixelGrid {
@@ -245,8 +246,8 @@ impl Camera {
         }
     }
 
-    /// The world-space ray through a pixel position; see [`PixelGrid::ray`]. Its `t` is view depth; its interval lies
-    /// between the near and the far plane.
+    /// The world-space ray through a pixel position; see [`PixelGrid::ray`]. Its `t` is view depth. Its interval runs
+    /// from the near plane to the far plane.
     #[must_use]
     pub fn ray(&self, viewport: Viewport, px: DVec2) -> WorldRay<'static> {
         let Lens { near, far, .. } = self.lens;
@@ -258,7 +259,7 @@ impl Camera {
         DVec2::new(self.half_height * viewport.aspect(), self.half_height)
     }
 
-    /// NDC x and y of a point `aside` of the line of sight, at clip-space w `w`.
+    /// NDC x and y of a point that lies off the line of sight by `aside`, at clip-space w `w`.
     fn ndc_of(&self, viewport: Viewport, aside: DVec2, w: f64) -> DVec2 {
         aside / (self.half_extent(viewport) * w)
     }
@@ -280,7 +281,7 @@ impl Camera {
     }
 }
 
-/// The unit vector along `v`, even where the square of its length would vanish or overflow.
+/// The unit vector along `v`, even where the square of its length would underflow or overflow.
 fn unit(v: DVec3) -> Option<DVec3> {
     let size = v.abs().max_element();
     (size > 0.0).then(|| (v / size).normalize())

@@ -34,15 +34,15 @@ impl UpAxis {
     }
 }
 
-/// A view about a target by two angles. Straight up and straight down are ordinary views: the camera's up comes
-/// from the angles, not from a cross product that could vanish.
+/// A view of a target, given by two angles and a distance. Straight up and straight down are ordinary views: the
+/// camera's up comes from the angles, not from a cross product that could vanish.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orbit {
     /// Columns (right, up, towards the viewer) of the view with both angles zero.
     frame: DMat3,
     /// World point in the middle of the picture, about which the view zooms.
     target: DVec3,
-    /// From eye to target, above 0.
+    /// The distance from eye to target, above 0.
     distance: f64,
     /// Radians; positive turns the eye to the right about up.
     yaw: f64,
@@ -53,9 +53,10 @@ pub struct Orbit {
 impl Orbit {
     /// The direction from which new scenes are seen, in (right, up, towards the viewer).
     const FRAMING: DVec3 = DVec3::new(1.0, 0.8, 1.6);
-    /// Room about a framed scene.
+    /// The margin around a framed scene, as a factor.
     const MARGIN: f64 = 1.08;
-    /// The least and greatest zoom distance, in world units: beyond them, products of three lengths overflow.
+    /// The least and greatest zoom distance, in world units. Beyond them, products of three lengths underflow or
+    /// overflow.
     pub(super) const DISTANCES: (f64, f64) = (1e-100, 1e100);
 
     /// The view of a camera. Its own up becomes the orbit's axis, unless the camera is upright for `up_axis`.
@@ -80,7 +81,8 @@ impl Orbit {
         }
     }
 
-    /// All of `bounds_world`, from a little to the right and above; a unit box about the origin for empty bounds.
+    /// A view of all of `bounds_world`, from a little to the right and above. Empty bounds count as the box from -1 to
+    /// 1.
     #[must_use]
     pub fn framing(bounds_world: &Aabb, up_axis: UpAxis, fov_y: f64, aspect: f64) -> Self {
         let Self { yaw, pitch, .. } = Self::from_direction(Self::FRAMING);
@@ -107,14 +109,14 @@ impl Orbit {
     }
 
     /// Moves target and distance so that `bounds_world` just fills the picture as seen from the present direction;
-    /// the angles stay. Empty bounds count as a unit box about the origin.
+    /// the angles stay. Empty bounds count as the box from -1 to 1.
     pub fn frame_bounds(&mut self, bounds_world: &Aabb, fov_y: f64, aspect: f64) {
         let mut bounds = *bounds_world;
         if bounds.is_empty() {
             bounds = Aabb::around([DVec3::NEG_ONE, DVec3::ONE]);
         }
         let center = bounds.center();
-        // A single point has no size; stay as far away as lets its coordinates tell the eye from it.
+        // A single point has no size. Stay far enough away that the eye's rounded coordinates differ from the point's.
         let least = if bounds.radius() > 0.0 {
             0.0
         } else {
@@ -150,7 +152,7 @@ impl Orbit {
         self.target
     }
 
-    /// From eye to target, in world units.
+    /// The distance from eye to target, in world units.
     #[must_use]
     pub fn distance(&self) -> f64 {
         self.distance
@@ -177,7 +179,7 @@ impl Orbit {
     /// The camera that shows this view. Its up is the view's own U.
     ///
     /// # Errors
-    /// When the lens is not valid, or the target is so far from the origin that the eye falls onto it.
+    /// When the lens is not valid, or the target is so far from the origin that the eye rounds to the same point.
     pub fn camera(&self, lens: Lens) -> Result<Camera, CameraError> {
         Camera::new(self.eye(), self.target, self.axes().y_axis, lens)
     }

@@ -1,4 +1,4 @@
-//! A section as users write it: the same on the command line, in scene files and in the window.
+//! A section as users write it, in the same words on the command line, in scene files and in the window.
 
 use crate::geometry::{Section, SectionError};
 use glam::DVec3;
@@ -11,7 +11,7 @@ use std::{fmt, str::FromStr};
 /// |---|---|
 /// | `none` | everything |
 /// | `1,0,0,-0.5` | the points p with n . p + c >= 0: the three numbers of n, and c |
-/// | `x:0.5`, `-x:0.5` | what lies at 0.5 and beyond along an axis, or at 0.5 and before |
+/// | `x:0.5`, `-x:0.5` | the points with x >= 0.5, or with x <= 0.5; likewise for y and z |
 /// | `points:0,0,0/1,0,0/0,1,0` | the side of three points from which they are counter-clockwise |
 /// | `face:3,7` | what lies behind a face: triangle 7 of object 3, or a cube's face, counted from 0 in the order +x, -x, +y, -y, +z, -z; `face:3` for a square |
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -40,7 +40,7 @@ pub enum SectionWordError {
         "a section is NX,NY,NZ,C, or x:0.5 (-x:0.5 keeps the other side), or points:X,Y,Z/X,Y,Z/X,Y,Z, or face:ID,TRIANGLE"
     )]
     Form,
-    /// The numbers do not make one.
+    /// The numbers do not define a plane.
     #[error(transparent)]
     Section(#[from] SectionError),
 }

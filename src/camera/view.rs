@@ -104,8 +104,8 @@ impl View {
         }
     }
 
-    /// Both ends, in pixels, of a world-space segment as the picture shows it: only the part before the near plane is cut
-    /// off, nothing else. `None` if nothing is left.
+    /// Projects a world-space segment: its two ends in pixels. The segment is clipped by the near plane and by nothing
+    /// else. `None` if nothing is left.
     #[must_use]
     pub fn project_segment(&self, a: DVec3, b: DVec3) -> Option<[DVec2; 2]> {
         let past_near = |p: &DVec3| self.camera.to_view(*p).z - self.camera.lens().near;
@@ -130,7 +130,7 @@ impl View {
         self.rays().ray(px)
     }
 
-    /// A point of a shape in this picture, for the ray through it.
+    /// The data of the ray through a point of a shape.
     #[must_use]
     pub fn through(&self, point: &PlacedPoint) -> ThroughPoint {
         let Lens { near, far, .. } = *self.camera.lens();
@@ -141,7 +141,7 @@ impl View {
         }
     }
 
-    /// The world-space rays through all pixels; each is [`View::ray`]'s.
+    /// The world-space rays through all pixels; each equals that of [`View::ray`].
     #[must_use]
     pub fn rays(&self) -> PixelRays {
         let Lens { near, far, .. } = *self.camera.lens();
@@ -149,7 +149,7 @@ impl View {
         rays.cut_by(self.section)
     }
 
-    /// From the eye to the point at view depth `t` on the ray through a pixel position, in world space.
+    /// The world-space vector from the eye to the point at view depth `t` on the ray through a pixel position.
     #[must_use]
     pub fn from_eye(&self, px: DVec2, t: f64) -> DVec3 {
         let grid = self.camera.pixel_grid(self.viewport);
@@ -167,8 +167,8 @@ impl View {
         self.camera.half_extent(self.viewport)
     }
 
-    /// The pixel position of a point `aside` of the line of sight, to the right and upwards, at clip-space w `w`; see
-    /// [`Lens::w`](super::Lens::w).
+    /// The pixel position of a point that lies off the line of sight by `aside` (to the right and upwards), at
+    /// clip-space w `w`; see [`Lens::w`](super::Lens::w).
     #[must_use]
     pub(crate) fn px_of(&self, aside: DVec2, w: f64) -> DVec2 {
         let ndc = self.camera.ndc_of(self.viewport, aside, w);
@@ -181,7 +181,7 @@ impl View {
         self.camera.project(self.viewport, point_world)
     }
 
-    /// The corners of the frustum in world space: near plane, then far plane, each from the top left clockwise.
+    /// The corners of the view volume in world space: near plane, then far plane, each from the top left clockwise.
     #[must_use]
     pub fn frustum_corners(&self) -> [DVec3; 8] {
         let DVec2 {
@@ -195,8 +195,8 @@ impl View {
         })
     }
 
-    /// Whether part of a world-space box may be in the picture: false only if all of it lies beyond one of the frustum's
-    /// six planes.
+    /// Whether part of a world-space box may be in the picture: false if the box is empty or lies outside one of the
+    /// view volume's six planes.
     #[must_use]
     pub(crate) fn may_see(&self, bounds_world: &Aabb) -> bool {
         let lens = self.camera.lens();
@@ -219,7 +219,7 @@ impl View {
     }
 }
 
-/// The centre of the pixel that holds a position: what a click there picks.
+/// The centre of the pixel that holds a position. A click at the position picks at this centre.
 #[must_use]
 pub fn pixel_centre(px: DVec2) -> DVec2 {
     px.floor() + 0.5

@@ -1,8 +1,8 @@
-//! The digits of `f64`: powers of two, and a number as an integer times a power of two.
+//! Powers of two in `f64`, and the split of an `f64` into an odd integer times a power of two.
 
 const FRACTION_BITS: u32 = f64::MANTISSA_DIGITS - 1;
 const FRACTION: u64 = (1 << FRACTION_BITS) - 1;
-/// Added to the exponents of normal numbers as they are stored.
+/// The exponent bias of `f64`: how much larger the stored exponent of a normal number is than the true one.
 const BIAS: i64 = 1023;
 
 /// `2^exponent`, for exponents of normal numbers: -1022 to 1023.
@@ -49,7 +49,7 @@ pub(crate) fn times_power_of_two(mut value: f64, mut exponent: i64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Normal numbers and subnormal ones.
+    /// A number is put together again from its parts, for normal and subnormal numbers.
     #[test]
     fn numbers_are_made_of_their_parts() {
         let least = f64::from_bits(1);

@@ -3,7 +3,7 @@
 use super::{VertexRay, binary::power_of_two_below};
 use glam::DVec3;
 
-/// An axis-aligned box; [`Aabb::EMPTY`] holds nothing and is the start of a union.
+/// An axis-aligned bounding box. Unions start from [`Aabb::EMPTY`], which holds nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabb {
     /// Smallest coordinates.
@@ -95,17 +95,17 @@ impl Aabb {
         })
     }
 
-    /// Whether `ray` may hit something in the box, whose corners are `f32`, at a `t` up to `end`. Never false if the box
-    /// holds a point of the ray from `t_min` to `end`, both included. `inverse` is `1 / direction`.
+    /// Slab test: whether `ray` may hit something in the box at a `t` up to `end`. Never false if the box holds a point
+    /// of the ray from `t_min` to `end`, both included. The box's corners are `f32`; `inverse` is `1 / direction`.
     ///
-    /// With `U` half of `f64::EPSILON`: the distance to a slab's plane has the right sign and a relative error of at most
-    /// `2 U` (`VertexRay::to`). `inverse` and the product add `U` each: `4 U` in all. Widening by `12 U` covers that and
-    /// its own rounding (after Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013, whose `2 ulp` leaves the subtraction to
-    /// padded boxes). For a ray parallel to a slab the signs decide; on its plane `0 * inf` is NaN and loses every
-    /// comparison.
+    /// Let `U` be half of `f64::EPSILON`. The distance to a slab's plane has the right sign and a relative error of at
+    /// most `2 U` (`VertexRay::to`). `inverse` and the product add `U` each: `4 U` in all. Widening by `12 U` covers that
+    /// and its own rounding (after Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013, whose `2 ulp` leaves the subtraction
+    /// to padded boxes). Where the ray is parallel to a slab, `inverse` is infinite and the signs decide. If its origin
+    /// lies on the slab's plane, `0 * inf` is NaN, which loses every comparison.
     ///
-    /// An inexact ray is off by its origin's error plus its direction's error times the distance to the box; the box
-    /// grows by twice that.
+    /// An inexact ray is off by its origin's error plus its direction's error times the distance to the box. The box is
+    /// grown by twice that.
     pub(crate) fn may_hit_before(&self, ray: &VertexRay, inverse: DVec3, end: f64) -> bool {
         const WIDEN: f64 = 6.0 * f64::EPSILON;
         if !ray.is_bounded() {
@@ -133,9 +133,9 @@ impl Aabb {
     }
 }
 
-/// The `t` at which a ray enters a box before its interval ends; `None` where it misses. Both ends of each slab are
-/// widened by `widen`, relatively. `ways` lead from the ray's origin to the least and greatest corner; `inverse` is
-/// `1 / direction`.
+/// Slab test: the `t` at which a ray enters a box before its interval ends; `None` where it misses. Both ends of each
+/// slab are widened by a relative `widen`. `ways` lead from the ray's origin to the least and greatest corner; `inverse`
+/// is `1 / direction`.
 pub(crate) fn entry(
     ways: [DVec3; 2],
     inverse: DVec3,
@@ -152,7 +152,7 @@ pub(crate) fn entry(
         };
         let near = near * if near > 0.0 { 1.0 - widen } else { 1.0 + widen };
         let far = far * if far > 0.0 { 1.0 + widen } else { 1.0 - widen };
-        // NaN, from a ray in a plane of the box, loses both comparisons.
+        // A ray in a plane of the box gives NaN, which loses both comparisons.
         if near > enter {
             enter = near;
         }
@@ -160,6 +160,6 @@ pub(crate) fn entry(
             leave = far;
         }
     }
-    // A ray that runs beside a slab enters it at infinity.
+    // A ray parallel to a slab and outside of it enters it at infinity.
     (enter <= leave && enter < f64::INFINITY).then_some(enter)
 }

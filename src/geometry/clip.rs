@@ -1,10 +1,10 @@
-//! Polygons cut by a plane.
+//! Clips convex polygons at a plane.
 
 /// The part of a convex polygon on one side of a plane, by corners in order (Sutherland & Hodgman, "Reentrant Polygon
-/// Clipping", 1974). Two corners are a segment; the first two of the result are what is left of it.
+/// Clipping", 1974). Two corners stand for a segment: what is left of it are the first two of the result.
 ///
-/// `side` is linear, 0 on the plane and positive on the side that is kept. `cut` makes the corner where it is 0, at that
-/// share of the way from one corner to the next.
+/// `side` is linear, 0 on the plane and positive on the side that is kept. `cut(a, b, share)` makes the corner where
+/// `side` is 0, at `share` of the way from `a` to `b`.
 pub(crate) fn clip<T: Copy>(
     corners: &[T],
     side: impl Fn(&T) -> f64,

@@ -60,17 +60,18 @@ impl Cuboid {
     }
 }
 
-/// Components from this to its reciprocal have reciprocals with all digits.
+/// Components between this and its reciprocal have reciprocals that keep all digits.
 const LEAST: f64 = power_of_two(-1000);
-/// The largest relative error of a component.
+/// The largest relative error of a component that the filter accepts.
 const SMALL: f64 = power_of_two(-20);
-/// Where a slab is entered that bounds nothing.
+/// The entry into a slab that bounds nothing.
 const BEFORE_ALL: Approximate = Approximate {
     value: f64::NEG_INFINITY,
     error: 0.0,
 };
 
-/// The hits in `f64`, by slabs (Kay & Kajiya 1986): one reciprocal an axis, no branch before the decision.
+/// The hits in `f64`, by the slab test (Kay & Kajiya 1986), with one reciprocal per axis and no branch before the
+/// decision.
 ///
 /// A plane's parameter is the distance to it times the reciprocal of the direction's component `d`. The distance rounds
 /// once and is off by the origin's error `p`; reciprocal and product round once each; an error `f` of `d` changes the
@@ -82,7 +83,7 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
         origin, direction, ..
     } = *ray.ray;
     let mut enter = [BEFORE_ALL; 3];
-    // Negated, so that the greatest counts here too.
+    // Negated, so that the first exit is the greatest here.
     let mut leave = [BEFORE_ALL; 3];
     let mut is_bounded = true;
     for axis in 0..3 {

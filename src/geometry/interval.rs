@@ -1,9 +1,9 @@
-//! Numbers with a bound on their error, and what they decide.
+//! Computed numbers with an upper bound on their error, and the decisions that this bound allows.
 
 use super::{Hit, Ray, U, binary::power_of_two};
 use glam::DVec3;
 
-/// A parameter with a larger relative error than this is worth exact arithmetic.
+/// A parameter with a larger relative error than this is left to exact arithmetic.
 pub(crate) const HALF_OF_THE_DIGITS: f64 = power_of_two(-26);
 
 /// A computed number and an upper bound on how far it is from the exact one.
@@ -36,10 +36,10 @@ impl Approximate {
 
     /// `numerator / denominator`.
     ///
-    /// If numerator and denominator err by `e_n` and `e_d`, the quotient `q` errs by `(e_n + |q| e_d) / (|d| - e_d)`. It
-    /// is in doubt where `e_d` is more than `2^-20` of `d`, or where `q` or its bound is not finite. Dividing by `|d|`
-    /// instead changes the bound by less than `2^-19` of it. Four roundings of the quotient cover its own and those of
-    /// `low` and `high`. The least normal number is slack for underflow.
+    /// If numerator and denominator `d` err by `e_n` and `e_d`, the quotient `q` errs by `(e_n + |q| e_d) / (|d| - e_d)`.
+    /// It is in doubt where `e_d` is more than `2^-20` of `d`, or where `q` or its bound is not finite. Dividing by `|d|`
+    /// instead changes the bound by less than `2^-19` of it. An allowance of four roundings of the quotient covers its
+    /// own and those of `low` and `high`. The least normal number is slack for underflow.
     #[inline]
     pub fn over(self, denominator: Self) -> Result<Self, InDoubt> {
         const SMALL: f64 = power_of_two(-20);
@@ -115,7 +115,7 @@ mod tests {
             let beside = 2_f64.powi(-i32::from((i / 12 % 60) as u8)) * random.point();
             let mut direction = (at_border + beside - origin) * (1.5 + random.next());
             if shape == 0 && i % 2 == 0 {
-                // Those would hardly ever touch it: along it, then.
+                // Random rays hardly ever graze the sphere, so this one is made tangent to it.
                 direction = at_border.cross(random.point()) + beside;
                 origin = at_border + beside - away * direction;
             }

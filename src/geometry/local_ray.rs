@@ -1,4 +1,4 @@
-//! Rays in object space, with bounds on what was rounded on their way there.
+//! Rays in object space, with upper bounds on their rounding errors.
 
 use super::{Placement, Ray, RayError, WorldRay, ray::Line};
 use glam::DVec3;
@@ -17,7 +17,7 @@ pub struct PlacedRay<'a> {
 /// An object-space ray as shapes take it: a [`PlacedRay`], whose exact numbers it can look up, or a [`Ray`], which is
 /// exact as it stands. Its `t` is the world ray's.
 ///
-/// It borrows both: a copy, read as soon as it is written, would slow a walk through a tree by a quarter.
+/// It borrows its ray and errors: a copy, read as soon as it is written, would slow a walk through a tree by a quarter.
 #[derive(Clone, Copy, Debug)]
 pub struct LocalRay<'a> {
     /// Rounded.
@@ -37,7 +37,7 @@ pub struct LocalRay<'a> {
 pub(super) struct Exactly<'a> {
     /// In the placement's world space; in object space without a placement.
     pub line: Line<'a>,
-    /// From object space to the line's; `None` where they are the same.
+    /// Leads from object space to the line's space; `None` where they are the same.
     pub placement: Option<&'a Placement>,
 }
 

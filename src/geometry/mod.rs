@@ -1,15 +1,16 @@
-//! Rays against shapes, in object space: by `f64` where that is certain, else by exact arithmetic on the stored numbers.
-//! Knows no scene, no camera and no GPU.
+//! Shapes, and where rays hit them in object space: decided in `f64` where that is certain, else by exact arithmetic on
+//! the stored numbers. This module knows no scene, no camera and no GPU.
 //!
-//! The definitions that everything else leans on:
+//! The definitions that everything else builds on:
 //!
 //! * **t** is the ray parameter of `origin + t * direction`. `direction` need not be a unit vector; a ray
 //!   taken into another space is *not* renormalised, so `t` is one number in every space.
 //! * A hit counts when `t_min <= t < t_max` and, for a world-space ray, its [`Section`] keeps it; nothing else clips.
-//! * **The exact ray** is what the stored numbers make it. A [`Ray`] is exact as it stands. A [`WorldRay`] holds the
-//!   numbers that a pixel's ray is made of ([`PixelGrid`]), a [`PlacedRay`] also the model matrix that it went through;
-//!   both bound the error of their rounded numbers. Shapes decide as exact arithmetic would for the exact ray: hit or
-//!   miss, front or back, in the interval or not, which is nearest ([`crate::pick`] has the contract).
+//! * **The exact ray** is the ray that the stored numbers define, without rounding. A [`Ray`] is exact as it stands. A
+//!   [`WorldRay`] holds the numbers that a pixel's ray is made of ([`PixelGrid`]); a [`PlacedRay`] also holds the model
+//!   matrix that it went through. Both bound the error of their rounded numbers. Shapes decide as exact arithmetic would
+//!   for the exact ray: hit or miss, front or back, in the interval or not, which is nearest ([`crate::pick`] has the
+//!   contract).
 //! * **Barycentrics** `[s1, s2, s3]` weight the corners in order: `point = s1 v1 + s2 v2 + s3 v3`, sum 1.
 //! * **Winding** is counter-clockwise seen from outside; normals point outwards and are never flipped
 //!   towards the ray. A hit is at the *front* when `direction . normal < 0`.
@@ -75,7 +76,7 @@ use glam::DVec3;
 /// The unit roundoff of `f64`: the relative error of one operation is at most this.
 const U: f64 = 0.5 * f64::EPSILON;
 
-/// One meeting of a ray and a surface, in the shape's object space.
+/// One intersection of a ray and a surface, in the shape's object space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
     /// Ray parameter.
@@ -112,7 +113,7 @@ pub struct OnTriangle {
     pub barycentric: [f64; 3],
 }
 
-/// Which sides of a surface a ray may hit, and a picture shows.
+/// Which sides of a surface a ray may hit and a picture shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sides {
     /// Front and back alike.

@@ -1,4 +1,4 @@
-//! Shading normals for meshes that bring none.
+//! Computes shading normals for meshes that have none.
 
 use super::shares::on_all_cores;
 use glam::{DVec3, Vec3};
@@ -20,7 +20,7 @@ impl CornerNormals {
     /// Stands for the indices of a triangle that has no normals.
     pub const NONE: [u32; 3] = [u32::MAX; 3];
 
-    /// These normals where there are any, others for the rest.
+    /// These normals for the triangles that have any, those of `all` for the rest.
     pub(super) fn completed_by(&self, mut all: Self) -> Self {
         let offset = u32::try_from(all.normals.len()).unwrap_or(u32::MAX);
         for (corners, given) in all.corners.iter_mut().zip(&self.corners) {
@@ -44,10 +44,11 @@ pub fn face_normal(corners: [[f32; 3]; 3]) -> Vec3 {
         .as_vec3()
 }
 
-/// Normals that are smooth within a surface and break where two faces that share an edge meet at more than
-/// `crease` radians. A corner's normal is the mean of the faces around its vertex that are reached without
-/// crossing such an edge, weighted as Max found best, by the sine of the corner's angle over the lengths of its sides
-/// ("Weights for Computing Vertex Normals from Facet Normals", JGT 4(2), 1999): exact on a sphere, and no trigonometry.
+/// Normals that are smooth within a surface and break where two faces that share an edge meet at more than `crease`
+/// radians. A corner's normal is the mean of the faces around its vertex that are reached without crossing such an edge,
+/// weighted by the sine of the corner's angle over the product of its sides' lengths. Max found these weights best
+/// ("Weights for Computing Vertex Normals from Facet Normals", JGT 4(2), 1999): they are exact on a sphere and need no
+/// trigonometry.
 ///
 /// Triangles without area take the mean of their neighbours, or +z when alone. Works on all cores.
 #[must_use]
@@ -165,7 +166,7 @@ impl Fans<'_> {
         share
     }
 
-    /// The sine of a corner's angle over the lengths of its sides; 0 where a side has none.
+    /// The sine of a corner's angle over the product of its sides' lengths; 0 where a side has no length.
     fn weight(&self, face: usize, at: usize) -> f64 {
         let p = |i: usize| {
             let position = self.positions[self.triangles[face][i % 3] as usize];
@@ -239,9 +240,9 @@ struct Member {
 
 /// Corners that share a normal.
 struct Group {
-    /// Of the faces' normals, weighted.
+    /// The weighted sum of the faces' normals.
     sum: DVec3,
-    /// The normal of the first face, for want of another.
+    /// The normal of the first face, for where the sum is 0.
     first: Vec3,
 }
 
@@ -292,7 +293,8 @@ impl Fan {
         }
     }
 
-    /// Halves the path that it walks, so that a fan of any size takes hardly more than linear time.
+    /// The root of a member's group. Halves the path that it walks, so that a fan of any size takes hardly more than
+    /// linear time.
     fn root(&mut self, mut place: usize) -> usize {
         loop {
             let parent = self.members[place].parent;
@@ -305,7 +307,7 @@ impl Fan {
         }
     }
 
-    /// The number of a corner's group, which begins with its first member. In order of `place`.
+    /// The number of a corner's group. The first member makes the group, so calls must come in order of `place`.
     fn group_of(&mut self, place: usize, face: Vec3) -> u32 {
         let root = self.root(place);
         if root == place {

@@ -65,7 +65,7 @@ impl PlacedPoint {
     }
 }
 
-/// A point in a picture: what the ray that passes through it is made of.
+/// A point and a picture: what the picture's ray through the point is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThroughPoint {
     /// The picture.
@@ -78,10 +78,10 @@ pub struct ThroughPoint {
 
 impl ThroughPoint {
     /// The ray of the picture through the point: [`PixelGrid::ray`] at the position that shows it, which need not be an
-    /// `f64`. Its exact line holds the exact point, at its exact depth. `None` where the point lies at or behind the eye
-    /// in perspective, or where the axes span no space.
+    /// `f64`. Its exact line passes through the exact point, at its exact depth. `None` where the point lies at or behind
+    /// the eye in perspective, or where the axes span no space.
     ///
-    /// Each number is an exact one, rounded; its bound is three roundings.
+    /// Each number is the exact one to within three roundings, which are its bound.
     #[must_use]
     pub fn ray(&self) -> Option<WorldRay<'_>> {
         let line = Line::Through(self);
@@ -101,7 +101,7 @@ impl ThroughPoint {
     }
 }
 
-/// What three roundings may take from a number; what is too small to be held relative to has no bound.
+/// How far three roundings may move a number; infinite for numbers too small for a relative bound.
 fn error_of(rounded: f64) -> f64 {
     if rounded == 0.0 || rounded.abs() >= super::binary::power_of_two(-900) {
         4.0 * U * rounded.abs()

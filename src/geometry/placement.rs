@@ -16,8 +16,8 @@ pub struct Placement {
     inverse_linear: DMat3,
     /// The sums of absolute values in each row of the inverse.
     row_sums: DVec3,
-    /// Bound on the error of a component of inverse times vector, over its row's sum and the vector's largest component:
-    /// the inverse's own error and the product's roundings.
+    /// Upper bound on the error of a component of inverse times vector, relative to its row's sum times the vector's
+    /// largest component. It covers the inverse's own error and the product's roundings.
     error: f64,
     mirrors: bool,
     is_identity: bool,
@@ -35,8 +35,8 @@ pub enum PlacementError {
     NotFinite,
 }
 
-/// An inverse whose error over its row sums is larger is made by exact arithmetic instead. About what products with it
-/// round; rotations with ordinary scales stay below it.
+/// An inverse with a larger error, relative to its row sums, is replaced by one from exact arithmetic. Rotations with
+/// ordinary scales stay below this.
 const GOOD_INVERSE: f64 = 128.0 * U;
 
 impl Placement {
@@ -120,12 +120,13 @@ impl Placement {
         self.model.transform_point3(point_object)
     }
 
-    /// World coordinates of a point by absolute values, from those of its object-space coordinates: `|L| sizes + |T|`.
+    /// Upper bounds on the absolute values of a point's world coordinates, from bounds on its object-space coordinates:
+    /// `|L| sizes + |T|`.
     pub(crate) fn sizes_in_world(&self, sizes: DVec3) -> DVec3 {
         self.sizes_along(sizes) + self.model.translation.abs()
     }
 
-    /// Extents along the world's axes of what has these along the object's: `|L| sizes`.
+    /// The extents along the world's axes of a box with extents `sizes` along the object's: `|L| sizes`.
     pub(crate) fn sizes_along(&self, sizes: DVec3) -> DVec3 {
         let DMat3 {
             x_axis,
@@ -137,7 +138,8 @@ impl Placement {
 
     /// A world-space ray in object space as picks take it, with the same `t`.
     ///
-    /// Bounds: a component errs by the placement's own error (see its field) plus the vector's error times the row's sum.
+    /// Bounds: a component errs by the placement's own error (the field `error`) plus the vector's error times the row's
+    /// sum.
     #[inline]
     #[must_use]
     pub fn local_ray<'a>(&'a self, world: &'a WorldRay<'a>) -> PlacedRay<'a> {
@@ -175,8 +177,8 @@ impl Placement {
         }
     }
 
-    /// An outward object-space normal as the outward unit normal in world space: by the inverse transpose,
-    /// which keeps outward outward under mirroring. Zero stays zero.
+    /// The outward unit normal in world space, from an outward normal in object space. The inverse transpose keeps it
+    /// outward under mirroring. Zero stays zero.
     #[inline]
     #[must_use]
     pub fn normal_to_world(&self, normal_object: DVec3) -> DVec3 {
@@ -193,7 +195,7 @@ impl Placement {
         }
     }
 
-    /// Scaled first: the inverse of a very small model times a large normal overflows.
+    /// [`Placement::normal_to_world`], scaled first: the inverse of a very small model times a large normal overflows.
     #[cold]
     fn scaled_normal_to_world(&self, normal_object: &DVec3) -> DVec3 {
         let unit = *normal_object / normal_object.abs().max_element();
@@ -202,13 +204,13 @@ impl Placement {
     }
 }
 
-/// The inverse in `f64`; a bound on the error of its products, over row sum and the vector's largest component; and
-/// whether it mirrors. `None` where `f64` finds no inverse or no bound.
+/// The inverse in `f64`; an upper bound on the error of its products, relative to row sum times the vector's largest
+/// component; and whether it mirrors. `None` where `f64` finds no inverse or no bound.
 ///
-/// With `X` the inverse as computed and `E = A X - I`, the exact inverse is `X - A^-1 E`, so that `|X - A^-1|` is at most
+/// Let `X` be the computed inverse and `E = A X - I`. The exact inverse is `X - A^-1 E`, so that `|X - A^-1|` is at most
 /// `|X| |E| / (1 - |E|)` (Higham, "Accuracy and Stability of Numerical Algorithms", 2002, 14.1): each entry is off by its
-/// row's sum times the largest entry of `E`, and a product takes three of them. `E` is computed, and three products and
-/// three sums of it round.
+/// row's sum times the largest entry of `E`, and a product takes three of them. `E` is itself rounded, by three products
+/// and three sums.
 fn rounded_inverse(matrix: DMat3) -> Option<(DMat3, f64, bool)> {
     // Columns, then rows are scaled to about 1 by powers of two, which rounds nothing. The determinant of a tiny or huge
     // model then neither vanishes nor overflows, and that of a flat one keeps its digits.

@@ -1,4 +1,5 @@
-//! What the rays through a rectangle of pixels sweep, to skip what none of them meets.
+//! The pyramid that the rays through a rectangle of pixels sweep. Whatever lies outside can be skipped: none of them
+//! meets it.
 
 use super::{Aabb, LocalRay, U};
 use glam::DVec3;
@@ -12,12 +13,12 @@ pub(crate) struct Pyramid {
 }
 
 impl Pyramid {
-    /// About the rays through the corners, in order around it, of a rectangle `side_px` pixels wide and high. It holds
-    /// everything that a ray at least a pixel inside the rectangle meets.
+    /// The pyramid of a rectangle `side_px` pixels wide and high. `corners` are the rays through its corners, in order
+    /// around it. The pyramid holds everything that a ray at least a pixel inside the rectangle meets.
     ///
-    /// That pixel is the margin for rounding: `None` where it is less than 16 times the error of planes and points. With
-    /// `s` the largest component of a side, off by `e`, and `d` that of a direction, off by `f`, a normal is off by
-    /// `6 U d s + 2 (d e + s f)` in each component.
+    /// That pixel is the margin for rounding: `None` where it is less than 16 times the error of planes and points. Let
+    /// `s` be the largest component of a side, off by `e`, and `d` that of a direction, off by `f`. A normal is then off
+    /// by `6 U d s + 2 (d e + s f)` in each component.
     pub fn new(corners: &[LocalRay; 4], side_px: f64) -> Option<Self> {
         const ROOM: f64 = 16.0;
         let mut planes = [(DVec3::ZERO, DVec3::ZERO); 4];
@@ -39,7 +40,8 @@ impl Pyramid {
             let normal = d.cross(side);
             let normal_error = 6.0 * U * d_max * s_max + 2.0 * (d_max * side_error + s_max * f);
             let size = normal.abs().element_sum();
-            // How far a point is from the plane for each pixel; in a pyramid at t = 1, and proportional to it.
+            // How far a point is from the plane for each pixel. In a pyramid that is at t = 1, and it grows in proportion
+            // to t.
             let pixel = normal.dot(outwards).abs() / side_px;
             let start = 4.0 * U * o_max + p;
             let is_wide = if is_pyramid {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-/// Knuth's multiplier and a step of one.
+/// A linear congruential generator with Knuth's multiplier and an increment of 1.
 pub(crate) struct Random(pub u64);
 
 impl Random {

@@ -30,7 +30,7 @@ impl Ray {
         self.origin + t * self.direction
     }
 
-    /// The nearest `f64` within the interval to a parameter `t` that lay there before it was rounded.
+    /// The `f64` within the interval that is nearest to `t`, a parameter that lay there before it was rounded.
     pub(crate) fn kept_within(&self, t: f64) -> f64 {
         t.max(self.t_min).min(self.t_max.next_down())
     }
@@ -121,7 +121,7 @@ pub struct WorldRay<'a> {
 
 impl<'a> WorldRay<'a> {
     /// This ray, whose hits count only where a section keeps them. Its interval shrinks to the kept part, rounded
-    /// outwards; whoever asks for hits decides about those close to the cut.
+    /// outwards; the caller decides about hits close to the cut.
     #[must_use]
     pub fn cut_by(mut self, section: &Section) -> Self {
         let across = Across::new(*section, &self.ray, &self.error);

@@ -29,7 +29,7 @@ pub enum SectionError {
 }
 
 impl Section {
-    /// From n, of any length, and c.
+    /// The section with normal n, of any length, and offset c.
     ///
     /// # Errors
     /// When a number is not finite, or n is 0.
@@ -43,7 +43,7 @@ impl Section {
         }
     }
 
-    /// Through a point, with this normal; c is rounded.
+    /// The section through a point, with this normal; c is rounded.
     ///
     /// # Errors
     /// As [`Section::new`].
@@ -51,9 +51,9 @@ impl Section {
         Self::new(normal, -normal.dot(point))
     }
 
-    /// Through three points, keeping the side from which they are counter-clockwise. Whether they span a plane is decided
-    /// exactly. n is a unit vector, rounded. c is rounded upwards, so that all three points are kept as far as `f64` can
-    /// tell.
+    /// The section through three points, keeping the side from which they are counter-clockwise. Whether they span a
+    /// plane is decided exactly. n is a unit vector, rounded. c is rounded upwards, so that all three points are kept as
+    /// far as `f64` can tell.
     ///
     /// # Errors
     /// When a number is not finite, or the points lie on one line.
@@ -70,8 +70,8 @@ impl Section {
         )
     }
 
-    /// Whether three finite points may be on one line up to rounding, as picked points may: each coordinate is off by a
-    /// few units in the last place of the largest.
+    /// Whether three finite points may be on one line up to rounding. A picked point's coordinates are each off by a few
+    /// units in the last place of the largest.
     #[must_use]
     pub fn may_be_on_one_line(points: [DVec3; 3]) -> bool {
         let [a, b, c] = points;
@@ -99,7 +99,7 @@ impl Section {
             let world = placement.point_to_world(origin + point);
             let reach = placement.sizes_in_world(origin.abs() + point.abs());
             let terms = self.normal.abs().dot(reach) + self.offset.abs();
-            // The world point is off by less than 8 U of them, the side by 5 more.
+            // The world point is off by less than 8 U of the terms, the side by 5 U more.
             if self.side(world) > 16.0 * U * terms {
                 continue;
             }
@@ -150,8 +150,8 @@ pub(crate) struct Across {
 }
 
 impl Across {
-    /// Bounds: three products and their sum with c round by less than `5 U` of the terms' sizes. The ray's errors count
-    /// as often as n says. The least normal number is slack for underflow.
+    /// Bounds: three products and their sum with c round by less than `5 U` of the terms' sizes. The ray's errors are
+    /// weighted by n. The least normal number is slack for underflow.
     pub(super) fn new(section: Section, ray: &Ray, error: &RayError) -> Self {
         let Section { normal, offset } = section;
         let along = |v: DVec3, error: DVec3, constant: f64| {

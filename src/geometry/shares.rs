@@ -1,4 +1,4 @@
-//! Work that all cores share.
+//! Shares work among all cores.
 
 use std::{
     iter,

@@ -1,4 +1,4 @@
-//! Rays against one triangle.
+//! Intersects a ray with one triangle.
 //!
 //! What counts as a hit: triangles are closed, so a ray through an edge or corner that triangles share hits at least
 //! one of them; a ray within a triangle's plane misses; a triangle without area is never hit.
@@ -70,13 +70,14 @@ pub fn guarded_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHi
     }
 }
 
-/// [`guarded_volume`], to the bit, for triangles that a tree has filtered: it has no early way out for misses.
+/// [`guarded_volume`] without its early exit for misses, for triangles that a tree has filtered. The answer is the same
+/// to the bit.
 #[inline(always)]
 pub(super) fn filtered_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
     filter(ray, corners).unwrap_or_else(|InDoubt| exact_volume(ray, corners))
 }
 
-/// Weights less certain than this are worth exact arithmetic.
+/// Weights less certain than this are left to exact arithmetic.
 const WORST_WEIGHT: f64 = power_of_two(-14);
 
 /// [`guarded_volume`] by exact arithmetic alone.
@@ -105,13 +106,14 @@ pub(super) fn reaches_plane(ray: &VertexRay, corners: [DVec3; 3], limit: f64) ->
 /// An upper bound on the error of each of a triangle's [`volumes`]: `s` is the largest component of its edges, `m` of its
 /// corners as seen from the ray.
 ///
-/// A volume is `d . (p x e)`, `p` a corner and `e` an edge. `p` errs by `2 U m` and by the origin's error `o`, `e` by
-/// `U s`. A product of two then errs by at most `(4 U m + o) s` (`2 U m s + o s` through `p`, `U m s` through `e`, `U m s`
-/// by itself), a component of `p x e` by `(10 U m + 2 o) s` (two products, and a difference of at most `2 m s`), its
-/// product with a component of `d` by `(12 U m + 2 o) s |d_i|`, and the sum over three components, which rounds twice, by
-/// `(16 U m + 2 o) s |d|_1`, `|d|_1` being the sum of the components. An error `f` of each component of `d` adds
-/// `6 (m + o) s f`. Terms in `U^2` and the rounding of the bound itself need far less than what 20 and 7 add. (A static
-/// filter in the sense of Shewchuk 1997.) It grows with the distance times the size, not with the distance squared.
+/// A volume is `d . (p x e)`, with `p` a corner and `e` an edge. `p` errs by `2 U m` and by the origin's error `o`, `e`
+/// by `U s`. A product of two components then errs by at most `(4 U m + o) s`: `2 U m s + o s` through `p`, `U m s`
+/// through `e`, `U m s` by its own rounding. A component of `p x e` errs by `(10 U m + 2 o) s` (two products, and a
+/// difference of at most `2 m s`). Its product with a component of `d` errs by `(12 U m + 2 o) s |d_i|`. The sum over
+/// three components rounds twice and errs by `(16 U m + 2 o) s |d|_1`, where `|d|_1` is the sum of the components' sizes.
+/// An error `f` of each component of `d` adds `6 (m + o) s f`. Using 20 for 16 and 7 for 6 more than covers terms in
+/// `U^2` and the rounding of the bound itself. (A static filter in the sense of Shewchuk 1997.) The bound grows with the
+/// distance times the size, not with the distance squared.
 #[inline(always)]
 fn volume_bound(ray: &VertexRay, m: f64, s: f64) -> f64 {
     let [o, f] = ray.errors;
@@ -124,7 +126,7 @@ const EDGE_OVER_CORNER: f64 = 2.01;
 
 /// Which side of a triangle the ray meets, by the volumes; `None` for a miss.
 ///
-/// Mostly a bound that does not look at the edges suffices.
+/// A bound that does not look at the edges is tried first, and mostly suffices.
 #[inline(always)]
 fn side(
     ray: &VertexRay,
@@ -136,7 +138,7 @@ fn side(
         .or_else(|InDoubt| by_sign(volumes, volume_bound(ray, m, largest(edges))))
 }
 
-/// What volumes with an error of at most `bound` say. NaN is in doubt, and so are weights that are too uncertain.
+/// [`side`] by volumes with an error of at most `bound`. NaN is in doubt, and so are weights that are too uncertain.
 #[inline(always)]
 fn by_sign(volumes: [f64; 3], bound: f64) -> Result<Option<bool>, InDoubt> {
     let (least, greatest) = (least(volumes), greatest(volumes));
@@ -154,7 +156,8 @@ fn by_sign(volumes: [f64; 3], bound: f64) -> Result<Option<bool>, InDoubt> {
 
 /// Whether the ray certainly misses, as it does most triangles.
 ///
-/// The tail counts as an error: with `m` enlarged by the length whose rounding it is, a corner is within `U m`.
+/// The tail is not subtracted but counts as an error: `m` grows by the length that rounds by as much, so a corner is
+/// within `U m`.
 #[inline]
 fn is_missed(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
     let seen = corners.map(|corner| corner - ray.ray.origin);
@@ -196,15 +199,15 @@ fn filter(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, I
 /// `t = N . a / N . d` with `N` the cross product of two edges, and a bound on its error; `a` is the first corner as
 /// seen from the ray.
 ///
-/// With `s` the largest component of the edges, which round by at most `U s`, a component of `N` errs by `8 U s^2` and
-/// is at most `2 s^2`. `N . d` then errs by `14 U s^2 |d|_1` and, for an error `f` of each component of `d`, by
-/// `6 s^2 f`; `N . a`, with `a` to within `2 U` and the origin's error `o`, by `18 U s^2 |a|_1 + 6 s^2 o`. The quotient
-/// of two numbers that err by `e_n` and `e_d` errs by `(e_n + |t| e_d) / (|N . d| - e_d)`. Where `e_d` is at most
-/// [`HALF_OF_THE_DIGITS`] of `N . d`, that is the quotient by `N . d` but for as much; otherwise no bound is returned. 16
-/// instead of 14, 20 instead of 18 and 7 instead of 6 absorb these digits and second-order terms. Twelve more roundings of
-/// `t` absorb those of the quotient, of the bound, and of `t` plus or minus it. Nothing here underflows: edges are of
-/// `f32`, `N . d` is the sum of three volumes that are each above [`LOST`], and `a` is no smaller than `U` times the
-/// largest corner, or the volumes had been in doubt.
+/// With `s` the largest component of the edges, which round by at most `U s`, a component of `N` errs by `8 U s^2` and is
+/// at most `2 s^2`. `N . d` then errs by `14 U s^2 |d|_1` and, for an error `f` of each component of `d`, by `6 s^2 f`;
+/// `N . a`, with `a` to within `2 U` and the origin's error `o`, by `18 U s^2 |a|_1 + 6 s^2 o`. The quotient of two
+/// numbers that err by `e_n` and `e_d` errs by `(e_n + |t| e_d) / (|N . d| - e_d)`. Where `e_d` is at most
+/// [`HALF_OF_THE_DIGITS`] of `N . d`, dividing by `|N . d|` instead changes that by as small a share; otherwise no bound
+/// is returned. 16 instead of 14, 20 instead of 18 and 7 instead of 6 absorb this share and second-order terms. Twelve
+/// more roundings of `t` absorb those of the quotient, of the bound, and of `t` plus or minus it. Nothing here
+/// underflows: edges are of `f32`, `N . d` is the sum of three volumes that are each above [`LOST`], and `a` is no
+/// smaller than `U` times the largest corner, or the volumes would have been in doubt.
 #[inline(always)]
 fn parameter(ray: &VertexRay, [_, ca, ab]: [DVec3; 3], a: DVec3) -> (f64, f64) {
     let normal = ca.cross(ab);
@@ -214,7 +217,7 @@ fn parameter(ray: &VertexRay, [_, ca, ab]: [DVec3; 3], a: DVec3) -> (f64, f64) {
     let [o, f] = ray.errors;
     let numerator_error = (20.0 * U * (a.abs().element_sum() + 3.0 * o) + 7.0 * o) * (s * s);
     let denominator_error = (16.0 * U * ray.taxicab + 7.0 * f) * (s * s);
-    // A quotient that does not wait for `t`. NaN, from an overflow, is no bound.
+    // This division need not wait for `t`. NaN, from an overflow, is no bound.
     let inverse = 1.0 / denominator.abs();
     let t_error = if denominator_error <= HALF_OF_THE_DIGITS * denominator.abs() {
         (numerator_error + t.abs() * denominator_error) * inverse + 12.0 * U * t.abs()
@@ -236,7 +239,7 @@ pub(super) fn compare_t(
         return a.0.total_cmp(&b.0);
     }
     let [a, b] = corners();
-    // Triangles in one plane are met at once by any ray, and that is cheaper to find out.
+    // Any ray meets two triangles of one plane at the same `t`, and this is cheaper to decide.
     if exact::are_coplanar(a, b) {
         return Ordering::Equal;
     }
@@ -258,8 +261,8 @@ pub(crate) fn overlap((a, a_error): (f64, f64), (b, b_error): (f64, f64)) -> boo
 /// triangle's edges, seen from the ray's origin (Kensler & Shirley, "Optimizing Ray-Triangle Intersection via
 /// Automated Search", 2006), in plain `f64`.
 ///
-/// What [`guarded_volume`] guards. It errs where a volume is no larger than its rounding: for rays through an edge
-/// or corner, either way.
+/// This is the test that [`guarded_volume`] guards. It errs where a volume is no larger than its rounding error: a ray
+/// through an edge or corner may wrongly hit or wrongly miss.
 #[must_use]
 pub fn signed_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
     let seen = corners.map(|corner| corner - ray.ray.origin);

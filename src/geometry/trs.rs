@@ -1,4 +1,4 @@
-//! A model matrix in parts that users edit.
+//! A model matrix as the translation, rotation and scale that users edit.
 
 use super::sin_cos_quarters;
 use glam::{DAffine3, DMat3, DVec3};
@@ -25,7 +25,7 @@ impl Trs {
     }
 
     /// The parts of a matrix; `None` where it shears or flattens an axis. A mirroring matrix has a negative x scale.
-    /// Where the y rotation is a quarter turn, those about x and z do the same, and all of it counts as x.
+    /// Where the y rotation is a quarter turn, rotations about x and z have the same effect, and all of it is given as x.
     #[must_use]
     pub fn of(model: DAffine3) -> Option<Self> {
         let m = model.matrix3;
@@ -44,15 +44,15 @@ impl Trs {
         if !is_rotation {
             return None;
         }
-        // Each angle is found after the one before is undone, so that together they make the matrix even where single
-        // ones are undetermined.
+        // Each angle is found after the one before is undone. Together they then make the matrix, even where single ones
+        // are undetermined.
         let z = r.x_axis.y.atan2(r.x_axis.x);
         let (sin, cos) = z.sin_cos();
         let y = (-r.x_axis.z).atan2(cos * r.x_axis.x + sin * r.x_axis.y);
         let x = (sin * r.z_axis.x - cos * r.z_axis.y).atan2(cos * r.y_axis.y - sin * r.y_axis.x);
         Some(Self {
             translation: model.translation,
-            // Minus zero would be displayed.
+            // Turns -0, which would be displayed, into 0.
             rotation_deg: DVec3::new(x, y, z).map(f64::to_degrees) + 0.0,
             scale,
         })

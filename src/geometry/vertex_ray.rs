@@ -16,7 +16,7 @@ pub struct VertexRay<'a> {
     pub ray: Ray,
     /// The rounding error of the origin: in each component at most half a unit in the last place.
     pub tail: DVec3,
-    /// The length whose rounding would be as large as `tail`.
+    /// The length that would round by as much as `tail`.
     pub(super) tail_as_length: f64,
     /// The sum of the direction's absolute components; infinite where products could overflow, so that rounding bounds do
     /// not hold.
@@ -69,7 +69,7 @@ impl<'a> VertexRay<'a> {
         self.object.map_or(DVec3::ZERO, |(_, origin)| *origin)
     }
 
-    /// The exact ray, in object space or beyond.
+    /// The exact ray behind the rounded one.
     pub(super) fn exactly(&self) -> Exactly<'a> {
         match self.object {
             Some((ray, _)) => ray.exactly(),
@@ -87,9 +87,9 @@ impl<'a> VertexRay<'a> {
 
     /// From the ray's origin to a vertex (of `f32` components), each component to within `2 U` of itself.
     ///
-    /// Where the first difference cancels by half or more it is exact (Sterbenz) and only the second rounds.
-    /// Otherwise it is at least half of `ray.origin`, hence `|tail| <= U |ray.origin| <= 2 U |difference|`: taking
-    /// it off changes nothing that matters to a relative bound, and each difference rounds once.
+    /// Where the first difference cancels by half or more it is exact (Sterbenz) and only the second rounds. Otherwise it
+    /// is at least half of `ray.origin`, hence `|tail| <= U |ray.origin| <= 2 U |difference|`: subtracting it changes
+    /// nothing that matters to a relative bound, and each difference rounds once.
     #[inline]
     pub(super) fn to(&self, vertex: DVec3) -> DVec3 {
         (vertex - self.ray.origin) - self.tail

@@ -36,7 +36,7 @@ pub struct Pixel {
     pub colour: Rgb,
     /// What the depth buffer stores there.
     pub depth: f32,
-    /// Whether the selected object is there, whatever lies before it.
+    /// Whether the selected object is there, even behind other surfaces.
     pub is_selected: bool,
 }
 
@@ -82,7 +82,7 @@ impl<T: Copy> Image<T> {
         self.pixels[y as usize * self.size.width() as usize + x as usize]
     }
 
-    /// The part of this size whose first pixel is at `origin`.
+    /// The part of this size with its top left pixel at `origin`.
     ///
     /// # Panics
     /// When that lies outside.

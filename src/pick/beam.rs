@@ -1,5 +1,5 @@
-//! What part of a scene rays are tested against: all of it, or what the rays through one tile of the picture may meet,
-//! found once for the tile.
+//! Chooses the part of a scene that rays are tested against: all of it, or what the rays through one tile of the picture
+//! may meet, found once per tile.
 
 use crate::{
     camera::View,
@@ -15,7 +15,7 @@ const MOST_BATCHES: usize = 8;
 /// Rays that are traced through a scene together.
 ///
 /// A tile's rays skip the batches outside the pyramid about them, and enter each mesh's tree at an [`Entry`]. Nothing
-/// that one of them meets is skipped, so every answer is, to the bit, that of a ray by itself.
+/// that one of them meets is skipped, so every answer is the same, to the bit, as for a ray by itself.
 pub(crate) struct Beam<'a> {
     scene: &'a Scene,
     /// `None` for all of the scene's.
@@ -38,7 +38,7 @@ impl<'a> Beam<'a> {
     }
 
     /// The rays through a rectangle of pixels, given by its corners in pixels, tested against one object's batch alone.
-    /// The object's bounds have no slack for a ray's rounding: for masks, not for picks.
+    /// The object's bounds have no slack for a ray's rounding, so this is for masks, not for picks.
     pub fn on_object(scene: &'a Scene, rays: &PixelRays, tile: [DVec2; 2], object: usize) -> Self {
         let pyramid = CornerRays::new(rays, tile).pyramid(&Placement::IDENTITY);
         let may_meet = pyramid.is_none_or(|pyramid| pyramid.may_meet(&scene.bounds_of(object)));
@@ -49,7 +49,6 @@ impl<'a> Beam<'a> {
         }
     }
 
-    /// The scene.
     pub fn scene(&self) -> &'a Scene {
         self.scene
     }
@@ -90,7 +89,7 @@ impl CornerRays {
         }
     }
 
-    /// About the square of positions within so many pixels of one.
+    /// The rays about a square of positions, `radius_px` pixels to each side of one.
     pub fn about(view: &View, px: DVec2, radius_px: f64) -> Self {
         Self::new(&view.rays(), [px - radius_px, px + radius_px])
     }

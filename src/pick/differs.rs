@@ -1,9 +1,9 @@
 //! How far away the picture shows something else: `differs_px`.
 //!
-//! Mostly one of the nearest pixels shows something else, and a ray through the whole scene tells quickly. Otherwise
-//! some 200 rays are cast. Each asks only whether it meets the surface that shows at the position, with nothing before
-//! it. What may occlude that surface is gathered once, by the pyramid about all rays. Flat shapes of the surface's own
-//! plane that come later in order do so along every ray and are left out: ten thousand coplanar faces cost as much as
+//! Mostly one of the nearest pixels shows something else, and a ray through the whole scene tells quickly. Otherwise some
+//! 200 rays are cast. Each asks only whether it meets the surface that shows at the position, with nothing before it.
+//! What may occlude that surface is gathered once, by the pyramid about all rays. Flat shapes in the surface's own plane
+//! that come later in the order do so along every ray. They are left out, so ten thousand coplanar faces cost as much as
 //! one. Where nothing may occlude the surface and it fills the square of all these pixels, no ray is cast.
 
 use super::{
@@ -30,8 +30,8 @@ const MOST: usize = 6;
 const MOST_WHERE_TIED: usize = 64;
 
 /// Distance from `px` to the nearest pixel centre whose answer (object and triangle) differs from `here`, the answer at
-/// `px`. Looks within [`REACH`] and the picture, and at the pixel's own centre, too. `is_alone` says that `f64` leaves
-/// no other hit tied with `here`.
+/// `px`. It looks within [`REACH`] and the picture, at the pixel's own centre too. `is_alone` says that `f64` leaves no
+/// other hit tied with `here`.
 ///
 /// Also `None` while a tree is being built: every triangle would have to be tested.
 pub(super) fn differs_px(
@@ -134,7 +134,7 @@ fn fills(scene: &Scene, view: &View, px: DVec2, shown: Primitive) -> bool {
         let spread = spread + ROOM * size;
         lens.near < depth - spread && depth + spread < lens.far
     });
-    // Cut by a section, both sides of a solid together still show as a convex region; its front alone may not.
+    // The two sides of a solid that a section cuts still show as one convex region; its front alone may not.
     let is_convex = spread.is_none() || view.section.is_none() || view.sides == Sides::Both;
     let meets = |px: &DVec2| first_on(scene, &view.ray(*px), view.sides, shown).is_some();
     lies_between && is_convex && beam::corners([px - REACH, px + REACH]).iter().all(meets)

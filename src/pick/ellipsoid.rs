@@ -1,4 +1,4 @@
-//! The area of a sphere under a matrix: an ellipsoid, which has no elementary formula.
+//! The area of an ellipsoid, a sphere under a matrix. It has no elementary formula.
 //!
 //! The sphere has radius 1/2, so the half axes are the singular values of L / 2, and the area is `4 pi R_G(x, y, z)`,
 //! where x, y and z are the squares of the products of two half axes each and `R_G` is Carlson's integral (DLMF
@@ -11,10 +11,10 @@
 //! (Weyl). These eigenvalues are those of `C^T C` times factors that differ from 1 by at most the norm of `Q^T Q - 1`
 //! (Ostrowski). Both norms are 0 where L stretches along the axes. Under a uniform scale s the area is pi s^2.
 //!
-//! `R_G` is made from `R_F` and `R_D` with the middle one of the three as last argument, where no term is negative
-//! (DLMF 19.21.10). `R_F` and `R_D` come from duplication (DLMF 19.26.18 and 19.26.20): each step divides the
-//! differences of the three by four. All steps are sums, products, quotients and roots of non-negative numbers, each
-//! cut off after [`BITS`] bits, so relative errors add up: over fewer than 2^40 steps, to less than 2^-120.
+//! `R_G` is computed from `R_F` and `R_D`, with the middle one of the three as last argument, so that no term is negative
+//! (DLMF 19.21.10). `R_F` and `R_D` come from duplication (DLMF 19.26.18 and 19.26.20): each step divides the differences
+//! of the three by four. All steps are sums, products, quotients and roots of non-negative numbers, each cut off after
+//! [`BITS`] bits, so relative errors add up: over fewer than 2^40 steps, to less than 2^-120.
 
 use super::measure::Measured;
 use crate::geometry::{
@@ -26,8 +26,8 @@ use std::f64::consts::PI;
 
 /// Bits of each number.
 const BITS: i64 = 160;
-/// Duplication ends when the three differ by less than 2^[`ALIKE`] of their size: `R_F` and `R_D` lie between their
-/// values for the least, thrice, and the largest, thrice.
+/// Duplication ends when the three differ by less than 2^[`ALIKE`] of their size. `R_F` and `R_D` then lie between their
+/// values where all three are the least and where all three are the largest.
 const ALIKE: i64 = -80;
 /// A generous relative bound on all that is cut off.
 const CUT_OFF: f64 = f64::EPSILON / 1024.0;
@@ -75,7 +75,7 @@ fn eigenvalues(placement: &Placement) -> [[Dyadic; 3]; 2] {
             beside = beside.plus(&products[i].dot(&products[j]).squared());
         }
     }
-    // Roots are cut off.
+    // Enlarged, because roots are cut off.
     let more = Dyadic::new(1.0 + f64::EPSILON);
     let [beside, skew] = [beside, skew].map(|squared| squared.sqrt(BITS).times(&more));
     let mut diagonal = products.each_ref().map(|product| product.dot(product));

@@ -18,7 +18,7 @@ use std::ops::Range;
 const BITS: i64 = 128;
 /// Relative error of one rounding of a number whose bits beyond the 64th were cut off.
 const ROUNDING: f64 = 0.5 * f64::EPSILON * (1.0 + 1.0 / 256.0);
-/// For the roundings of the bounds themselves: at most ten each.
+/// Covers the roundings of the bounds themselves, at most ten each.
 const MORE: f64 = 1.0 + 16.0 * f64::EPSILON;
 /// No `f64` has a decimal exponent beyond this.
 const MOST_EXPONENT: i64 = 400;
@@ -132,7 +132,7 @@ impl ExactPoint {
     }
 }
 
-/// The area of a polygon: the sum of its triangles, which index its corners.
+/// The area of a polygon, whose corners count as exact: the sum of its triangles, which index its corners.
 #[must_use]
 pub fn polygon_area(polygon: &[ExactPoint], triangles: &[[u32; 3]]) -> Measured {
     let mut sum = Dyadic::new(0.0);
@@ -148,9 +148,9 @@ pub fn polygon_area(polygon: &[ExactPoint], triangles: &[[u32; 3]]) -> Measured 
     Measured::of(&sum, 0.0)
 }
 
-/// The area of a range of a mesh's triangles under a placement, as the file writes them. Storing them as `f32` about
-/// the mesh's origin moves a corner by at most `d`, below, and so the area of a triangle with the sides p and q by at
-/// most d (|p| + |q|) + 2 d^2.
+/// The area of a range of a mesh's triangles under a placement, as the file writes them. Storing them as `f32` about the
+/// mesh's origin moves a corner by at most `d`, computed below. The area of a triangle with the sides p and q then
+/// changes by at most d (|p| + |q|) + 2 d^2.
 #[must_use]
 pub fn mesh_area(mesh: &Mesh, placement: &Placement, triangles: Range<u32>) -> Measured {
     let corners = || {

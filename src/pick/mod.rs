@@ -2,8 +2,8 @@
 //!
 //! # What a pick is
 //!
-//! A pick is what exact arithmetic says for the numbers that are stored. `f64` decides only where a derived bound shows
-//! that its rounding cannot matter. Whatever it leaves open goes to exact arithmetic.
+//! A pick is the answer of exact arithmetic for the stored numbers. `f64` decides only where a proven bound shows that
+//! its rounding cannot matter. Whatever it leaves open goes to exact arithmetic.
 //!
 //! **The stored numbers.** A camera stores the eye, the axes R, U and F, half the picture's height h (at view depth 1
 //! in perspective), near and far; a [`View`] adds the picture's W x H pixels. An object stores its model matrix M, a
@@ -35,23 +35,23 @@
 //! * The square of side 1 lies about the origin in the plane z = 0 and faces +z. A ray within its plane misses it.
 //! * The cube of side 1 about the origin is solid. The ray enters it (front) and leaves it (back). Where both are one
 //!   point, at an edge or corner that the ray touches, that is one hit: the entry. Where it enters or leaves by several
-//!   faces at once, the face across the lowest axis is named. It does not enter by a face in whose plane it lies.
+//!   faces at once, the face across the lowest axis is named. A ray does not enter by a face in whose plane it lies.
 //! * The sphere of radius 1/2 lies about the origin. The ray enters it (front) and leaves it (back). A tangent ray hits
 //!   it once, and not from the front.
 //!
-//! **Front** is decided in object space: the ray runs against the outward normal there, also under a mirroring matrix.
-//! A singular matrix is refused, as is one whose inverse does not fit into `f64`
+//! **Front** is decided in object space: a hit is at the front where the ray runs against the outward normal there, also
+//! under a mirroring matrix. A singular matrix is refused, as is one whose inverse does not fit into `f64`
 //! ([`PlacementError`](crate::geometry::PlacementError)).
 //!
 //! # What a record adds
 //!
 //! [`Pick`] says where the hit lies and how sure it is. `t` is the exact parameter rounded once (and kept below far);
-//! `gap`, the difference to the next hit, is rounded once, too. `exact` says whether exact arithmetic had to decide; it
-//! does not depend on a tree being there. `edge_px` and `differs_px` say how many pixels away the nearest edge and the
-//! nearest other answer are.
+//! `gap`, the difference to the next hit, is rounded once, too. `exact` says whether exact arithmetic had to decide; this
+//! does not depend on whether a tree is built. `edge_px` and `differs_px` say how many pixels away the nearest edge and
+//! the nearest other answer are.
 //!
 //! The order of picks is exact however close two surfaces lie; a drawing's is not. Where surfaces lie so close to the
-//! nearest one that drawing may show any of them, a line names them ([`InOnePlace`], found by
+//! nearest one that drawing may show any of them, the answer names them ([`InOnePlace`], found by
 //! [`verify::in_one_place`](crate::verify::in_one_place)).
 
 mod beam;
@@ -98,7 +98,7 @@ pub struct SceneHit {
     pub hit: Hit,
 }
 
-/// An object, or a triangle of its mesh; in the order in which ties are decided.
+/// An object, or a triangle of its mesh. Its order is that by which ties are decided.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Primitive {
     object: usize,
@@ -128,7 +128,7 @@ impl SceneHit {
         }
     }
 
-    /// No hit with a larger `t` can come before this one.
+    /// An upper bound on the `t` of any hit that can come before this one.
     fn limit(&self) -> f64 {
         self.hit.t + self.hit.t_error
     }

@@ -47,7 +47,7 @@ pub(super) fn nearest(
     best
 }
 
-/// Whether a ray meets an object that is shown, whatever lies before it.
+/// Whether a ray meets an object, if that is visible, whatever lies before it.
 pub(super) fn meets(beam: &Beam, ray: &WorldRay, sides: Sides, object: usize) -> bool {
     let scene = beam.scene();
     let mut found = false;
@@ -61,7 +61,7 @@ pub(super) fn meets(beam: &Beam, ray: &WorldRay, sides: Sides, object: usize) ->
     found
 }
 
-/// [`closest`] by another triangle test. On meshes, a section shortens the ray's interval, rounded outwards.
+/// [`closest`] by another triangle test. On meshes, a section only shortens the ray's interval, rounded outwards.
 #[must_use]
 pub fn closest_by<'a>(
     scene: &Scene,
@@ -111,7 +111,7 @@ pub(crate) fn all_near(
         return all;
     };
     all.retain(|hit| *hit == first || is_near(hit, &first));
-    // Hits at the first one's t may be many; they are ordered by name alone.
+    // Many hits may share the first one's `t`. They are ordered by name alone.
     let (mut here, mut others): (Vec<_>, Vec<_>) =
         (all.into_iter()).partition(|hit| is_same_place(scene, &first, hit));
     here.sort_unstable_by(by_name);
@@ -151,7 +151,7 @@ fn unordered(beam: &Beam, ray: &WorldRay, sides: Sides) -> Vec<SceneHit> {
     all
 }
 
-/// The first shown hit on an object, visible or not, or on a triangle of its mesh.
+/// The first hit on an object, visible or not, or on a triangle of its mesh, that `sides` shows and the section keeps.
 pub(super) fn first_on(
     scene: &Scene,
     ray: &WorldRay,
@@ -215,7 +215,7 @@ pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
 
 /// Whether `f64` leaves open which of a hit and some other one is nearer. The answer does not depend on trees.
 pub(super) fn is_tied(scene: &Scene, ray: &WorldRay, sides: Sides, hit: &SceneHit) -> bool {
-    // A hit that overlaps this one lies at or before this: no parameter is off by more than half of its digits.
+    // A hit that overlaps this one lies at or before this limit: no parameter is off by more than half of its digits.
     let limit = hit.limit() + 8.0 * HALF_OF_THE_DIGITS * hit.limit().abs();
     let mut found = false;
     scene.visit_batches(ray, |batch| {

@@ -1,4 +1,4 @@
-//! Which surfaces at a position drawing cannot tell apart, for people and for JSON.
+//! Names the surfaces at a position that drawing cannot tell apart, for people and for JSON.
 
 use super::{Pick, SceneHit};
 use crate::scene::Scene;
@@ -56,7 +56,7 @@ impl InOnePlace {
         })
     }
 
-    /// Whether a pick at the position is one of them; true, too, if not all are named.
+    /// Whether a pick at the position is one of them; also true if not all of them are named.
     #[must_use]
     pub fn may_hold(&self, pick: &Pick) -> bool {
         let is_it = |of: &NamedSurface| {

@@ -39,13 +39,14 @@ pub struct Pick {
     /// Weights of the triangle's corners; `None` for analytic shapes.
     pub barycentric: Option<[f64; 3]>,
     /// How far the pixel position is from the nearest edge of the triangle or face (of a sphere: from its outline), in
-    /// pixels, to within 1e-6 or a relative 1e-9. `None` where no edge lies at or behind the near plane.
+    /// pixels, to within 1e-6 or a relative 1e-9. `None` where no edge lies at or behind the near plane and is kept by
+    /// the section.
     pub edge_px: Option<f64>,
     /// How far behind the point the next surface lies, in `t`: the exact difference, rounded once. `None` when there is
     /// none.
     pub gap: Option<f64>,
-    /// Whether exact arithmetic had to decide: `f64` left open whether a surface up to here is hit, or which of this
-    /// one and another is nearer.
+    /// Whether exact arithmetic had to decide: `f64` left open whether a surface up to here is hit, or whether this one
+    /// or another is nearer.
     pub exact: bool,
     /// Distance in pixels, up to 8, from the position to the nearest pixel centre where the picture shows another
     /// object, another triangle or the background; the position's own pixel counts, too. `None` when there is none, or

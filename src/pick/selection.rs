@@ -18,7 +18,7 @@ pub fn draw_selection(
     ids: &Image<Id>,
     colours: &mut Image<Rgb>,
 ) {
-    // As if nothing else were there.
+    // The object is traced as if nothing else were there.
     let alone = Scene::new(vec![scene.objects()[object].clone()]);
     let covered = each_ray(&alone, view, |beam, ray, _| {
         nearest(beam, ray, view.sides, None).is_some()

@@ -1,9 +1,9 @@
 //! Whether a point of the scene is seen, and what hides it.
 //!
-//! Decided exactly, as picks are, by what the picture's ray through the point picks
-//! ([`ThroughPoint::ray`](crate::geometry::ThroughPoint::ray); its pixel position need not be an `f64`). A point is
-//! seen where the pick lies at the point, and hidden where the pick lies before it. Otherwise no shown surface passes
-//! through the point: its faces are culled, of a hidden object, or seen edge-on.
+//! This is decided exactly, as picks are: by what the picture's ray through the point picks. (See
+//! [`ThroughPoint::ray`](crate::geometry::ThroughPoint::ray); its pixel position need not be an `f64`.) A point is seen
+//! where the pick lies at the point, and hidden where the pick lies before it. Otherwise no shown surface passes through
+//! the point: its faces are culled, of a hidden object, or seen edge-on.
 
 use super::{NamedSurface, SceneHit, closest, nearest::first_on, order::surface};
 use crate::{
@@ -18,9 +18,9 @@ use std::{cmp::Ordering, ops::Range, sync::Arc};
 /// Whether a point is seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sight {
-    /// On this surface, the first of those through the point.
+    /// It is seen on this surface, the first of those through the point.
     Seen(SceneHit),
-    /// By this hit, the nearest to the eye.
+    /// It is hidden by this hit, the nearest to the eye.
     Hidden(SceneHit),
     /// It lies before the near plane, at or behind the far one, or is cut away by a section; or no surface through it
     /// is shown.
@@ -78,12 +78,12 @@ pub struct Whereabouts {
     pub in_picture: bool,
     /// Whether it is seen there; see [`sight`].
     pub seen: bool,
-    /// What hides it; `None`, too, where it is not shown at all.
+    /// What hides it; `None` where it is seen, and where it is not shown at all.
     pub hidden_by: Option<NamedSurface>,
 }
 
 impl Whereabouts {
-    /// A vertex, given about its mesh's origin, on each object with a corner there. Empty where no face has one.
+    /// A vertex, given about its mesh's origin, on each object with a corner there. Empty where no triangle has one.
     #[must_use]
     pub fn of_vertex(scene: &Scene, view: &View, mesh: &Arc<Mesh>, vertex: DVec3) -> Vec<Self> {
         let count = u32::try_from(mesh.data().triangles.len()).unwrap_or(u32::MAX);
@@ -126,7 +126,8 @@ impl Whereabouts {
         };
         let objects = objects_of(scene, mesh, mesh.part_of(triangle));
         let place = |index: usize| {
-            // Halving is exact: the point lies in the triangle's plane, unless its corners differ very much in size.
+            // Halving is exact, and so are sums of `f32` unless they differ very much in size: the point lies in the
+            // triangle's plane.
             let [a, b, c] = mesh.vertex_corners(triangle);
             let ends = [a, 0.5 * (b + c)];
             let placement = &scene.objects()[index].placement;

@@ -1,4 +1,4 @@
-//! What an adapter can do: what drawing requires, and what it can do without.
+//! Determines what an adapter can do: the abilities that drawing requires, and those that it can do without.
 
 use super::{
     SMOOTH_SAMPLES,
@@ -12,7 +12,7 @@ pub enum Numbers {
     /// By the index that the adapter gives each primitive.
     #[default]
     Primitives,
-    /// By their corners: each triangle gets three of its own, so that meshes take about four times the memory.
+    /// By vertex index: each triangle gets three vertices of its own, so that meshes take about four times the memory.
     Corners,
     /// Not at all: ids name objects alone, as if each had one triangle.
     Objects,
@@ -21,9 +21,9 @@ pub enum Numbers {
 /// Restricts an adapter to less than it can do, for tests. The default restricts nothing.
 #[derive(Clone, Debug)]
 pub struct Restraint {
-    /// Nothing better than this.
+    /// The best numbering that may be used.
     pub numbers: Numbers,
-    /// At most so many samples a pixel: 1, or [`SMOOTH_SAMPLES`].
+    /// The most samples per pixel: 1, or [`SMOOTH_SAMPLES`].
     pub samples: u32,
     /// These limits, in place of all that the adapter has.
     pub limits: Option<wgpu::Limits>,
@@ -40,7 +40,7 @@ impl Default for Restraint {
 }
 
 impl Restraint {
-    /// The best numbering that the adapter claims and this allows.
+    /// The best numbering that the adapter claims and this restraint allows.
     pub(super) fn numbers_of(&self, adapter: &wgpu::Adapter) -> Numbers {
         let has_index = adapter.features().contains(Features::PRIMITIVE_INDEX);
         let best = if has_index {
@@ -51,7 +51,7 @@ impl Restraint {
         best.max(self.numbers)
     }
 
-    /// Samples a pixel of a picture with smooth edges.
+    /// Samples per pixel of a picture with smooth edges.
     pub(super) fn samples_of(&self, adapter: &wgpu::Adapter) -> u32 {
         let flags = adapter.get_downlevel_capabilities().flags;
         if flags.contains(DownlevelFlags::MULTISAMPLED_SHADING) {
@@ -62,7 +62,7 @@ impl Restraint {
     }
 }
 
-/// What an adapter lacks of what drawing requires.
+/// The abilities that drawing requires and an adapter lacks.
 pub(super) fn lacks(adapter: &wgpu::Adapter) -> Vec<&'static str> {
     let flags = adapter.get_downlevel_capabilities().flags;
     let flags_needed = [

@@ -1,4 +1,4 @@
-//! The adapters of this machine and what each can do: what `sightline doctor` reports.
+//! Lists the adapters of this machine and what each can do, for `sightline doctor`.
 
 use super::{
     abilities::{Numbers, Restraint},
@@ -32,7 +32,7 @@ pub struct AdapterCan {
     pub numbers: Numbers,
     /// Its rasteriser, as measured.
     pub rasteriser: Rasteriser,
-    /// Samples a pixel of smooth pictures.
+    /// Samples per pixel of smooth pictures.
     pub smooth_samples: u32,
     /// Whether triangles are drawn as their edges.
     pub draws_wireframes: bool,

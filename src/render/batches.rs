@@ -1,4 +1,4 @@
-//! The batches of a scene, as they are drawn. A view makes rows of the GPU's tables from them.
+//! The batches of a scene, as they are drawn, and the row of a GPU table that each becomes in a view.
 
 use super::{
     layout,
@@ -15,7 +15,7 @@ use std::ops::Range;
 #[derive(Clone, Debug)]
 pub(super) struct Kind {
     pub shape: DrawnShape,
-    /// Whether the model matrices mirror. Spheres do not care.
+    /// Whether the model matrices mirror; not used for spheres.
     pub mirrors: bool,
 }
 
@@ -30,7 +30,7 @@ pub(super) enum DrawnShape {
 }
 
 impl DrawnShape {
-    /// Only these triangles of it, where it has any.
+    /// The shape with only these triangles, if it has any.
     pub fn only(&self, these: Range<u32>) -> Self {
         match self {
             Self::Triangles { buffers, .. } => Self::Triangles {
@@ -65,12 +65,12 @@ pub(super) struct Batch {
     pub kind: u32,
     pub placement: Placement,
     pub own: Own,
-    /// Holds all of it in spite of `f64` rounding; empty for a batch without triangles.
+    /// Contains all of the batch in spite of `f64` rounding; empty for a batch without triangles.
     pub bounds_world: Aabb,
     /// Its objects, and how many of them are visible.
     pub objects: u32,
     pub shown: u32,
-    /// Batches of one number have the same triangles in the same place: only the first is seen.
+    /// Batches with the same number have the same shape in the same place: only the first is seen.
     pub twins: Option<u32>,
 }
 
@@ -100,7 +100,7 @@ pub(super) enum Row {
 }
 
 impl Batch {
-    /// The row as a view sees it.
+    /// The batch's row in a view.
     pub fn seen_in(&self, space: &ViewSpace) -> Row {
         match &self.own {
             Own::Triangles(own) => Row::Triangles(own.seen_in(space, &self.placement)),
@@ -109,9 +109,9 @@ impl Batch {
         }
     }
 
-    /// Grows a box by what `f64` may have rounded off. A corner takes 3 products and 3 sums, each off by `U` of its
-    /// terms, at most `s = |M| m + |T|` with m the largest coordinates in object space. A slack of `32 U s` is enough,
-    /// as for the scene's own boxes that move.
+    /// Grows a box by slack for `f64` rounding. A corner takes 3 products and 3 sums. Each is off by at most `U s`,
+    /// where `U = 2^-53`, `s = |M| m + |T|`, and m has the largest coordinates in object space. A slack of `32 U s` is
+    /// enough, as for the scene's own boxes that move.
     pub fn with_room(&self, bounds_world: Aabb) -> Aabb {
         let model = self.placement.model();
         let largest = match &self.own {

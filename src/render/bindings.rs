@@ -1,9 +1,9 @@
-//! Bind groups, and the layouts of them and of pipelines that take one.
+//! Makes bind groups, their layouts, and the layouts of pipelines with one bind group.
 
 use super::gpu::Gpu;
 use wgpu::{BindGroupEntry, BindGroupLayoutEntry, BindingResource, BindingType};
 
-/// The layout of bind groups of these types, numbered from 0, and that of pipelines with one such group.
+/// The layout of bind groups with bindings of these types, numbered from 0, and that of pipelines with one such group.
 pub(super) fn layouts(
     gpu: &Gpu,
     label: &str,
@@ -29,7 +29,7 @@ pub(super) fn layouts(
     (group, pipeline)
 }
 
-/// The type of a whole buffer.
+/// The binding type of a whole buffer.
 pub(super) fn buffer(ty: wgpu::BufferBindingType) -> BindingType {
     BindingType::Buffer {
         ty,

@@ -1,4 +1,4 @@
-//! Composes the tables' rows for a view, share by share, of the batches that it may show.
+//! Composes the GPU tables' rows for a view, share by share: one row for each batch that the view may show.
 
 use super::{
     batches::{Batch, DrawnShape, Kind, Row},
@@ -14,9 +14,9 @@ use crate::{
 };
 use std::{collections::HashMap, ops::Range};
 
-/// Batches of a block, which is left out as a whole if its box is outside the frustum.
+/// Batches per block. A block is culled as a whole if its AABB is outside the frustum.
 const BLOCK: usize = 64;
-/// Rows of a share: composed in about a millisecond.
+/// Rows per share, which take about a millisecond to compose. A share ends with a block.
 const SHARE: usize = 2048;
 
 /// All that there is to draw, and in which order.
@@ -25,7 +25,7 @@ pub(super) struct ToDraw {
     pub kinds: Vec<Kind>,
     pub batches: Vec<Batch>,
     order: Order,
-    /// The box about each block of batches in that order.
+    /// The AABB of each block of batches in that order.
     blocks: Vec<Aabb>,
     /// Numbers of [`Batch::twins`] are below this.
     twins: usize,
@@ -48,7 +48,7 @@ impl ToDraw {
         all
     }
 
-    /// Moves a batch to a placement, where it has this box. Returns whether its kind and its place in the order stay.
+    /// Moves a batch to a placement, where this is its AABB. Returns whether its kind and its place in the order stay.
     pub fn place(
         &mut self,
         scene: &Scene,
@@ -63,7 +63,7 @@ impl ToDraw {
         let is_sphere = matches!(kind.shape, DrawnShape::Spheres);
         let stays = is_sphere || kind.mirrors == placement.mirrors();
         if !stays {
-            // A kind of its own, which costs a draw call.
+            // The batch gets a kind of its own, which costs a draw call.
             let mirrored = Kind {
                 mirrors: placement.mirrors(),
                 ..kind.clone()
@@ -92,7 +92,7 @@ impl ToDraw {
     }
 }
 
-/// Numbers batches of the same triangles in the same place; returns how many numbers that takes.
+/// Gives batches of one shape in one place a common number; returns how many numbers there are.
 fn find_twins(batches: &mut [Batch]) -> usize {
     let mut first_of: HashMap<_, usize> = HashMap::with_capacity(batches.len());
     let mut count = 0;
@@ -137,7 +137,7 @@ pub(super) struct Composer {
     block: usize,
     /// How many rows each table has so far.
     rows: [u32; 2],
-    /// Which twins are drawn already, by number.
+    /// Whether some batch with each number of twins is drawn already.
     drawn: Vec<bool>,
     /// Which row of its table each batch has; `u32::MAX` for none.
     pub row_of: Vec<u32>,

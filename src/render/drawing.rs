@@ -1,4 +1,4 @@
-//! A picture under way: drawn at once, or in pieces with other frames in between.
+//! Draws a picture at once, or in pieces with other frames in between.
 
 use super::{
     Renderer, Wireframe,
@@ -23,10 +23,10 @@ use wgpu::BufferUsages;
 #[derive(Debug)]
 pub struct Drawing {
     view: View,
-    /// Passes that are left; the first may be under way.
+    /// The passes that are left; the first may have begun.
     passes: VecDeque<Pass>,
     steps: Steps,
-    /// The object whose edges are drawn, if it is a single one.
+    /// The draw of the object whose edges are drawn, if it is a single one.
     edged: Option<Draw>,
     /// Bands of equally many rows, drawn one after the other.
     bands: u32,
@@ -37,7 +37,8 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// Colours, at so many samples a pixel, and ids of a scene as `view` shows it. Lines are in the colours only.
+    /// Draws colours, with this many samples per pixel, and ids of a scene as `view` shows it. Lines are in the colours
+    /// only.
     #[must_use]
     pub fn of_scene(samples: u32, view: &View, lines: Vec<Line>) -> Self {
         let passes: &[Pass] = match samples {
@@ -47,9 +48,8 @@ impl Drawing {
         Self::of(passes, view, lines)
     }
 
-    /// Smooth colours alone, for targets that have the ids already. They have several samples a pixel, which are
-    /// resolved, and seen, after the last piece. The rows are drawn in so many bands, at least 1; a piece lies within
-    /// one.
+    /// Draws smooth colours alone, for targets that have the ids already. Their samples are resolved after the last
+    /// piece, and only then seen. The rows are drawn in this many bands, at least 1; a piece lies within one band.
     #[must_use]
     pub fn of_smooth_colours(view: &View, lines: Vec<Line>, bands: u32) -> Self {
         Self {
@@ -72,7 +72,7 @@ impl Drawing {
         }
     }
 
-    /// The outline of an object, as it would be seen with nothing else in the scene.
+    /// Draws the outline of an object, as it would be seen with nothing else in the scene.
     #[must_use]
     pub fn of_selection(scene: &SceneBuffers, view: &View, object: usize) -> Self {
         Self {
@@ -81,7 +81,7 @@ impl Drawing {
         }
     }
 
-    /// Whether it is of a selection.
+    /// Whether it draws the outline of a selection.
     #[must_use]
     pub fn is_of_selection(&self) -> bool {
         self.selection.is_some()
@@ -93,7 +93,7 @@ impl Drawing {
         self.done
     }
 
-    /// All of its work if the whole scene is seen, edges of triangles apart.
+    /// All of its work if the whole scene is in view, not counting edges of triangles.
     #[must_use]
     pub fn whole(&self, scene: &SceneBuffers) -> Piece {
         let each = match &self.selection {
@@ -147,7 +147,7 @@ impl Renderer {
             .wireframe
             .filter(|_| gpu.draws_wireframes() && has_colours);
         if begins {
-            // Another drawing may have overwritten the row.
+            // Another drawing may have overwritten the extra row.
             if let Some((object, alone)) = &mut drawing.selection {
                 *alone = scene.alone(&view, *object);
             }
@@ -201,7 +201,7 @@ impl Renderer {
                 render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Background, &view));
                 render_pass.draw(0..3, 0..1);
             }
-            // Drivers may draw past the scissor; the next band draws the same there again.
+            // Drivers may draw past the scissor: the next band then draws the same pixels again.
             let rows = drawing.rows();
             let (width, height) = (view.viewport.width(), rows.end - rows.start);
             render_pass.set_scissor_rect(0, rows.start, width, height);
@@ -241,7 +241,8 @@ impl Renderer {
     }
 }
 
-/// Tells the shader the first triangle of slices that are part of an instance: a draw numbers its triangles from 0.
+/// Tells the shader the first triangle of each slice that is only part of an instance, since a draw call numbers its
+/// triangles from 0.
 fn begin_at(
     tables: &Tables,
     draws: &[Draw],

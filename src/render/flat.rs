@@ -1,4 +1,4 @@
-//! Textures, and what passes without depth have in common: their pipelines, and how they begin.
+//! Makes textures, and the pipelines and render passes that have no depth buffer.
 
 use super::gpu::Gpu;
 
@@ -28,7 +28,7 @@ pub(crate) fn texture(
     })
 }
 
-/// A pipeline without depth and vertex buffers, at one sample a pixel.
+/// A pipeline without depth and vertex buffers, with one sample per pixel.
 pub(crate) fn pipeline(
     gpu: &Gpu,
     layout: Option<&wgpu::PipelineLayout>,

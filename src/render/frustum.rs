@@ -1,4 +1,4 @@
-//! Frustum culling: what lies outside a view is not sent to the adapter.
+//! Frustum culling: batches outside a view are not sent to the adapter.
 
 use crate::{
     camera::{Projection, View},
@@ -8,8 +8,9 @@ use glam::DVec3;
 
 /// Relative slack of boxes and planes: 16 times the error bound of `f64`, see [`Frustum::may_hold`].
 const ROOM: f64 = 16.0 * 8.0 * f64::EPSILON;
-/// Pixels around the picture that count as part of it. The rasteriser's grid and `f32` move an outline by at most half
-/// a pixel (a view where they move it further is beyond `f32`); impostors and lines reach a pixel past their surface.
+/// How many pixels around the picture count as part of it. The rasteriser's grid and `f32` move an outline by at most
+/// half a pixel (where they move it further, the view is beyond `f32`); impostors and lines reach a pixel past their
+/// surface.
 const ASIDE_PX: f64 = 2.0;
 
 /// The six planes of a view's frustum.
@@ -21,7 +22,7 @@ pub(super) struct Frustum {
 }
 
 impl Frustum {
-    /// That of a view.
+    /// The frustum of a view, wider by [`ASIDE_PX`] on each side.
     pub fn new(view: &View) -> Self {
         let camera = &view.camera;
         let lens = camera.lens();
@@ -45,12 +46,14 @@ impl Frustum {
         }
     }
 
-    /// Whether some of a world-space box may be in the picture; false only when all of it lies beyond one of the planes.
+    /// Whether any of a world-space AABB may be in the picture; false only when all of it lies beyond one of the
+    /// planes.
     ///
-    /// With `U = 2^-53`, `c` the middle from the eye, `h` half the size and `m` the sum of all their coordinates and
-    /// the eye's: `c` is off by `2 U m`, `h` by `U m`, the sum of three products by `4 U |n| m` more; view space's axes
-    /// are unit vectors within `2 U`, half extents are exact within a few `U`. All of that is within `16 U |n| m` plus
-    /// `2 U` of the distance to the plane. NaN counts as inside.
+    /// Let `U = 2^-53`, `c` the vector from the eye to the box's middle, `h` half its size, and `m` the sum of the
+    /// absolute coordinates of the middle, of `h` and of the eye. Then `c` is off by `2 U m` and `h` by `U m`; the sum
+    /// of three products adds `4 U |n| m`. View space's axes are unit vectors within `2 U`, and half extents are exact
+    /// within a few `U`. All of that is within `16 U |n| m` plus `2 U` of the distance to the plane. NaN counts as
+    /// inside.
     pub fn may_hold(&self, bounds_world: &Aabb) -> bool {
         let middle = bounds_world.center();
         let half = 0.5 * (bounds_world.max - bounds_world.min);

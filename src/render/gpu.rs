@@ -1,4 +1,4 @@
-//! The graphics device, with or without a window.
+//! Opens the graphics device, with or without a window, and collects its errors.
 
 use super::{
     abilities::{Numbers, Restraint, lacks},
@@ -15,13 +15,13 @@ use std::{
 
 pub use super::gpu_error::GpuError;
 
-/// How much is copied to the adapter at a time: a millisecond or two.
+/// Bytes that are copied to the adapter at a time, which takes a millisecond or two.
 const PIECE_BYTES: usize = 1 << 23;
 
 /// A graphics device that can draw ids.
 #[derive(Clone, Debug)]
 pub struct Gpu {
-    /// What the device was made from: a window asks it what its surface can do.
+    /// The adapter that the device was made from: a window asks it what its surface can do.
     pub adapter: wgpu::Adapter,
     /// Makes buffers, textures and pipelines.
     pub device: wgpu::Device,
@@ -29,7 +29,7 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
     reports: Arc<Reports>,
-    /// How many triangles of meshes it was given.
+    /// How many triangles of meshes were uploaded.
     triangles: Arc<AtomicU64>,
     numbers: Numbers,
     smooth_samples: u32,
@@ -65,7 +65,7 @@ impl Gpu {
     /// A device that can draw on a window's surface.
     ///
     /// # Errors
-    /// When there is no driver that can, or it cannot do what drawing needs.
+    /// When no driver can draw on it, or the driver cannot do what drawing needs.
     pub fn for_surface(
         instance: &wgpu::Instance,
         surface: &wgpu::Surface<'_>,
@@ -180,14 +180,15 @@ impl Gpu {
         self.numbers
     }
 
-    /// Samples a pixel of a picture with smooth edges: [`SMOOTH_SAMPLES`](super::SMOOTH_SAMPLES), or 1 where the adapter
-    /// cannot.
+    /// Samples per pixel of a picture with smooth edges: [`SMOOTH_SAMPLES`](super::SMOOTH_SAMPLES), or 1 where the
+    /// adapter does not multisample.
     #[must_use]
     pub fn smooth_samples(&self) -> u32 {
         self.smooth_samples
     }
 
-    /// Whether passes resolve samples at their end. In software a shader does ([`Resolve`](super::resolve::Resolve)).
+    /// Whether render passes resolve samples at their end. On software adapters a shader does it instead
+    /// ([`Resolve`](super::resolve::Resolve)).
     #[must_use]
     pub(super) fn resolves(&self) -> bool {
         !self.is_software()
@@ -206,7 +207,7 @@ impl Gpu {
         features.contains(wgpu::Features::POLYGON_MODE_LINE)
     }
 
-    /// Samples a pixel of colours while the picture moves: [`Gpu::smooth_samples`] on hardware, 1 in software.
+    /// Colour samples per pixel while the picture moves: [`Gpu::smooth_samples`] on hardware, 1 in software.
     #[must_use]
     pub fn samples_in_motion(&self) -> u32 {
         if self.is_software() {
@@ -235,7 +236,7 @@ impl Gpu {
         Ok(())
     }
 
-    /// A buffer with these bytes in it. Never empty, so that it can be bound.
+    /// A buffer that holds these elements. It is never empty, so that it can be bound.
     pub(super) fn buffer<T: bytemuck::Pod>(
         &self,
         what: &'static str,
@@ -277,12 +278,12 @@ impl Gpu {
         Ok(buffer)
     }
 
-    /// Counts triangles of a mesh that was uploaded.
+    /// Counts the triangles of a mesh that was uploaded.
     pub(super) fn note_triangles(&self, count: usize) {
         self.triangles.fetch_add(count as u64, Ordering::Relaxed);
     }
 
-    /// How many triangles of meshes were uploaded so far, by whatever thread.
+    /// How many triangles of meshes were uploaded so far, by any thread.
     #[must_use]
     pub(crate) fn uploaded_triangles(&self) -> u64 {
         self.triangles.load(Ordering::Relaxed)
@@ -304,7 +305,7 @@ impl Gpu {
         }
     }
 
-    /// Waits until all that was submitted is done.
+    /// Waits until all submitted work is done.
     ///
     /// # Errors
     /// When the device is lost or refused something that was submitted.
@@ -348,7 +349,7 @@ pub(super) fn instance() -> wgpu::Instance {
     wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env())
 }
 
-/// The adapter to draw with, on a window's surface where there is one.
+/// The adapter to draw with, on a window's surface if one is given.
 pub(super) async fn best_adapter(
     instance: &wgpu::Instance,
     compatible_surface: Option<&wgpu::Surface<'_>>,
@@ -362,7 +363,7 @@ pub(super) async fn best_adapter(
     adapter.map_err(|_| GpuError::NoAdapter)
 }
 
-/// Keeps what `device` reports; left alone, wgpu would panic.
+/// Keeps the errors that `device` reports. Without these handlers wgpu would panic.
 fn report_to(reports: &Arc<Reports>, device: &wgpu::Device) {
     let lost = Arc::clone(reports);
     device.set_device_lost_callback(move |_, _| lost.lost.store(true, Ordering::Release));

@@ -9,7 +9,7 @@ pub enum GpuError {
          `sightline render --by raycast` needs none"
     )]
     NoAdapter,
-    /// The driver lacks what drawing cannot go without.
+    /// The driver lacks something that drawing requires.
     #[error(
         "{adapter} lacks {what}: use another driver; `sightline render --by raycast` needs none, \
          `sightline doctor` lists what there is"
@@ -37,9 +37,9 @@ pub enum GpuError {
     PictureTooLarge {
         /// The adapter's name.
         adapter: String,
-        /// Asked width.
+        /// Requested width.
         width: u32,
-        /// Asked height.
+        /// Requested height.
         height: u32,
         /// The most the adapter does.
         limit: u32,
@@ -59,7 +59,7 @@ pub enum GpuError {
         /// The most the adapter takes.
         limit: u64,
     },
-    /// The driver gave the device up: it was reset, updated or unplugged.
+    /// The driver gave up the device: it was reset, updated or unplugged.
     #[error(
         "{0} was lost, as when a driver restarts: try again; `sightline render --by raycast` needs no driver"
     )]

@@ -1,5 +1,5 @@
-//! What the shaders read: each struct equals the one of the same name in `shaders/`, field by field, and a test
-//! compares the two. `f32` throughout; `padding` keeps WGSL's alignment.
+//! Lays out what the shaders read. Each struct has the numbers of the struct with the same name in `shaders/`, in the
+//! same order, and tests compare most of them. Floating-point numbers are `f32`; `padding` keeps WGSL's alignment.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -7,7 +7,7 @@ use bytemuck::{Pod, Zeroable};
 ///
 /// Lengths of view space are in *view units* ([`super::transform::view_unit`]). Depth is two numbers, each precise
 /// where the other is not: *view depth*, from the eye, and *measured depth*, from the plane where the depth buffer
-/// stores 0. The latter makes the projection a single product.
+/// stores 0. Measured depth makes clip z a single product.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Frame {
@@ -37,13 +37,14 @@ pub struct Frame {
     pub fill: f32,
     /// How the value of the section's test changes per pixel right and down.
     pub section_per_px: [f32; 2],
-    /// The value in the picture's middle.
+    /// The test's value in the picture's middle, for q = 0.
     pub section_start: f32,
-    /// How it changes per w in perspective, per stored depth in orthographic projection.
+    /// How the value changes per unit of q: the fragment's w in perspective, the stored depth in orthographic
+    /// projection.
     pub section_per_q: f32,
-    /// Linear colour of back faces where a section lets one look into solids.
+    /// Linear colour of back faces where a section opens solids.
     pub inside: [f32; 3],
-    /// The test's slack, relative to its terms: how far before the plane is still drawn.
+    /// The test's slack, relative to its terms: how far beyond the plane fragments are still drawn.
     pub section_slack: f32,
 }
 
@@ -51,7 +52,7 @@ pub struct Frame {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Batch {
-    /// Vertex-space point near what the camera sees of the batch. Subtracted first, which is exact near it.
+    /// Vertex-space point near what the camera sees of the batch. It is subtracted first, which is exact near it.
     pub pivot: [f32; 3],
     /// View depth of the pivot, in view units.
     pub view_depth: f32,
@@ -59,9 +60,9 @@ pub struct Batch {
     pub linear: [[f32; 3]; 3],
     /// View-space position of the pivot, its z as measured depth; in view units.
     pub translation: [f32; 3],
-    /// Columns from object to view normals, of any scale.
+    /// Columns of the matrix from object to view normals, of any scale.
     pub normal: [[f32; 3]; 3],
-    /// Index of the object that the mesh's part 0 is, or would be; wraps below 0.
+    /// Index of the object that shows the mesh's part 0, or would show it if the batch began there; wraps below 0.
     pub object_of_part_0: u32,
     /// The mesh's triangle that the draw begins with.
     pub first_triangle: u32,
@@ -82,9 +83,9 @@ impl Batch {
 pub struct ObjectState {
     /// Linear colour; counts when `has_colour` is 1.
     pub colour: [f32; 3],
-    /// 1 when the object's colour replaces its vertices'.
+    /// 1 when the object's colour replaces that of its vertices.
     pub has_colour: u32,
-    /// First of its triangles in the mesh.
+    /// Number of its first triangle in the mesh.
     pub first_triangle: u32,
     /// 0 when hidden.
     pub visible: u32,
@@ -102,7 +103,7 @@ pub struct Vertex {
     pub normal: [f32; 3],
     /// Part of the mesh.
     pub part: u32,
-    /// Linear colour in 65535ths, and one unused.
+    /// Linear colour in 65535ths, and an unused number.
     pub colour: [u16; 4],
 }
 
@@ -130,13 +131,13 @@ pub struct Quadratic {
     pub padding_square: f32,
 }
 
-/// A sphere under this frame's view: the quadratic equation of its roots along the ray through each pixel, as
-/// polynomials in the pixel's offset from `pivot_px`. A root `s` is counted from a point of the ray near the
-/// surface, in object units.
+/// A sphere under this frame's view: the quadratic equation whose roots are the hits of the ray through each pixel. Its
+/// coefficients are polynomials in the pixel's offset from `pivot_px`. A root `s` is counted from a point of the ray
+/// near the surface, in object units.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Sphere {
-    /// Pixels that may show it: left, top, right, bottom; all equal when none does.
+    /// Pixels that may show it: left, top, right, bottom; all equal when none may.
     pub rect_px: [f32; 4],
     /// The pixel centre from which offsets count.
     pub pivot_px: [f32; 2],
@@ -150,7 +151,7 @@ pub struct Sphere {
     pub b: Quadratic,
     /// Origin squared less radius squared.
     pub c: Quadratic,
-    /// `b^2 - a c`, by itself because its zeros are the outline.
+    /// `b^2 - a c`, apart from the others because its zeros are the outline.
     pub discriminant: Quadratic,
     /// View-space normal at offset 0, `s = 0`.
     pub normal: [f32; 3],
@@ -160,11 +161,11 @@ pub struct Sphere {
     pub normal_per_root: [f32; 3],
     /// How much of a pixel's step the ray's direction takes.
     pub direction_step: f32,
-    /// View-space normal's change for a step of one pixel right.
+    /// Change of the view-space normal for a step of one pixel right.
     pub normal_right: [f32; 3],
     /// Index of the object.
     pub object: u32,
-    /// View-space normal's change for a step of one pixel down.
+    /// Change of the view-space normal for a step of one pixel down.
     pub normal_down: [f32; 3],
     /// View depth at `s = 0`, in view units.
     pub view_depth: f32,
@@ -184,7 +185,7 @@ pub struct Composite {
     pub selection_colour: [f32; 3],
     /// How much of a selected pixel is tint.
     pub tint: f32,
-    /// Extra light of the object under the cursor: a multiple of its colour, and an amount of white.
+    /// Extra light on the object under the cursor: a multiple of its colour, and an amount of white.
     pub lit: [f32; 2],
     /// Half the outline's width in pixels.
     pub outline_px: f32,

@@ -1,4 +1,4 @@
-//! Lines in the world: in the picture, hidden by what is before them; not in the ids.
+//! Lines in the world. They are in the picture, hidden by what is in front of them, but not in the ids.
 
 use super::{
     layout::LineVertex,
@@ -18,7 +18,7 @@ pub struct Line {
     pub colour: Srgb,
 }
 
-/// The ends of all lines in view space, taken from the eye in `f64` like everything else.
+/// The ends of all lines in view space, computed relative to the eye in `f64`.
 pub(super) fn vertices(view: &View, lines: &[Line]) -> Vec<LineVertex> {
     let (origin, unit) = (depth_origin(view), view_unit(view));
     let ends = lines

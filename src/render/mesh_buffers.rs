@@ -43,7 +43,7 @@ impl MeshBuffers {
         let is_indexed = gpu.numbers() != Numbers::Corners;
         let most = gpu.device.limits().max_buffer_size;
         let fits = is_indexed && size_of_val(vertices).max(size_of_val(triangles)) as u64 <= most;
-        // For the case that no two triangles share a vertex.
+        // This many fit even if no two triangles share a vertex.
         let triangles_of_chunk = most / (3 * size_of::<Vertex>()) as u64;
         let triangles_of_chunk = usize::try_from(triangles_of_chunk).unwrap_or(usize::MAX);
         let of_chunk = |(at, some): (usize, &[[u32; 3]])| {
@@ -226,8 +226,8 @@ fn unify(mesh: &Mesh) -> (Vec<Vertex>, Cow<'_, [[u32; 3]]>) {
     (vertices, Cow::Owned(triangles))
 }
 
-/// A triangle's colour times a vertex's, as [`Mesh::albedo`] has it: linear, in 65535ths, which is finer than sRGB's
-/// bytes everywhere.
+/// A triangle's colour times a vertex's, as in [`Mesh::albedo`]: linear, in 65535ths, which are finer than the steps of
+/// 8-bit sRGB everywhere.
 fn colour((own, vertex): (Option<Srgb>, Option<Srgb>)) -> [u16; 4] {
     let missing = if vertex.is_some() {
         Srgb::WHITE

@@ -18,7 +18,7 @@ impl MeshStore {
     /// The buffers of a mesh, uploaded if there are none.
     pub(super) fn buffers(&mut self, gpu: &Gpu, mesh: &Arc<Mesh>) -> Result<MeshBuffers, GpuError> {
         let address = Arc::as_ptr(mesh).addr();
-        // Another mesh may have the address of one that is gone.
+        // A new mesh may have the address of one that was dropped.
         let is_it = |of: &Weak<Mesh>| of.upgrade().is_some_and(|of| Arc::ptr_eq(&of, mesh));
         if let Some((_, buffers)) = self.0.get(&address).filter(|(of, _)| is_it(of)) {
             return Ok(buffers.clone());

@@ -1,4 +1,4 @@
-//! Drawing with the GPU. Knows no window, no panels and no picking.
+//! Draws scenes with the GPU. This module knows no window, no panels and no picking.
 //!
 //! ```text
 //! Gpu  ->  Renderer (pipelines)                      once
@@ -10,20 +10,20 @@
 //! ```
 //!
 //! Only the batches that a view may show are drawn ([`SceneBuffers`] culls them by block). Batches of a kind share a
-//! call where that does not change the picture. If there are many, a background thread composes their rows for the
-//! view, and drawing takes what is ready.
+//! draw call where that does not change the picture. If there are many batches, a background thread composes their
+//! table rows for the view, and drawing takes the rows that are ready.
 //!
 //! Weak adapters are supported: triangles are numbered in another way ([`Numbers`]), and meshes are split to fit into
-//! buffers. What the rasteriser does to corners is measured ([`Rasteriser`]).
+//! buffers. The grid that the rasteriser snaps corners to is measured ([`Rasteriser`]).
 //!
 //! Pixels that were found by rays can take the place of drawn ones ([`Renderer::take_pixels`]).
 //!
-//! Each step submits its own work. [`render`] does all of them for one picture. If drawing scene or selection takes
-//! long, [`Renderer::advance`] does it in pieces.
+//! Each step submits its own work. [`render`] takes all steps for one picture. [`Renderer::advance`] draws scene or
+//! selection in pieces where that takes long.
 //!
-//! The surface that a pixel shows is decided by the picker's rules: the same camera, near and far by view depth, at
-//! equal depth the lower triangle, and the lower object of those that touch. Everything is composed in `f64` and
-//! rounded to `f32` once (see [`transform`] and [`sphere`]).
+//! A pixel shows the surface that the picker's rules choose: the camera is the same, near and far are compared with
+//! view depth, and at equal depth the triangle with the lower number wins, or the lower object of those that touch.
+//! Everything is composed in `f64` and rounded to `f32` once (see [`transform`] and [`sphere`]).
 
 mod abilities;
 mod adapters;
@@ -81,11 +81,11 @@ use crate::{
 };
 use std::cell::OnceCell;
 
-/// Samples a pixel of a picture at rest, where the adapter can ([`Gpu::smooth_samples`]): its edges are smooth.
+/// Samples per pixel of a picture at rest, for smooth edges, where the adapter multisamples ([`Gpu::smooth_samples`]).
 pub const SMOOTH_SAMPLES: u32 = 4;
 
-/// Software keeps what it has transformed until it has drawn it: of 10 million triangles at once, half a gigabyte. Waiting
-/// for pieces of this size costs no time.
+/// How much a software adapter draws at once. It keeps transformed triangles until they are drawn: half a gigabyte for
+/// 10 million. Waiting for pieces of this size costs no time.
 const SOFTWARE_PIECE: Piece = Piece {
     work: 1 << 18,
     ..Piece::WHOLE
@@ -96,7 +96,8 @@ const SOFTWARE_PIECE: Piece = Piece {
 pub struct Renderer {
     /// Pixels per logical pixel of the screen: how wide outlines are. 1 at first.
     pub scale_factor: f32,
-    /// Whose edges are drawn over their faces; `None` at first. Ignored unless [`Gpu::draws_wireframes`].
+    /// The objects whose triangles' edges are drawn over their faces; `None` at first. Ignored unless
+    /// [`Gpu::draws_wireframes`].
     pub wireframe: Option<Wireframe>,
     pipelines: pipelines::Pipelines,
     post: outline::PostPasses,
@@ -106,7 +107,7 @@ pub struct Renderer {
 }
 
 impl Renderer {
-    /// Shaders compiled, for targets with 1 or [`SMOOTH_SAMPLES`] colour samples a pixel.
+    /// Compiles the shaders, for targets with 1 or [`SMOOTH_SAMPLES`] colour samples per pixel.
     #[must_use]
     pub fn new(gpu: &Gpu, colour_samples: u32) -> Self {
         Self {
@@ -120,7 +121,7 @@ impl Renderer {
     }
 }
 
-/// One picture without a window: ids and smooth colours, `selection` marked.
+/// Draws one picture without a window: ids and smooth colours, with `selection` marked.
 ///
 /// # Errors
 /// When scene or picture are too large for the adapter, or it fails.
@@ -148,7 +149,7 @@ pub fn picture(gpu: &Gpu, scene: &Scene, view: &View) -> Result<Image<Rgb>, GpuE
     Ok(picture)
 }
 
-/// Draws into targets of their own, which are handed back with the picture.
+/// Draws into new targets and returns them with the picture.
 fn draw_alone(
     gpu: &Gpu,
     scene: &Scene,

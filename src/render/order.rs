@@ -1,9 +1,9 @@
 //! The order in which batches are drawn: those of a kind together, since each change of kind costs a draw call.
 //!
-//! Of two surfaces that touch, the lower object's is seen, because it is drawn first. Batches are therefore cut into
-//! *runs*, in which no batch touches one of another kind. A run is sorted by kind, then by object; runs are drawn in
-//! turn. For surfaces that do not touch, but lie closer than the depth buffer resolves, nothing is promised: a check
-//! calls such pixels *depth*.
+//! Where two surfaces touch, that of the lower object is seen, because it is drawn first. Batches are therefore cut
+//! into *runs*, in which no batch touches one of another kind. A run is sorted by kind, then by object; runs are drawn
+//! in turn. Surfaces that do not touch, but lie closer than the depth buffer resolves, may show in either order:
+//! `sightline verify` calls such pixels *depth*.
 
 use super::batches::Batch;
 use crate::{geometry::Aabb, scene::Scene};
@@ -12,9 +12,9 @@ use std::ops::Range;
 /// The order of batches.
 #[derive(Debug)]
 pub(super) struct Order {
-    /// Batches in drawing order. A run takes the places of its batches' indices.
+    /// Batches in drawing order. A run covers the same range of places as of batch indices.
     batches: Vec<u32>,
-    /// The place of each batch in that.
+    /// The place of each batch in `batches`.
     places: Vec<u32>,
     /// The first batch of each run.
     runs: Vec<u32>,
@@ -61,7 +61,8 @@ impl Order {
         self.places[batch as usize] as usize
     }
 
-    /// Called when a batch has moved, and perhaps changed kind. Returns the places that have other batches now.
+    /// Updates the order after a batch has moved, and perhaps changed kind. Returns the places that may have other
+    /// batches now.
     pub fn moved(
         &mut self,
         scene: &Scene,
@@ -74,7 +75,7 @@ impl Order {
         if is_of_same_kind && !touches(scene, batches, batch, &all) {
             return 0..0;
         }
-        // From now on it is a run by itself, between runs of what comes before and after it.
+        // From now on the batch is a run by itself, between a run of the batches before it and one of those after it.
         let places = all.start as usize..all.end as usize;
         let (before, behind): (Vec<u32>, Vec<u32>) = (self.batches[places.clone()].iter())
             .filter(|other| **other != batch)
@@ -103,8 +104,8 @@ impl Order {
     }
 }
 
-/// Whether a batch touches one of another kind in a run. Gaps below a thousandth of its size count as touching, and so
-/// does what takes too long to decide.
+/// Whether a batch touches one of another kind in a run. A gap below a thousandth of its size counts as touching. So
+/// does a case that takes too long to decide, and every such batch in a scene without a tree.
 fn touches(scene: &Scene, batches: &[Batch], batch: u32, run: &Range<u32>) -> bool {
     let Batch {
         kind, bounds_world, ..
@@ -120,7 +121,7 @@ fn touches(scene: &Scene, batches: &[Batch], batch: u32, run: &Range<u32>) -> bo
     })
 }
 
-/// Batches are counted in 32 bits on the GPU; memory ends long before.
+/// Batches are counted in 32 bits on the GPU; memory runs out long before.
 pub(super) fn index(index: usize) -> u32 {
     u32::try_from(index).unwrap_or(u32::MAX)
 }

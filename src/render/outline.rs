@@ -1,4 +1,5 @@
-//! The selection and the finished picture: marks over cached colours, so that moving the mouse redraws nothing.
+//! Draws the selection's outline, and the finished picture: marks over cached colours, so that a mouse move does not
+//! draw the scene again.
 
 use super::{
     Renderer, bindings,
@@ -27,19 +28,20 @@ pub struct Marks {
 /// Where a finished picture goes: a window's surface, or a texture.
 #[derive(Clone, Copy, Debug)]
 pub struct Destination<'a> {
-    /// Keeps its pixels beside the picture. Its format must be sRGB or the twin of an sRGB one, and allow views as
-    /// both: colours are copied as stored, tints are mixed in linear light.
+    /// The texture. It keeps its pixels beside the picture. Its format must be sRGB or the twin of an sRGB one, and
+    /// must allow views as both: colours are copied as stored, tints are mixed in linear light.
     pub texture: &'a wgpu::Texture,
-    /// Where in it the picture's top left corner goes, in pixels.
+    /// Where the picture's top left corner goes in the texture, in pixels.
     pub origin_px: [u32; 2],
-    /// The most width and height that the picture gets there. It is clipped to this, and to the texture.
+    /// The largest width and height of the picture there. It is clipped to this, and to the texture.
     pub room_px: [u32; 2],
-    /// Its pixels, along each side, that a pixel of the picture covers: 1, or more for one of lower resolution.
+    /// How many pixels of the texture one pixel of the picture covers along each side: 1, or more for a picture of
+    /// lower resolution.
     pub coarseness: u32,
 }
 
 impl Destination<'_> {
-    /// Where a rectangle of the picture goes, both as left, top, width and height; `None` where nothing of it is seen, as
+    /// Where a rectangle of the picture goes; both are left, top, width and height. `None` where none of it is seen, as
     /// in a window that has shrunk since the picture was drawn.
     fn within(&self, rect: [u32; 4]) -> Option<[u32; 4]> {
         let [left, top, width, height] = rect.map(|px| px * self.coarseness);
@@ -179,7 +181,7 @@ impl Renderer {
         gpu.queue.submit([encoder.finish()]);
     }
 
-    /// Half the outline's width in pixels: at least one, or it would vanish from a coarse picture.
+    /// Half the outline's width in pixels: at least 1, since a thinner one would vanish from a coarse picture.
     #[expect(clippy::cast_precision_loss, reason = "a few pixels")]
     fn outline_px(&self) -> f32 {
         (look::OUTLINE_PX as f32 * self.scale_factor).max(1.0)
@@ -266,8 +268,8 @@ fn uniform(marks: &Marks, origin_px: [u32; 2], coarseness: u32) -> layout::Compo
     }
 }
 
-/// Left, top, width and height of a rectangle of pixels with all that shows an object, and `margin` about it; `None`
-/// when that lies outside the picture.
+/// The rectangle of pixels that may show an object, with `margin` around it, as left, top, width and height. `None`
+/// when it lies outside the picture.
 fn screen_rect(place: &Place, view: &View, margin: f32) -> Option<[u32; 4]> {
     let size = view.viewport.size_px();
     if place.bounds_world.is_empty() {
@@ -278,7 +280,7 @@ fn screen_rect(place: &Place, view: &View, margin: f32) -> Option<[u32; 4]> {
     for corner in place.bounds_world.corners() {
         (min, max) = match view.project(corner) {
             Some(corner) => (min.min(corner.px), max.max(corner.px)),
-            // A box that reaches behind the eye may show anywhere.
+            // A box that reaches behind the eye may be at any pixel.
             None => (DVec2::NEG_INFINITY, DVec2::INFINITY),
         };
     }

@@ -1,5 +1,5 @@
-//! Pipelines: which shader draws what into which pass. Made at first use, since a driver takes milliseconds for each
-//! and most programs need few.
+//! Makes the pipelines: which shader draws what in which pass. Each is made at first use, since a driver takes
+//! milliseconds for it and most programs need few.
 
 use super::{
     abilities::Numbers,
@@ -22,12 +22,12 @@ pub(super) enum Pass {
     Colour,
     /// Ids.
     Ids,
-    /// Where the selected object is, whatever lies before it.
+    /// Where the selected object is, whatever lies in front of it.
     Mask,
 }
 
 impl Pass {
-    /// Whether it writes colours, with lines and background.
+    /// Whether it writes colours, which include lines and background.
     pub fn has_colours(self) -> bool {
         matches!(self, Self::ColourAndIds | Self::Colour)
     }
@@ -50,7 +50,7 @@ pub(super) enum Drawn {
     Depths,
 }
 
-/// What a pipeline depends on. The last is whether a section cuts the world.
+/// What a pipeline depends on. The last element tells whether a section cuts what is drawn.
 type Key = (Pass, Drawn, DepthMapping, bool);
 
 /// All pipelines that draw the scene.
@@ -77,14 +77,14 @@ const VERTEX: wgpu::VertexBufferLayout = wgpu::VertexBufferLayout {
     ],
 };
 
-/// The slot of what instances of triangles carry.
+/// The vertex buffer slot of the attributes of triangles' instances.
 pub(super) const BATCHES: u32 = 1;
 
 const BATCH: wgpu::VertexBufferLayout = wgpu::VertexBufferLayout {
     array_stride: size_of::<Batch>() as u64,
     step_mode: wgpu::VertexStepMode::Instance,
     attributes: &[
-        // With the view depth.
+        // The pivot and its view depth.
         attribute(4, VertexFormat::Float32x4, offset_of!(Batch, pivot)),
         column(5, offset_of!(Batch, linear), 0),
         column(6, offset_of!(Batch, linear), 1),
@@ -93,7 +93,7 @@ const BATCH: wgpu::VertexBufferLayout = wgpu::VertexBufferLayout {
         column(9, offset_of!(Batch, normal), 0),
         column(10, offset_of!(Batch, normal), 1),
         column(11, offset_of!(Batch, normal), 2),
-        // With first triangle and flags.
+        // Object of part 0, first triangle and flags.
         attribute(
             12,
             VertexFormat::Uint32x3,
@@ -258,8 +258,9 @@ impl Pipelines {
     }
 }
 
-/// Counter-clockwise in the world is counter-clockwise in the picture, unless the model matrix mirrors: then what
-/// seems to face the eye faces away. (That view space is left-handed does not matter: the picture's y runs up again.)
+/// Counter-clockwise in the world is counter-clockwise in the picture, unless the model matrix mirrors: then the
+/// winding is reversed, and the other side is culled. (That view space is left-handed does not matter: its x runs right
+/// and its y up, as in NDC.)
 fn primitive(drawn: Drawn) -> wgpu::PrimitiveState {
     let (topology, cull_mode) = match drawn {
         Drawn::Triangles { culled_mirrored } => (
@@ -291,7 +292,8 @@ fn primitive(drawn: Drawn) -> wgpu::PrimitiveState {
     }
 }
 
-/// A strict comparison: at equal depth the first drawn stays, which is the lower object, the lower triangle.
+/// The comparison is strict: at equal depth the surface drawn first stays, which is that of the lower object or
+/// triangle.
 fn depth_state(drawn: Drawn, depth: DepthMapping) -> wgpu::DepthStencilState {
     let nearer = match depth {
         DepthMapping::Reversed => wgpu::CompareFunction::Greater,
@@ -315,8 +317,8 @@ fn depth_state(drawn: Drawn, depth: DepthMapping) -> wgpu::DepthStencilState {
     }
 }
 
-/// An edge is as deep as its faces, but rasterised at other points of them. A bias of 1.5 pixels' slope brings it
-/// before them.
+/// An edge is as deep as its faces, but is rasterised at other points of them. A depth bias of 1.5 pixels' slope and 4
+/// units brings it in front of them.
 fn towards_the_eye(depth: DepthMapping) -> wgpu::DepthBiasState {
     let nearer = match depth {
         DepthMapping::Reversed => 1,

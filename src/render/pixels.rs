@@ -1,4 +1,4 @@
-//! Pixels that were found by other means than drawing, such as rays.
+//! Puts pixels that were found by other means than drawing, such as rays, into a picture's targets.
 
 use super::{
     Renderer, bindings,
@@ -17,8 +17,8 @@ use bytemuck::Pod;
 use wgpu::BufferUsages;
 
 impl Renderer {
-    /// Takes pixels in place of drawn ones: colours, ids and where the selected object is. Lines are drawn over the
-    /// colours where nothing is before them, and the outline of `selection`.
+    /// Takes pixels in place of drawn ones: colours, ids and where the selected object is. Draws lines over the colours
+    /// where nothing is in front of them, and the outline of `selection`.
     ///
     /// # Errors
     /// When memory runs out.
@@ -81,7 +81,7 @@ impl Renderer {
         self.draw_outline(gpu, scene, targets, view, selection);
     }
 
-    /// Draws lines where no pixel is before them.
+    /// Draws lines where no pixel is in front of them.
     fn draw_lines(
         &mut self,
         gpu: &Gpu,

@@ -9,7 +9,7 @@ use super::{
     targets::IDS,
 };
 
-/// A column or row of the picture for each triangle of a group, and four groups: see `shaders/probe.wgsl`.
+/// Triangles in each of four groups. Each triangle has a column or row of the picture: see `shaders/probe.wgsl`.
 const LANES: u32 = 8;
 const SIZE: [u32; 2] = [16, 8];
 
@@ -17,14 +17,14 @@ const SIZE: [u32; 2] = [16, 8];
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rasteriser {
     /// The step, in pixels, of the grid that corners are snapped to: they move by at most half of it along each axis. A
-    /// finer grid than the common one is taken for the common one.
+    /// grid finer than the common one counts as the common one.
     pub grid_px: f64,
     /// Whether ids name triangles, and not objects alone.
     pub names_triangles: bool,
 }
 
 impl Rasteriser {
-    /// What Direct3D and Metal ask for, and most Vulkan devices have.
+    /// The grid that Direct3D and Metal require, and most Vulkan devices have.
     pub const COMMON: Self = Self {
         grid_px: 1.0 / 256.0,
         names_triangles: true,
@@ -39,12 +39,12 @@ impl Rasteriser {
     }
 }
 
-/// Draws with the numbering of `gpu`.
+/// Measures the rasteriser, with the triangle numbering of `gpu`.
 ///
-/// A triangle's side lies past a pixel's centre by a little less than half a step of a grid of 2^-bits pixels. A
-/// rasteriser with so few bits snaps it onto the centre. One of the two triangles at that side then covers the pixel,
-/// whatever the rule for centres on edges. A rasteriser that truncates moves sides twice as far; it is measured as one
-/// bit less.
+/// Each triangle has a side that misses a pixel's centre by a little less than half a step of a grid of 2^-bits pixels.
+/// A rasteriser with that many bits or fewer snaps the side onto the centre. Of two triangles that lie on opposite
+/// sides of their centres, one then covers its pixel, whatever the rule for centres on edges. A rasteriser that
+/// truncates moves sides twice as far; it is measured as having one bit less.
 pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
     let name = match gpu.numbers() {
         Numbers::Primitives => "probe by primitive",
@@ -66,9 +66,9 @@ pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
     Ok(found(&pixels))
 }
 
-/// Evaluates the picture's pixels, row by row: 1 where a triangle is, and the triangle's number plus 1.
+/// Evaluates the picture's pixels, given row by row: each is 1 where a triangle is, and the triangle's number plus 1.
 fn found(pixels: &[[u32; 2]]) -> Rasteriser {
-    // A pixel of a group's lane, so far along it.
+    // The pixel of a group's lane that is this far along it; the missed one is at 0.
     let at = |group: u32, lane: u32, along: u32| {
         let along = if group.is_multiple_of(2) {
             along
@@ -100,7 +100,8 @@ fn grid_px(sub_pixel_bits: u32) -> f64 {
 mod tests {
     use super::*;
 
-    /// The picture of a rasteriser that rounds to a grid of so many bits, or cuts digits off, and names triangles.
+    /// The picture of a rasteriser that snaps to a grid of this many bits by `round`, and numbers triangles by
+    /// `number`.
     fn picture(bits: i32, round: fn(f64) -> f64, number: fn(u32) -> u32) -> Vec<[u32; 2]> {
         let mut pixels = vec![[0; 2]; (SIZE[0] * SIZE[1]) as usize];
         let step = 0.5_f64.powi(bits);
@@ -120,7 +121,7 @@ mod tests {
                     7 - along
                 };
                 let centre = f64::from(px) + 0.5;
-                // Top and left sides belong to it.
+                // Top and left sides belong to a triangle.
                 let is_in = if group.is_multiple_of(2) {
                     at <= centre
                 } else {
@@ -145,7 +146,7 @@ mod tests {
             let found = |round| found(&picture(bits, round, |i| i + 1)).sub_pixel_bits();
             let bits = u32::try_from(bits).expect("few");
             assert_eq!(found(f64::round_ties_even), bits.min(LANES));
-            // Twice as far off.
+            // Truncation moves sides twice as far.
             let cut = found(f64::floor);
             assert!(
                 cut == bits.saturating_sub(1).clamp(1, LANES),

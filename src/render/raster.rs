@@ -1,4 +1,4 @@
-//! The scene pass and the id pass.
+//! Draws the scene's colours and ids: the render passes, and the draw calls in them.
 
 use super::{
     Renderer,
@@ -20,12 +20,12 @@ use crate::{
     geometry::Sides,
 };
 
-/// Whose edges are drawn.
+/// The objects whose triangles' edges are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wireframe {
-    /// Every object's that has triangles.
+    /// All objects that have triangles.
     OfAll,
-    /// The object's with this index.
+    /// The object with this index.
     Of(usize),
 }
 
@@ -34,7 +34,7 @@ impl Renderer {
     /// lines changed; [`Renderer::composite`] then puts the picture on screen. Draws all at once; [`Renderer::advance`]
     /// draws in pieces.
     ///
-    /// With one colour sample a pixel, both come from one pass.
+    /// With one colour sample per pixel, one pass draws both.
     ///
     /// # Errors
     /// When memory runs out.
@@ -63,14 +63,14 @@ impl Renderer {
         );
     }
 
-    /// Sends what all of a frame shares to the GPU.
+    /// Writes the numbers that all of a frame shares to the GPU.
     pub(super) fn write_frame(&self, gpu: &Gpu, view: &View) {
         let frame: Frame = transform::frame(view);
         gpu.queue
             .write_buffer(&self.frame, 0, bytemuck::bytes_of(&frame));
     }
 
-    /// Frame, objects and spheres.
+    /// The bind group of frame, objects and spheres.
     pub(super) fn bind(&self, gpu: &Gpu, scene: &SceneBuffers) -> wgpu::BindGroup {
         let buffers = [&self.frame, &scene.objects, &scene.tables().spheres];
         let resources = buffers.map(wgpu::Buffer::as_entire_binding);
@@ -120,7 +120,7 @@ impl Renderer {
     }
 }
 
-/// Begins a pass over the whole picture, or a piece of one. The first piece clears to "nothing there"; the last
+/// Begins a pass over the whole picture, or a piece of one. The first piece clears to "nothing there". The last piece
 /// resolves samples, if the adapter does ([`Gpu::resolves`]).
 pub(super) fn begin<'a>(
     gpu: &Gpu,

@@ -1,4 +1,4 @@
-//! Textures back to pictures on the CPU.
+//! Reads textures back as pictures on the CPU, among them the finished picture without a window.
 
 use super::{
     Destination, Marks, Renderer, SceneBuffers, flat,
@@ -11,7 +11,7 @@ use crate::{
 };
 use std::{ops::Range, sync::mpsc};
 
-/// How much is read at a time, unless a row is more.
+/// Bytes that are read at a time, unless a row is more.
 const BAND_BYTES: u64 = 1 << 26;
 
 impl Targets {
@@ -68,7 +68,7 @@ impl Renderer {
         self.composite_at(gpu, scene, targets, view, marks, targets.viewport(), [0, 0])
     }
 
-    /// The finished picture within a larger (or smaller) one: as a window of this size would show it.
+    /// The finished picture as a window of this size, larger or smaller, would show it.
     ///
     /// # Errors
     /// When memory runs out or the device is lost.

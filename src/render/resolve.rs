@@ -1,5 +1,6 @@
-//! One colour of each pixel's samples, by a shader. Adapters have a circuit for it. Lavapipe (Mesa 22.3) compiles its own
-//! way anew in each process, which takes longer than the picture of a small scene; it keeps compiled shaders on disk.
+//! The multisample resolve as a shader, for software adapters: others have a circuit for it. Lavapipe (Mesa 22.3)
+//! compiles its built-in resolve anew in each process, which takes longer than drawing a small scene. Shaders it
+//! compiles once and keeps on disk.
 
 use super::{
     bindings, flat,
@@ -33,7 +34,7 @@ impl Resolve {
         }
     }
 
-    /// Resolves all samples of the colours. Does nothing for targets with one sample a pixel.
+    /// Resolves all samples of the colours. Does nothing for targets with one sample per pixel.
     pub fn encode(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
         let Some([samples, _]) = &targets.multisampled else {
             return;

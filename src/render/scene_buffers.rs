@@ -34,7 +34,7 @@ const MANY: usize = 64;
 /// Changed objects that are taken over at once: a millisecond or two.
 const SHARE: usize = 1 << 14;
 
-/// A scene as the GPU has it. Which triangles there are changes only with [`SceneBuffers::update`].
+/// A scene in graphics memory. What changes in the scene is drawn only after [`SceneBuffers::update`].
 pub struct SceneBuffers {
     all: Arc<RwLock<ToDraw>>,
     seen: RefCell<Seen>,
@@ -47,7 +47,7 @@ pub struct SceneBuffers {
     places: Vec<Place>,
     /// What `objects` holds.
     states: Vec<ObjectState>,
-    /// How many changes of the scene it has.
+    /// How many of the scene's changes it has taken over.
     changes: u64,
     meshes: MeshStore,
 }
@@ -79,7 +79,7 @@ impl SceneBuffers {
         Self::upload_beside(gpu, scene, &mut MeshStore::default())
     }
 
-    /// Uploads a scene, but not the meshes that are there already; new ones are added to these.
+    /// Uploads a scene, except the meshes that are in `meshes` already; new ones are added to it.
     ///
     /// # Errors
     /// When it does not fit.
@@ -97,7 +97,7 @@ impl SceneBuffers {
         let (mut rows, mut whole) = ([0, 0], Piece::default());
         for batch in scene.batches() {
             let object = &scene.objects()[batch.start];
-            // A mesh goes by its address, which is never as low as the numbers of the other shapes.
+            // A mesh is known by its address, which is never as low as the numbers of the other shapes.
             let (address, triangles) = match &object.shape {
                 Shape::Sphere => (0, 0..0),
                 Shape::Cube => (1, 0..cube.triangles),
@@ -162,8 +162,8 @@ impl SceneBuffers {
         })
     }
 
-    /// Takes over whatever changed in the scene: visibility, colours, placements, objects. Meshes that it had before
-    /// stay where they are.
+    /// Takes over whatever changed in the scene: visibility, colours, placements, objects. Meshes that were uploaded
+    /// before are not uploaded again.
     ///
     /// # Errors
     /// When it does not fit; the buffers are then as before.
@@ -172,7 +172,7 @@ impl SceneBuffers {
         Ok(())
     }
 
-    /// A share of [`SceneBuffers::update`], where many objects changed. Returns whether that was the last: until then
+    /// Takes over one share of the changes; see [`SceneBuffers::update`]. Returns whether it was the last: until then
     /// pictures show some of the scene as it was.
     ///
     /// # Errors
@@ -238,8 +238,8 @@ impl SceneBuffers {
         self.is_little
     }
 
-    /// What a view shows of it, as far as that is composed. With `waits` all of it; else more draws than the `known`,
-    /// if they come soon.
+    /// What a view shows of it, as far as that is composed. With `waits` it waits for all draws, else for more than the
+    /// `known` ones, if they come soon.
     pub(super) fn seen_in(&self, view: &View, known: usize, waits: bool) -> RefMut<'_, Seen> {
         let mut seen = self.seen.borrow_mut();
         seen.prepare(&self.all, view);

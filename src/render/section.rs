@@ -1,9 +1,11 @@
-//! The section as the fragment shaders test it: by the pixel's position and one number that each fragment has.
+//! The section's test in the fragment shaders, which needs the pixel's position and one number q that each fragment
+//! has.
 //!
-//! A ray's point at depth t has `n . p + c = S + t A`, where S belongs to the ray's start and A to its direction. In
-//! perspective S is one number, A is linear over the picture, and a fragment's w holds q = 1 / t: so the sign is that of
-//! `A + S q`. In orthographic projection A is one number, S is linear, and q is what the depth buffer stores, linear in t.
-//! Both are *per w*, linear over the picture on every plane, and hold for meshes, spheres and edges alike.
+//! A ray's point p at depth t has `n . p + c = S + t A`, where S belongs to the ray's start and A to its direction. In
+//! perspective S is the same for all rays, A is linear over the picture, and a fragment's w holds q = 1 / t: the sign
+//! is that of `A + S q`. In orthographic projection A is the same for all rays, S is linear over the picture, and q is
+//! the stored depth, which is linear in t. Either value is `n . p + c` divided by clip space's w. It is linear over the
+//! picture on every plane, and serves meshes, spheres and edges alike.
 
 use super::{
     transform::{U, depth_origin, narrow, view_unit},
@@ -19,34 +21,35 @@ use crate::{
 };
 use glam::DVec2;
 
-/// The test's slack, in roundings of its terms: what is this close to the plane is drawn, so that a face in the plane
-/// shows whole, not in specks. About a millionth of the depth.
+/// The test's slack, in roundings of its terms: about a millionth of the depth. Whatever is this close to the plane is
+/// drawn, so that a face in the plane shows whole, not in specks.
 pub(super) const KEPT_BEFORE: f64 = 16.0;
 
-/// Coefficients are clamped to this: beyond it their sign alone decides, and products stay within `f32`.
+/// `start` and `per_q` are clamped to this. Beyond it only their sign matters; within it products stay in the range of
+/// `f32`.
 const LARGEST: f64 = 1e30;
 
-/// A section in the picture of a view: kept is `start + per_px . (px - middle) + per_q q >= 0`.
+/// A section in the picture of a view. It keeps points with `start + per_px . (px - middle) + per_q q >= 0`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScreenSection {
-    /// In the picture's middle, for q = 0.
+    /// The value in the picture's middle, for q = 0.
     pub start: f64,
-    /// For one pixel right and down.
+    /// The change for one pixel right and down.
     pub per_px: DVec2,
-    /// For one unit of what a fragment has: w in perspective, the stored depth in orthographic projection.
+    /// The change for one unit of q: the fragment's w in perspective, the stored depth in orthographic projection.
     pub per_q: f64,
     middle_px: DVec2,
 }
 
 impl ScreenSection {
-    /// Of a view; `None` where nothing cuts the world.
+    /// The section of a view; `None` where nothing cuts the world.
     pub fn of(view: &View) -> Option<Self> {
         Some(Self::new(view, &view.section?))
     }
 
-    /// In pairs of `f64`, so that eye and plane may lie far from the origin.
+    /// Computes in double-double, so that eye and plane may lie far from the origin.
     fn new(view: &View, section: &Section) -> Self {
-        // Of any length: scaled, it neither vanishes nor overflows.
+        // The normal may have any length. Scaled, it neither underflows nor overflows.
         let (_, exponent) = split(power_of_two_below(section.normal().abs().max_element()));
         let scaled = |value: f64| times_power_of_two(value, -exponent);
         let normal: Vector<DoubleDouble> = section.normal().map(scaled).into();
@@ -73,28 +76,28 @@ impl ScreenSection {
         }
     }
 
-    /// The test's value at a position of the picture: not below 0 for what is kept.
+    /// The test's value at a position of the picture: at least 0 for what is kept.
     pub fn value(&self, px: DVec2, q: f64) -> f64 {
         self.start + self.per_px.dot(px - self.middle_px) + self.per_q * q
     }
 
-    /// How far off the shader's test may be at a position: by its own roundings, and by its slack.
+    /// An upper bound on the error of the shader's test at a position: its own roundings and its slack.
     ///
-    /// Coefficients are rounded once, so is each product, and three sums follow: 5 U of the terms' sizes. 1 more for
-    /// second order.
+    /// Each coefficient and each product is rounded once, and three sums follow: 5 U of the terms' sizes. 1 U more is
+    /// for second order.
     pub fn bound(&self, px: DVec2, q: f64) -> f64 {
         let aside = (self.per_px * (px - self.middle_px)).abs();
         let terms = self.start.abs() + aside.element_sum() + (self.per_q * q).abs();
         (6.0 + KEPT_BEFORE) * U * terms + 4.0 * f64::from(f32::MIN_POSITIVE)
     }
 
-    /// What the shaders get: per pixel right and down, in the middle, per q.
+    /// What the shaders get: the change per pixel right and down, the value in the middle, and the change per q.
     pub fn numbers(&self) -> [f32; 4] {
         [self.per_px.x, self.per_px.y, self.start, self.per_q].map(narrow)
     }
 }
 
-/// q at a depth past near, and by how much it changes with depth.
+/// q at a depth past near, and its derivative with respect to depth.
 pub(crate) fn q(space: &ViewSpace, past_near: f64) -> [f64; 2] {
     let lens = space.view().camera.lens();
     if lens.is_orthographic() {

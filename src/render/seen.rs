@@ -1,5 +1,5 @@
 //! What a view shows of a scene: the tables' rows, composed when a picture first needs them, and their draw calls. If
-//! batches are many, a thread composes them, and drawing takes what is ready.
+//! there are many batches, a thread composes their rows, and drawing takes the rows that are ready.
 
 use super::{
     batches::{Batch, Row},
@@ -20,7 +20,7 @@ use std::{
 };
 use wgpu::BufferUsages;
 
-/// Rows of up to so many batches are composed at once, as fast as a thread is started.
+/// The rows of up to this many batches are composed at once, which takes no longer than starting a thread.
 pub(super) const LITTLE: usize = 1024;
 /// How long the drawing of a piece waits for something to draw.
 const PATIENCE: Duration = Duration::from_millis(2);
@@ -31,14 +31,14 @@ pub(super) struct Tables {
     gpu: Gpu,
     /// [`layout::Batch`] of each batch of triangles that is seen.
     pub triangles: wgpu::Buffer,
-    /// [`layout::Sphere`] of each sphere that is.
+    /// [`layout::Sphere`] of each sphere that is seen.
     pub spheres: wgpu::Buffer,
     /// The extra rows.
     alone: [u32; 2],
 }
 
 impl Tables {
-    /// For so many batches of triangles and spheres.
+    /// Tables for this many batches of triangles and spheres.
     ///
     /// # Errors
     /// When they do not fit.
@@ -65,7 +65,7 @@ impl Tables {
         })
     }
 
-    /// Writes the row of an object by itself; returns which one that is.
+    /// Writes the extra row, for an object drawn by itself; returns its number.
     pub fn write_alone(&self, row: &Row) -> u32 {
         let at = match row {
             Row::Triangles(_) => self.alone[0],
@@ -112,7 +112,7 @@ pub(super) struct Seen {
     /// The draws composed so far.
     pub draws: Vec<Draw>,
     state: State,
-    /// Counts the views: a thread that composes for an earlier one writes no more rows.
+    /// Counts the views. A thread that composes for an earlier view writes no more rows.
     turn: Arc<Mutex<u64>>,
 }
 
@@ -185,7 +185,8 @@ impl Seen {
         self.state = State::UnderWay(news);
     }
 
-    /// Takes what was composed by now. With `waits` all of it; else more draws than the `known`, if they come soon.
+    /// Takes the draws composed so far. With `waits` it waits for all of them, else for more than the `known` ones, if
+    /// they come soon.
     pub fn take(&mut self, known: usize, waits: bool) {
         while let State::UnderWay(news) = &self.state {
             let patience = if self.draws.len() > known {
@@ -207,7 +208,7 @@ impl Seen {
         }
     }
 
-    /// Gives up what the tables hold.
+    /// Discards what the tables hold.
     pub fn forget(&mut self) {
         *lock(&self.turn) += 1;
         self.view = None;
@@ -239,7 +240,7 @@ impl Seen {
     }
 }
 
-/// A panic under the lock leaves nothing half done.
+/// A poisoned lock is safe to use: a panic under it leaves nothing half done.
 pub(super) fn read(all: &RwLock<ToDraw>) -> RwLockReadGuard<'_, ToDraw> {
     all.read().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,8 +1,8 @@
-//! The shaders' sources, and modules made of them.
+//! Assembles the shaders' sources, and makes modules of them.
 
 use super::gpu::Gpu;
 
-/// WGSL of each shader by name, with the parts that it shares in front.
+/// WGSL of each shader by name. Shared parts come first.
 pub const SHADERS: [(&str, &str); 9] = [
     (
         "mesh by primitive",
@@ -74,7 +74,7 @@ pub const SHADERS: [(&str, &str); 9] = [
     ),
 ];
 
-/// What makes a shader run once for each sample.
+/// The parameter that makes a fragment shader run once per sample.
 const EACH_SAMPLE: &str = ", @builtin(sample_index) sample: u32";
 
 /// A shader by its name.
@@ -84,7 +84,7 @@ pub(crate) fn shader_module(gpu: &Gpu, name: &str) -> wgpu::ShaderModule {
     let source = if gpu.smooth_samples() > 1 {
         source.into()
     } else {
-        // An adapter without multisampling refuses the word.
+        // An adapter without multisampling refuses this parameter.
         source.replace(EACH_SAMPLE, "").into()
     };
     gpu.device

@@ -3,15 +3,15 @@
 use super::composing::Draw;
 use std::ops::Range;
 
-/// The work of an instance besides its triangles: about that of so many triangles.
+/// The work of an instance besides its triangles, in triangles.
 const INSTANCE: u64 = 32;
 
 /// How much is drawn at once.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Piece {
-    /// About so many triangles; an instance counts as 32 more.
+    /// Work, in triangles; an instance counts as 32 more.
     pub work: u64,
-    /// No more instances than these.
+    /// The most instances.
     pub instances: u32,
 }
 
@@ -48,7 +48,7 @@ pub(super) struct Slice {
 }
 
 impl Slice {
-    /// The work that it is.
+    /// Its work.
     pub fn work(&self) -> u64 {
         let instances = self.instances.end - self.instances.start;
         work(&self.triangles) * u64::from(instances)
@@ -76,8 +76,8 @@ impl Cursor {
         self.draw
     }
 
-    /// The next slices, in order, that fit into what is left of a piece. If `is_first`, nothing comes before them in
-    /// the piece: then at least a triangle, fit or not.
+    /// The next slices, in order, that fit into what is left of a piece. If `is_first`, the piece is empty so far: then
+    /// at least one triangle is taken, even if it does not fit.
     pub fn take(&mut self, draws: &[Draw], left: &mut Piece, is_first: bool) -> Vec<Slice> {
         let mut slices = Vec::new();
         while let Some(draw) = draws.get(self.draw)
@@ -89,7 +89,7 @@ impl Cursor {
     }
 
     /// The next slice of a draw; `None` if too little of the piece is left, unless it is the first. A piece has at most
-    /// one partial slice of a row: the row says which triangle that begins with.
+    /// one partial slice of a row, since the row stores the triangle that it begins with.
     fn slice(&mut self, draw: &Draw, left: &mut Piece, is_first: bool) -> Option<Slice> {
         let (index, all) = (self.draw, draw.shape.triangles());
         let first = draw.instances.start + self.instance;

@@ -1,9 +1,10 @@
 //! Spheres as impostors: what the fragment shader needs to find a sphere's surface at each pixel.
 //!
-//! Along the rays through a picture, the coefficients of the sphere's quadratic are themselves quadratic in the
-//! pixel's position; so is the discriminant, whose zeros are the conic that we see as the outline. Composed here
-//! in `f64` about a pixel in the picture, they keep their digits in `f32` however large, small, near or far the
-//! sphere is: the outline is out by a few roundings of the picture's size in pixels, nothing else.
+//! A ray hits the sphere at the roots of a quadratic. The coefficients of that quadratic are themselves quadratic in
+//! the pixel's position, and so is its discriminant, whose zeros are the sphere's outline, a conic. All are composed
+//! here about a pixel in the picture, in `f64` or, where that does not suffice, in double-double. So they keep their
+//! digits in `f32` however large, small, near or far the sphere is: the outline is off by a few roundings of the
+//! picture's size in pixels, nothing else.
 
 use super::{
     layout::{Quadratic, Sphere as Row},
@@ -19,7 +20,7 @@ use crate::{
 };
 use glam::{DMat3, DVec2, DVec3, DVec4};
 
-/// The sphere of an object under this placement; an empty rectangle where the picture does not show it.
+/// The sphere of an object under this placement; its rectangle is empty where the picture does not show it.
 #[must_use]
 pub fn sphere(space: &ViewSpace, placement: &Placement, object: u32) -> Row {
     let center = space.at_quickly(placement, DVec3::ZERO, DVec3::ZERO);
@@ -33,8 +34,8 @@ pub fn sphere(space: &ViewSpace, placement: &Placement, object: u32) -> Row {
     }
 }
 
-/// Whether rays in object space keep, in `f64`, more digits than `f32` has. Their origin's error grows with the model
-/// matrix's condition number times the eye's distance in object units.
+/// Whether `f64` keeps more digits of rays in object space than `f32` has. The error of a ray's origin grows with the
+/// model matrix's condition number times the eye's distance in object units.
 fn f64_suffices(view: &View, placement: &Placement) -> bool {
     let size = |m: DMat3| m.x_axis.length() + m.y_axis.length() + m.z_axis.length();
     let (linear, inverse) = (placement.model().matrix3, placement.inverse_linear());
@@ -53,7 +54,7 @@ fn row<N: Number>(
     let pivot_px = pivot_px(view, center, [min, max]);
     let ray = ray_object::<N>(view, placement, pivot_px);
     let depth = base_depth(view, &ray);
-    // A unit direction keeps squares in range; roots are then in object units.
+    // A unit direction keeps squares in range, and makes roots count in object units.
     let speed = ray.direction.narrow().length();
     let scaled = |v: Vector<N>| v * N::from(speed.recip());
     let [d, right, down] = [ray.direction, ray.right, ray.down].map(scaled);
@@ -62,8 +63,8 @@ fn row<N: Number>(
         Projection::Perspective { .. } => (depth * speed, 1.0),
         Projection::Orthographic { .. } => (speed, 0.0),
     };
-    // Cross products of nearly parallel vectors cancel digits, so these are in `N`; the rest is in `f64`. With w the
-    // step to a pixel: origin n + origin_step w, direction d + direction_step w.
+    // Cross products of nearly parallel vectors cancel digits, so they are computed in `N`; the rest is in `f64`. With
+    // w the step to a pixel, the ray has the origin n + origin_step w and the direction d + direction_step w.
     let twist = n * N::from(direction_step) - d * N::from(origin_step);
     let moment = n.cross(d).narrow();
     let turn = [twist.cross(right), twist.cross(down)].map(Vector::narrow);
@@ -86,7 +87,7 @@ fn row<N: Number>(
     let [ax, ay] = linear(2.0 * direction_step * d);
     let [bx, by] = linear(-along);
     let [cx, cy] = linear(2.0 * origin_step * n);
-    // |o x d|^2 in place of (o.d)^2 - o.o d.d (Lagrange): linear before it is squared.
+    // -|o x d|^2 takes the place of (o.d)^2 - o.o d.d (Lagrange's identity): o x d is linear in w before it is squared.
     let [dx, dy] =
         [0, 1].map(|i| 2.0 * (r2 * direction_step * d.dot([right, down][i]) - moment.dot(turn[i])));
     let normals = normal_to_view(view, placement);
@@ -130,8 +131,8 @@ pub(crate) fn ray_object<N: Number>(
         .map(|v| to_object.times(v))
 }
 
-/// View depth of a ray's point nearest to the sphere's centre, and by how much its square distance from there exceeds the
-/// square of the radius.
+/// View depth of the ray's point nearest to the sphere's centre, and that point's squared distance from the centre
+/// minus the squared radius.
 pub(crate) fn nearest_to_centre<N: Number>(ray: &RayDifferential<N>) -> (N, f64) {
     let (o, d) = (ray.origin, ray.direction);
     let depth = -o.dot(d) / d.dot(d);
@@ -153,7 +154,8 @@ fn pivot_px(view: &View, center: &ViewPoint, [min, max]: [DVec2; 2]) -> DVec2 {
     pixel_centre(px.clamp(min, max).min(view.viewport.size_px() - 1.0))
 }
 
-/// View depth from which roots are counted: of the surface that shows there, or else of the point nearest to the centre.
+/// View depth from which roots are counted: that of the surface that the ray shows, or else of its point nearest to the
+/// centre.
 fn base_depth<N: Number>(view: &View, ray: &RayDifferential<N>) -> f64 {
     let lens = view.camera.lens();
     let (middle, outside) = nearest_to_centre(ray);
@@ -170,7 +172,8 @@ fn base_depth<N: Number>(view: &View, ray: &RayDifferential<N>) -> f64 {
     }
 }
 
-/// Top left and bottom right of a rectangle, in pixels, with all pixels that may show the sphere; `None` when none may.
+/// Top left and bottom right, in pixels, of a rectangle that holds all pixels that may show the sphere; `None` when
+/// none may.
 ///
 /// A plane `(1, 0, -x) . p = 0` through the eye touches the ellipsoid where its distance from the centre equals the
 /// ellipsoid's extent along the plane's normal: a quadratic in x.
@@ -183,7 +186,7 @@ fn rect_px(space: &ViewSpace, placement: &Placement, center: &ViewPoint) -> Opti
     if !(center.past_near + z.length() >= 0.0 && from_far - z.length() < 0.0) {
         return None;
     }
-    // Squares of squares of lengths: in view units they neither vanish nor overflow.
+    // What follows has fourth powers of lengths: in view units they neither underflow nor overflow.
     let unit = space.unit();
     let center = unit * center.aside.extend(center.depth);
     let [x, y, z] = [x, y, z].map(|row| unit * row);
@@ -202,7 +205,7 @@ fn rect_px(space: &ViewSpace, placement: &Placement, center: &ViewPoint) -> Opti
             let root = (b * b - a * c).max(0.0).sqrt();
             Some([(b - root) / (a * half), (b + root) / (a * half)])
         }
-        // The eye may be inside: the sphere may be anywhere.
+        // The eye may be inside: the sphere may be at any pixel.
         Projection::Perspective { .. } => None,
     };
     let all = [-1.0, 1.0];
@@ -215,24 +218,25 @@ fn rect_px(space: &ViewSpace, placement: &Placement, center: &ViewPoint) -> Opti
     (min.cmplt(max).all()).then_some([min, max])
 }
 
-/// Bounds on the error of `f32` for a sphere at a pixel.
+/// Upper bounds on the error of `f32` for a sphere at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rounding {
-    /// Of the discriminant `(o.d)^2 - d.d (o.o - r^2)` of the object-space ray, its direction as long as one unit of
-    /// view depth.
+    /// Error of the discriminant `(o.d)^2 - d.d (o.o - r^2)` of the object-space ray, whose direction is the step of
+    /// one unit of view depth.
     pub discriminant: f64,
-    /// Of the measured depth where the ray enters and where it leaves, in world units.
+    /// Error of the measured depth where the ray enters and where it leaves, in world units.
     pub measured: [f64; 2],
-    /// Of the view depth there, in world units.
+    /// Error of the view depth there, in world units.
     pub depth: [f64; 2],
 }
 
-/// Bounds on what `f32` does to a sphere at a pixel centre.
+/// Bounds the error of `f32` for a sphere at a pixel centre.
 ///
-/// A polynomial of six terms, with rounded coefficients, monomials of three roundings and five sums, is wrong by at
-/// most 10 u times the sum of its terms' sizes (Higham 2002, ch. 3). From there to first order: a wrong square root is
-/// off by `e / sqrt(D)` but never by more than `sqrt(e)`; `q = b +- sqrt(D)` adds up, `c / q` and `q / a` take the
-/// relative errors of both. Square root, sum and division (of up to 2.5 units in the last place in WGSL) round as well.
+/// A polynomial of six terms, with rounded coefficients, monomials of three roundings and five sums, is off by at most
+/// 10 U times the sum of its terms' sizes (Higham 2002, ch. 3). The rest is to first order. If the discriminant D is
+/// off by e, `sqrt(D)` is off by `e / sqrt(D)`, but never by more than `sqrt(e)`. The errors of both terms of
+/// `q = b +- sqrt(D)` add up. `c / q` and `q / a` take the relative errors of both operands. Square root, sum and
+/// division (of up to 2.5 units in the last place in WGSL) round as well.
 ///
 /// Infinite for a sphere so flat that `f32` does not hold its numbers; 0 for one that the picture does not show.
 #[must_use]

@@ -6,7 +6,7 @@ use super::{
 };
 use std::ops::Range;
 
-/// The work of a line: about that of so many triangles.
+/// The work of a line, in triangles.
 pub(super) const LINE: u64 = 2;
 
 /// What there is to draw.
@@ -14,7 +14,7 @@ pub(super) struct Parts<'a> {
     /// The surfaces, and whether the list is complete.
     pub surfaces: &'a [Draw],
     pub are_known: bool,
-    /// Those whose edges are drawn.
+    /// The draws whose edges are drawn.
     pub edged: &'a [Draw],
     /// How many lines.
     pub lines: usize,
@@ -34,7 +34,7 @@ pub(super) struct Step {
     pub surfaces: Vec<Slice>,
     pub edges: Vec<Slice>,
     pub lines: Range<usize>,
-    /// It is the last.
+    /// Whether it is the last.
     pub ends: bool,
 }
 
@@ -52,12 +52,13 @@ impl Steps {
         *self == Self::default()
     }
 
-    /// How many of the draws of surfaces were begun.
+    /// How many of the draws of surfaces are finished.
     pub fn begun(&self) -> usize {
         self.surfaces.draw()
     }
 
-    /// The next step: within a piece, but not nothing if anything is left. `None` while that is not known.
+    /// The next step. It fits into the piece, but is not empty if anything is left. `None` while the next surfaces are
+    /// not known.
     pub fn take(&mut self, of: &Parts<'_>, mut left: Piece) -> Option<Step> {
         let mut step = Step {
             surfaces: self.surfaces.take(of.surfaces, &mut left, true),

@@ -15,7 +15,7 @@ pub(super) const COLOUR_VALUES: TextureFormat = TextureFormat::Rgba8Unorm;
 pub(super) const IDS: TextureFormat = TextureFormat::Rg32Uint;
 /// Floating point, which reversed depth needs.
 pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
-/// How much of a pixel is selected, or outline.
+/// How much of a pixel is selected, or is outline.
 pub(super) const MARKS: TextureFormat = TextureFormat::R8Unorm;
 
 /// Colours, ids and selection of one picture. Made anew when the picture's size changes.
@@ -26,7 +26,7 @@ pub struct Targets {
     pub(super) colour: wgpu::Texture,
     pub(super) ids: wgpu::Texture,
     pub(super) colour_view: wgpu::TextureView,
-    /// Without conversion.
+    /// The colours, without conversion.
     pub(super) values_view: wgpu::TextureView,
     pub(super) ids_view: wgpu::TextureView,
     pub(super) depth_view: wgpu::TextureView,
@@ -37,7 +37,8 @@ pub struct Targets {
 }
 
 impl Targets {
-    /// Textures for a picture of this size, with 1 or [`SMOOTH_SAMPLES`](super::SMOOTH_SAMPLES) colour samples a pixel.
+    /// Textures for a picture of this size, with 1 or [`SMOOTH_SAMPLES`](super::SMOOTH_SAMPLES) colour samples per
+    /// pixel.
     ///
     /// # Errors
     /// When the adapter draws no pictures that large, or memory runs out.
@@ -94,7 +95,7 @@ impl Targets {
         self.viewport
     }
 
-    /// Colour samples a pixel.
+    /// Colour samples per pixel.
     #[must_use]
     pub fn samples(&self) -> u32 {
         self.samples

@@ -1,5 +1,6 @@
-//! From the `f64` camera and model matrices to the few `f32` numbers that shaders get. All products are composed
-//! before they are rounded: the error is that of one rounding of the result, wherever in the world things stand.
+//! Turns the `f64` camera and model matrices into the few `f32` numbers that shaders get, and bounds the error of what
+//! shaders compute from them. Products of matrices are composed before they are rounded: the error is that of one
+//! rounding of the result, wherever in the world things stand.
 
 use super::{
     layout,
@@ -18,14 +19,15 @@ use crate::{
 use glam::{DMat3, DVec2, DVec3, Mat3, Vec3};
 use std::ops::{Add, Mul, Range};
 
-/// Half a unit in the last place of 1 in `f32`: what one rounding takes, relatively.
+/// The unit roundoff of `f32`, 2^-24: an upper bound on the relative error of one rounding.
 pub(crate) const U: f64 = 0.5 * f32::EPSILON as f64;
 
-/// The most that underflow loses in `f32`.
+/// The most that underflow takes from a result in `f32`.
 pub(crate) const UNDERFLOW: f64 = f32::MIN_POSITIVE as f64;
 
-/// View depth of the plane where the depth buffer stores 0, from which *measured depth* counts: far in reversed, near in
-/// standard mapping. Clip z is measured depth times a factor, and cancels nowhere.
+/// View depth of the plane where the depth buffer stores 0, from which *measured depth* counts: the far plane in
+/// reversed mapping, the near plane in standard mapping. Clip z is measured depth times a factor, so that no digits
+/// cancel.
 #[must_use]
 pub fn depth_origin(view: &View) -> f64 {
     let lens = view.camera.lens();
@@ -35,8 +37,8 @@ pub fn depth_origin(view: &View) -> f64 {
     }
 }
 
-/// View units per world unit, a power of two: brings what the picture shows into `f32`'s range, however large or small
-/// the scene is.
+/// View units per world unit, a power of two. It brings what the picture shows into `f32`'s range, however large or
+/// small the scene is.
 #[must_use]
 pub fn view_unit(view: &View) -> f64 {
     let lens = view.camera.lens();
@@ -48,7 +50,7 @@ pub fn view_unit(view: &View) -> f64 {
     power_of_two_below(size).recip()
 }
 
-/// What all of a frame shares.
+/// The numbers that all of a frame shares.
 #[must_use]
 pub fn frame(view: &View) -> layout::Frame {
     let lens = view.camera.lens();
@@ -82,7 +84,8 @@ pub fn frame(view: &View) -> layout::Frame {
     }
 }
 
-/// Where the vertex space of a batch of triangles has its origin, in object space, and the box about its vertices.
+/// The origin, in object space, of the vertex space of a batch of triangles, and the AABB of its vertices in vertex
+/// space.
 #[must_use]
 pub fn vertex_space(scene: &Scene, batch: &Range<usize>) -> (DVec3, Aabb) {
     match &scene.objects()[batch.start].shape {
@@ -116,10 +119,10 @@ pub struct VertexToView {
     pub view_depth: f32,
 }
 
-/// How far the numbers of a [`VertexToView`] are from what they stand for, in view units.
+/// How far the numbers of a [`VertexToView`] are from the exact ones, in view units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rounding {
-    /// Rows of `linear`, each number without its sign.
+    /// Absolute errors of `linear`, by row.
     linear: [DVec3; 3],
     translation: DVec3,
     view_depth: f64,
@@ -169,7 +172,7 @@ impl ViewError {
         }
     }
 
-    /// The share `s` of the way to another one.
+    /// Linear interpolation: the share `s` of the way to another one.
     #[must_use]
     pub fn lerp(self, other: Self, s: f64) -> Self {
         self * (1.0 - s) + other * s
@@ -234,11 +237,12 @@ impl VertexToView {
         }
     }
 
-    /// A bound on how far `f32` arithmetic moves a vertex in view space: what its numbers are off by, and per axis the
-    /// sum of rounding errors of `position - pivot` (1), of three products and two sums (3) and of the last sum (1),
-    /// each half a unit in the last place of what it rounds (Higham, Accuracy and Stability of Numerical Algorithms,
-    /// 2002, ch. 3), for any order and with or without fused operations. The latter is 0 if all terms are so short that
-    /// no partial sum of them is rounded.
+    /// An upper bound on how far `f32` arithmetic moves a vertex in view space. It has two parts along each axis. The
+    /// first is the error of this transform's numbers. The second is the sum of the rounding errors of
+    /// `position - pivot` (1), of three products and two sums (3) and of the last sum (1), each half a unit in the last
+    /// place of what it rounds (Higham, Accuracy and Stability of Numerical Algorithms, 2002, ch. 3). It holds for any
+    /// order, with or without fused operations. It is 0 if all terms are so short that no partial sum of them is
+    /// rounded.
     #[must_use]
     pub fn error_view(&self, rounding: &Rounding, position: Vec3) -> ViewError {
         let from_pivot = position.as_dvec3() - self.pivot.as_dvec3();
@@ -276,8 +280,8 @@ pub(crate) fn is_f32(value: f64) -> bool {
     f64::from(narrow(value)).to_bits() == value.to_bits()
 }
 
-/// Whether `f32` sums these without rounding, in any order: all are multiples of the lowest bit set in any of them, and
-/// so are their sums, which have room in 24 bits.
+/// Whether `f32` sums these without rounding, in any order. All terms, and so their sums, are multiples of the lowest
+/// bit set in any of them. The sums are exact if they fit into 24 bits from there on.
 fn sums_exactly(terms: [f64; 4]) -> bool {
     let exponents = terms
         .iter()
@@ -291,10 +295,10 @@ fn sums_exactly(terms: [f64; 4]) -> bool {
     lowest >= i64::from(f32::MIN_EXP - 1) && largest <= times_power_of_two(1.0 / U, lowest)
 }
 
-/// The point to subtract from vertices, where `f32` is finest. What counts is the error over the depth: a pivot
-/// that is as near as the nearest vertex that may be seen is never bad, one on what the camera looks at is
-/// best. So: on the line of sight at the target's depth, but in perspective at no more than twice the depth
-/// where the batch begins; then clamped into the batch.
+/// The point to subtract from vertices: `f32` is finest near it. The error relative to the depth counts. A pivot as
+/// near as the nearest vertex that may be seen is never bad; a pivot on what the camera looks at is best. So the pivot
+/// lies on the line of sight at the target's depth; in perspective this depth is at least that where the batch begins,
+/// and at most twice that. The point is then clamped into the batch.
 fn pivot(view: &View, placement: &Placement, origin: DVec3, bounds: &Aabb) -> DVec3 {
     if bounds.is_empty() {
         return DVec3::ZERO;
@@ -316,7 +320,7 @@ fn pivot(view: &View, placement: &Placement, origin: DVec3, bounds: &Aabb) -> DV
     (placement.point_to_object(seen_world) - origin).clamp(bounds.min, bounds.max)
 }
 
-/// From object to view normals, scaled to about 1.
+/// The matrix from object to view normals, scaled so that its largest entry is about 1.
 #[must_use]
 pub fn normal_to_view(view: &View, placement: &Placement) -> DMat3 {
     let normal = view.camera.rotation() * placement.inverse_linear().transpose();

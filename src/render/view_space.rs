@@ -1,4 +1,4 @@
-//! Points of objects in view space, with all digits that `f32` may need.
+//! Transforms points of objects to view space, with all digits that `f32` may need.
 
 use super::transform::{U, depth_origin, view_unit};
 use crate::{
@@ -10,10 +10,10 @@ use crate::{
 };
 use glam::{DMat3, DVec2, DVec3};
 
-/// View space in double-double, for what lies too far from the eye or the origin for `f64`.
+/// View space in double-double, for points that are too far from the eye or the origin for `f64`.
 ///
-/// The stored axes are unit vectors only to within rounding. A point is where its coordinates along these very axes put
-/// it, so that it lies on the ray that a pick casts through its pixel.
+/// The camera's stored axes are unit vectors only to within rounding. View coordinates count along these axes as they
+/// are stored, so that a point lies on the ray that a pick casts through its pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct ViewSpace {
     view: View,
@@ -28,7 +28,7 @@ pub struct ViewPoint {
     pub aside: DVec2,
     /// Depth from the eye.
     pub depth: f64,
-    /// Depth from the near plane, which has digits where depth has none left.
+    /// Depth from the near plane, which keeps digits where `depth` has none left.
     pub past_near: f64,
     /// Depth from [`depth_origin`].
     pub measured: f64,
@@ -89,8 +89,8 @@ impl ViewSpace {
         DMat3::from_cols(column(0), column(1), column(2))
     }
 
-    /// [`ViewSpace::at`], in `f64` where that is fine enough for `f32` results: where its rounding errors, of numbers
-    /// as large as the point's and the eye's coordinates, are far below a pixel and below a step of depth.
+    /// [`ViewSpace::at`], in `f64` where that is fine enough for `f32` results: where rounding errors of numbers as
+    /// large as the point's and the eye's coordinates are far below a pixel and a step of depth.
     pub(super) fn at_quickly(
         &self,
         placement: &Placement,

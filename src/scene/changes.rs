@@ -26,8 +26,8 @@ impl Changes {
         self.room_for(1, count)[0] = change;
     }
 
-    /// Room in the log of a scene of `count` objects for the next `more` changes, to be filled in. If the log has more
-    /// than twice as many entries as objects, only the latest `count` are kept before.
+    /// Adds `more` entries to the log and returns them, to be filled in. `count` is the number of objects in the scene.
+    /// A log of more than twice as many entries is first cut to the latest `count`.
     pub fn room_for(&mut self, more: usize, count: usize) -> &mut [Change] {
         if self.log.len() > 2 * count {
             let old = self.log.len() - count;
@@ -39,9 +39,9 @@ impl Changes {
         &mut self.log[logged..]
     }
 
-    /// Logs a change that is more than one of single objects.
+    /// Logs a change of the whole scene: all readers have to start again.
     pub fn everything(&mut self) {
-        // Plus 1, so that even a reader who was up to date gets `None`.
+        // Plus 1, so that even a reader that was up to date gets `None`.
         self.forgotten = self.now() + 1;
         self.log.clear();
     }

@@ -1,14 +1,15 @@
-//! The box about a mesh that is moved often. For most of its triangles the box about their block is enough.
+//! The bounding box of a mesh that is moved often. Only the blocks that reach beyond the box found so far have their
+//! triangles visited.
 
 use super::{Object, Shape};
 use crate::geometry::{Aabb, BLOCK, Mesh, Placement};
 use glam::DVec3;
 use std::ops::Range;
 
-/// For objects of fewer triangles, every triangle is visited.
+/// In objects of fewer triangles, every triangle is visited.
 const FEW: usize = 8 * BLOCK;
 
-/// Half a unit in the last place of 1.
+/// The unit roundoff, `2^-53`.
 const U: f64 = 0.5 * f64::EPSILON;
 
 /// [`Object::bounds_world`], to the bit.
@@ -70,13 +71,13 @@ fn bounds_and_work(mesh: &Mesh, triangles: &Range<u32>, placement: &Placement) -
     (found, work)
 }
 
-/// A world-space box about an object-space one: about every point in it as [`Placement::point_to_world`] rounds it,
-/// which takes 3 products and 3 sums, each off by `U` of what it adds up, at most `s = |M| m + |T|` with m the largest
-/// coordinates of the box. Middle, half size and their images are off by less than `16 U s`, so `32 U s` is room
-/// enough.
+/// A world-space box that holds the rounded result of [`Placement::point_to_world`] for every point of an object-space
+/// box. Each coordinate takes 3 products and 3 sums. Each of these is off by at most `U s`, where `s = |M| m + |T|` and
+/// m has the largest absolute coordinates of the box. The centre, the half size and their images are off by less than
+/// `16 U s`, so a margin of `32 U s` is enough.
 ///
-/// A world coordinate that depends on a single object coordinate rounds monotonically: it needs no room. Else all
-/// blocks along a straight border would reach beyond each other by their room.
+/// A world coordinate that depends on a single object coordinate rounds monotonically, so it needs no margin. With a
+/// margin, every block along a straight border would reach beyond the box found so far and would be visited.
 fn around(bounds: &Aabb, placement: &Placement) -> Aabb {
     let largest = bounds.min.abs().max(bounds.max.abs());
     let room: DVec3 = 32.0 * U * placement.sizes_in_world(largest);
@@ -158,7 +159,7 @@ mod tests {
             );
             asked += work;
         }
-        // Every block of a border is as far out as the next.
+        // All blocks along a border reach equally far out.
         for matrix3 in [
             DMat3::IDENTITY,
             DMat3::from_cols_array(&[0.0, 0.3, 0.0, 0.0, 0.0, -0.7, 1.1, 0.0, 0.0]),
@@ -172,7 +173,7 @@ mod tests {
             assert_eq!(bounds, object.bounds_world());
             assert!(work <= 16, "{work} blocks");
         }
-        // Of the 313 one belongs to the first part, and half of one to the last.
+        // Of the 313 blocks, the first three hold triangles of the first part only.
         let all = 60 * (mesh.blocks().len() - 3);
         assert_eq!(mesh.blocks().len(), 313);
         assert!(asked < all / 8, "{asked} of {all} blocks");

@@ -13,8 +13,8 @@ pub struct VertexInFile {
     pub line: usize,
     /// Its coordinates as written, separated by a space.
     pub written: String,
-    /// The stored position in object space, `f32` relative to the mesh's origin; `None` where it equals the `f64`
-    /// nearest to the written one.
+    /// The stored position in object space: the mesh's origin plus an `f32` offset. `None` where it equals the written
+    /// position as `f64`.
     pub stored: Option<DVec3>,
     /// The written coordinates as `f64`; `None` unless they are three finite numbers.
     #[serde(skip)]
@@ -35,7 +35,7 @@ pub struct FaceInFile {
     pub written: String,
     /// Why the mesh has no triangle of this face; `None` where it has.
     pub left_out: Option<String>,
-    /// Its corners in order; for a face that is left out, those that exist.
+    /// Its corners in order. A face that is left out has only those that exist.
     pub vertices: Vec<VertexInFile>,
     /// The mesh's triangles of this face.
     pub triangles: Range<u32>,

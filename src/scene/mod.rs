@@ -153,7 +153,7 @@ impl Scene {
         self.sums.all().triangles
     }
 
-    /// Objects plus triangles: the measure by which callers recognise a large scene.
+    /// Objects plus triangles. By this number callers recognise a large scene.
     #[must_use]
     pub fn size(&self) -> usize {
         self.objects.len() + self.triangle_count()
@@ -303,8 +303,8 @@ impl Scene {
         }
     }
 
-    /// Whether `is_it` holds for the index of a batch whose world-space box meets `bounds`. May also be true when the
-    /// search would take too long.
+    /// Whether `is_it` holds for the index of some batch whose world-space box meets `bounds`. Also true when the
+    /// search would take too long. Without a tree, every batch is asked, whatever its box.
     pub(crate) fn meets_batch(&self, bounds: &Aabb, mut is_it: impl FnMut(usize) -> bool) -> bool {
         if self.tree.is_empty() {
             (0..self.batches.len()).any(is_it)

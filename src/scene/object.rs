@@ -16,9 +16,9 @@ pub enum Shape {
     Cube,
     /// Side 1 about the origin in the xy plane, facing +z.
     Square,
-    /// One object of a file.
+    /// One part of a mesh: an object of its file.
     Mesh {
-        /// The whole file.
+        /// The mesh of the whole file.
         mesh: Arc<Mesh>,
         /// The index of the part, from 0. A part that does not exist has no triangles.
         part: usize,

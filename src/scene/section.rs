@@ -67,7 +67,7 @@ impl Scene {
     }
 }
 
-/// A face of an object, about an origin of its object space.
+/// A face of an object. Its corners are relative to `origin`, a point in object space.
 struct Face {
     origin: DVec3,
     /// Counter-clockwise from outside.
@@ -102,14 +102,15 @@ fn face_of(object: &Object, face: Option<u32>) -> Option<Face> {
     }
 }
 
-/// The section that keeps a face and everything behind it: n and c are rounded, c so that points exactly on the face
-/// are kept. For a mesh these are all vertices in the face's plane to `f32` precision: a flat face of many triangles is
-/// kept whole.
+/// The section that keeps a face and everything behind it. n and c are rounded, and c is then raised until the section
+/// keeps the face's corners. On a mesh it also keeps all vertices that lie in the face's plane to `f32` precision, so a
+/// flat face of many triangles stays whole.
 fn along(object: &Object, face: &Face) -> Result<Section, SectionError> {
     let placement = &object.placement;
     let to_world = |corner: DVec3| placement.point_to_world(face.origin + corner);
     let [a, b, c] = face.corners.map(to_world);
-    // Clockwise from outside; under a matrix that mirrors, the other way round.
+    // The section keeps the side from which its points are counter-clockwise: here the inside. A matrix that mirrors
+    // reverses their order.
     let points = if placement.mirrors() {
         [a, b, c]
     } else {
@@ -125,7 +126,7 @@ fn along(object: &Object, face: &Face) -> Result<Section, SectionError> {
 }
 
 /// The vertices of a mesh that lie in a plane up to `f32` rounding. The slack is four times the rounding of one vertex:
-/// so far may a parallelogram's fourth corner lie from the plane of the other three.
+/// the fourth corner of a parallelogram may lie that far from the plane of the other three.
 fn vertices_near(mesh: &Mesh, placement: &Placement, section: &Section) -> Vec<DVec3> {
     let MeshData {
         origin,

@@ -1,4 +1,5 @@
-//! Boxes and counts over all objects of a scene. They are kept per run of objects: a change recomputes one run.
+//! The bounding box and the counts of all objects of a scene. They are kept per run of objects, so a change recomputes
+//! one run.
 
 use super::{Object, changes::Change};
 use crate::geometry::{
@@ -106,7 +107,7 @@ impl Sums {
         bounds: &[Aabb],
         log: &mut [Change],
     ) {
-        // Few are not worth threads.
+        // Few changes are not worth threads.
         let shares = if changed.len() < LEAST { 1 } else { cores() };
         let runs = self.runs.len().div_ceil(shares).max(1);
         let each = (self.runs.chunks_mut(runs))
@@ -203,7 +204,8 @@ mod tests {
         Object::new("ball", Shape::Sphere, Placement::IDENTITY)
     }
 
-    /// A change of one object reads its run and no other. Here all others are made wrong meanwhile, and the sums stay.
+    /// A change of one object reads only its run. The test corrupts all other runs before the change; the sums stay
+    /// right.
     #[test]
     fn a_change_reads_one_run_of_objects() {
         let unit = Aabb {
@@ -223,7 +225,7 @@ mod tests {
         assert_eq!([sums.all().bounds, sums.all().visible_bounds], [unit; 2]);
     }
 
-    /// What each pass asks of a scene reads no object: with the sums of an empty scene, it answers as that one.
+    /// These queries read no object: a scene that is given the sums of an empty scene answers as the empty one.
     #[test]
     fn a_scene_answers_by_its_sums() {
         let hidden = Object {

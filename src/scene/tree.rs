@@ -1,18 +1,21 @@
-//! A bounding volume hierarchy (BVH) over the batches of a scene: a ray tests only the few that it may hit.
+//! A bounding volume hierarchy (BVH) over the batches of a scene, so that a ray is tested only against the few batches
+//! that it may hit.
 //!
-//! Its boxes only reject, and they carry slack: intersecting the batches that it returns gives the same hits, to the
-//! bit, as intersecting every batch.
+//! Its boxes only reject, and they are grown by a slack. Intersecting the batches that it returns gives the same hits,
+//! to the bit, as intersecting every batch.
 //!
 //! # The slack
 //!
-//! Hits are found in object space. With `U = 2^-53`, `k` the product of the Frobenius norms of its model matrix and of
-//! the inverse (at least 3), and `D` the sum of the largest coordinates of eye, box and model translation: the inverse
-//! is within about `8 k U` of itself, so the ray's line in object space, seen from the world, is within `16 k^2 U D` of
-//! the given one wherever it may hit. A hit on a curved or flat shape lies on that line and within some `U` of the
-//! shape, even where the ray grazes the shape and `t` is inaccurate. The box's own corners round by `4 k U D`. Boxes
-//! are grown by `2^-40 k^2 D`, 300 times the sum, which is still negligible in practice. The true ray differs from an
-//! inexact one by the error of its origin, plus the error of its direction over the way to the box. Boxes grow by twice
-//! that when they are tested.
+//! Hits are found in object space. Let `U = 2^-53`. Let `k` be the product of the Frobenius norms of the model matrix
+//! and of its inverse, which is at least 3. Let `D` be the sum of the largest coordinates of eye, box and model
+//! translation. The computed inverse has a relative error of about `8 k U`. So the ray's line in object space, mapped
+//! back to world space, is within `16 k^2 U D` of the given line wherever it may hit. A hit on a curved or flat shape
+//! lies on that line and within some `U` of the shape, even where the ray grazes the shape and `t` is inaccurate. The
+//! box's own corners round by `4 k U D`. Boxes are grown by `2^-40 k^2 D`: 300 times the sum of these errors, and still
+//! negligible in practice.
+//!
+//! An inexact ray differs from the true one by the error of its origin, plus the error of its direction times the
+//! distance to the box. Boxes grow by twice that when they are tested.
 
 use super::{Object, Scene};
 use crate::geometry::{Aabb, Pyramid, RayError, WorldRay, binary::power_of_two, entry};
@@ -43,7 +46,8 @@ pub(super) struct SceneTree {
 #[derive(Clone, Copy, Debug)]
 struct Node {
     bounds: Aabb,
-    /// The largest `ROOM * k^2` below this node. `bounds` already has this slack for all of `D` but the eye's part.
+    /// The largest `ROOM * k^2` below this node. `bounds` already includes the slack for all of `D` except the eye's
+    /// coordinates.
     room: f64,
     /// The batch of a leaf, or the second child of an inner node.
     content: Content,
@@ -152,7 +156,7 @@ impl SceneTree {
         }
     }
 
-    /// Whether `is_it` holds for a batch whose box meets `bounds`. Also true after more than [`MOST_ASKED`] nodes.
+    /// Whether `is_it` holds for some batch whose box meets `bounds`. Also true after more than [`MOST_ASKED`] nodes.
     pub fn meets(&self, bounds: &Aabb, mut is_it: impl FnMut(usize) -> bool) -> bool {
         let mut open = vec![0];
         let mut asked = 0;

@@ -1,4 +1,4 @@
-//! Which precision each step needs for picks on a scene to stay within an error in pixels.
+//! Finds the precision that each step needs so that picks on a scene stay within an error in pixels.
 
 use super::{
     estimates::{Estimate, estimates},
@@ -22,7 +22,7 @@ pub fn budget(rays: &SceneRays, view: &View, report: &Report, budget_px: f64) ->
     lines.join("\n") + "\n"
 }
 
-/// The error of a pick: that of its ray, of its way into object space, and of the worst shape's test.
+/// The error of a pick: the sum of the errors of its ray, of the transform to object space, and of the worst shape's test.
 fn total(chain: &[Estimate], of: fn(&Estimate) -> f64) -> f64 {
     let (shapes, steps): (Vec<&Estimate>, Vec<&Estimate>) =
         chain.iter().partition(|step| step.is_of_shape());
@@ -50,7 +50,7 @@ fn chain(narrow: &[Estimate], wide: &[Estimate], budget_px: f64) -> Vec<Estimate
     chain
 }
 
-/// A number of pixels with two digits, 5 % larger, so that rounding does not make it smaller.
+/// A number of pixels, rounded to a few digits. It is 5 % larger, so that rounding does not make it smaller.
 fn pixels(px: f64) -> String {
     if px.is_finite() {
         format!("{} px", number(px * 1.05))
@@ -105,7 +105,7 @@ fn reach(chain: &[Estimate], view: &View, budget_px: f64) -> String {
     )
 }
 
-/// How much time the chain's steps save in `f32`, beside the time of a whole pick.
+/// How much time `f32` saves in these steps, compared with the time of a whole pick.
 fn savings(report: &Report, steps: &[Estimate]) -> String {
     /// The least share of a pick's time that counts.
     const WORTH: f64 = 0.05;
@@ -152,7 +152,7 @@ fn sample<'a>(report: &Report, estimates: impl Iterator<Item = &'a Estimate>) ->
     )
 }
 
-/// The error that was measured of an estimate's method on the scene's own rays, in pixels.
+/// The measured error of an estimate's method on the scene's own rays, in pixels.
 #[must_use]
 pub fn measured(report: &Report, step: &Estimate) -> Option<f64> {
     let mut rows = report.of_scene(step.step);

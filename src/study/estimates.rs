@@ -1,9 +1,10 @@
-//! Upper bounds, over a scene's own rays, of the error in pixels that a floating-point method of each step adds to a pick.
+//! Computes upper bounds of the error in pixels that each step's floating-point method adds to a pick, over a scene's own
+//! rays.
 //!
 //! Each step has one sound method: it is wrong by a few roundings at most. Let u be half an ulp of 1 in the method's
 //! precision. For the first two steps the bounds are those of Sightline's methods ([`super::methods`]): they count the
 //! roundings of the same formulas and are proportional to u. In `f32`, the rounded coordinates of object and eye add to that.
-//! A shape's test decides as for a ray that passes this far aside:
+//! A shape's test decides as if the ray passed aside by at most this distance:
 //!
 //! * sphere, Hearn & Baker: 8u of the distance for the line's point nearest to the centre, 2u of the distance for the rest;
 //!   4u for the radius;
@@ -12,7 +13,7 @@
 //! * triangle, Woop: 8u for a corner's sheared coordinates and 6u for the edge function, both of the furthest corner's
 //!   distance; 2u for the ray's start.
 //!
-//! Divided by the distance of the nearest edge, this is an angle at the eye.
+//! This distance, divided by the distance of the nearest edge, is an angle at the eye.
 
 use super::{methods::TriangleCase, prelude::*, scene_rays::px_angle};
 use crate::{camera::View, scene::Shape};
@@ -92,7 +93,7 @@ pub fn estimates(
     taken.map(of).collect()
 }
 
-/// The eye's rounded coordinates; they matter only where parallel rays start at world positions.
+/// The error from the eye's rounded coordinates. They matter only where parallel rays start at world positions.
 fn eye(view: &View, u: f64) -> [f64; 2] {
     let camera = &view.camera;
     let distance = camera.eye().distance(camera.target());
@@ -104,7 +105,7 @@ fn eye(view: &View, u: f64) -> [f64; 2] {
     }
 }
 
-/// The rounded world coordinates of rays and objects.
+/// The error from the rounded world coordinates of rays and objects.
 fn places(rays: &SceneRays, u: f64) -> [f64; 2] {
     let each = rays.objects().map(|(ray, object, hit)| {
         let place = object.placement.model().translation;

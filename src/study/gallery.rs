@@ -1,4 +1,4 @@
-//! Which method breaks on which scene of the gallery: the list that tests and window read.
+//! Lists which method breaks on which scene of the gallery. Tests and window read this list.
 
 use super::{
     methods::{
@@ -26,8 +26,8 @@ pub struct Break {
     pub family: &'static str,
     /// The parameter's value on the scene.
     pub value: f64,
-    /// A lower bound of what goes wrong on the scene's own rays: in per cent of decisions; where all decisions are right, the
-    /// worst error of a value in the step's unit.
+    /// A lower bound of what goes wrong on the scene's own rays: the wrong decisions in per cent or, where all decisions are
+    /// right, the worst error of a value in the step's unit.
     pub least: f64,
 }
 
@@ -82,7 +82,7 @@ pub fn breaks_on(exhibit: &str) -> impl Iterator<Item = &'static Break> {
 }
 
 /// The rows of all methods of a break's step, in the break's family and on the view's own rays (the family [`SCENE`]). Errors
-/// in pixels are those of the view; per cent, degrees and parts of a depth do not depend on it.
+/// in pixels are converted to pixels of the view.
 #[must_use]
 pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
     // Enough that some go through the one column of pixels on which `along_a_face` breaks.

@@ -27,15 +27,15 @@
 //! translation, centre), then multiply.
 //!
 //! **A test for equality is a test of rounding.** Three areas that should add up to a fourth do so for only some of the
-//! hits; the rest are lost. A tolerance finds hits in a triangle's middle again and moves its edges. Signs need no
-//! tolerance: the side of an edge on which a ray passes is one sign, the same for both triangles at the edge.
+//! hits; the rest are lost. A tolerance brings back the hits in a triangle's middle, but moves the triangle's edges. Signs
+//! need no tolerance: the side of an edge on which a ray passes is one sign, the same for both triangles at the edge.
 //!
 //! **A mesh leaks where two of its triangles disagree.** Each of them may miss a ray at their edge by a rounding. A test that
-//! computes one number for the edge, whichever triangle asks, closes it; a corner needs more.
+//! computes the same number for the edge from either triangle closes this leak; a corner needs more.
 //!
 //! **Rounding fails at edges, exact arithmetic does not.** In `f64` only ties are still decided wrongly: rays exactly
-//! through an edge, as whole-number coordinates make them. A bound on the rounding says when a sign is certain. Where it is
-//! not, exact arithmetic decides, so rarely that it costs next to nothing.
+//! through an edge, which whole-number coordinates produce. A bound on the rounding says when a sign is certain. Otherwise
+//! exact arithmetic decides. This is so rare that it costs next to nothing.
 //!
 //! **Subtract squares late.** `b^2 - 4ac` loses a far sphere's outline; the distance of the centre from the line keeps
 //! it. A surface seen edge-on has a poor distance by any formula: that problem is ill-conditioned, and only more digits
@@ -46,7 +46,7 @@
 //!
 //! **Near and far are planes.** A test on the distance makes spheres of them and is wrong in a wide picture's corners.
 //!
-//! **Half of a depth buffer is empty.** Standard depth spends most of its numbers on the first few units before the eye.
+//! **Half of a depth buffer is empty.** Standard depth spends most of its numbers on the first few units in front of the eye.
 //! Reversed, the same 32 bits are as precise at any distance as an `f32` can be.
 //!
 //! **A whole pick is only as good as its worst step**, and a tree saves more time than all of the above together.

@@ -1,4 +1,5 @@
-//! Random numbers for workloads: by integer arithmetic and correctly rounded operations only, so the same on every machine.
+//! Makes random numbers for workloads. Only integer arithmetic and correctly rounded operations are used, so the numbers are
+//! the same on every machine.
 
 use super::real::V3;
 use glam::DVec2;
@@ -19,7 +20,7 @@ impl Random {
         random
     }
 
-    /// The stream of a seed and a name, so that adding a family leaves the others as they are (FNV-1a).
+    /// The stream of a seed and a name (hashed by FNV-1a), so that a new family leaves the streams of the others as they are.
     #[must_use]
     pub fn named(seed: u64, names: &[&str]) -> Self {
         let bytes = names.iter().flat_map(|name| name.bytes().chain([0]));
@@ -117,7 +118,7 @@ impl Random {
     }
 }
 
-/// Two to a whole number of bits, at most 30.
+/// Two to the power of a whole number, at most 30.
 pub(super) const fn two_to(bits: f64) -> i32 {
     #[expect(clippy::cast_possible_truncation, reason = "a small whole number")]
     let bits = bits as i32;

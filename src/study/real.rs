@@ -57,7 +57,7 @@ pub struct V3<T> {
     pub z: T,
 }
 
-/// A number with sums and products: `f32`, `f64`, a pair of `f64`, or eight numbers side by side.
+/// A number with sums and products: `f32`, `f64`, a double-double, or eight numbers side by side.
 pub trait Ring:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {

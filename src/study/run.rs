@@ -16,20 +16,20 @@ use std::iter;
 pub struct Effort {
     /// Cases at each value of each family's parameter.
     pub cases: usize,
-    /// The same for whole picks, which are fewer: truth tests every triangle.
+    /// The same for whole picks. They are fewer, because their truth tests every triangle.
     pub picks: usize,
     /// Rounds of timing; 0 for none.
     pub rounds: usize,
-    /// Of the random numbers: the same seed gives the same verdicts on every machine.
+    /// The seed of the random numbers. The same seed gives the same verdicts on every machine.
     pub seed: u64,
 }
 
 impl Effort {
-    /// Within seconds.
+    /// Takes seconds.
     pub const QUICK: Self = Self::new(500, 200, 11);
     /// A scene's own rays only.
     pub const SCENE_ONLY: Self = Self::new(0, 0, 11);
-    /// Within minutes.
+    /// Takes minutes.
     pub const FULL: Self = Self::new(8000, 4000, 41);
 
     const fn new(cases: usize, picks: usize, rounds: usize) -> Self {
@@ -125,7 +125,7 @@ impl Row {
 /// Everything that was found.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// By step, family, value, method.
+    /// In the order of step, family, value and method.
     pub rows: Vec<Row>,
 }
 
@@ -136,7 +136,7 @@ impl Report {
         own.filter(move |row| row.info.step.key == step)
     }
 
-    /// Two reports: the general workloads', and that of a scene's own rays; `None` where there are no such rows.
+    /// Two reports, one of the general workloads and one of a scene's own rays; `None` where there are no such rows.
     #[must_use]
     pub fn split(&self) -> [Option<Self>; 2] {
         let part = |is_own: bool| {
@@ -184,7 +184,7 @@ struct Workload<'a, C> {
     family: &'static str,
     parameter: &'static str,
     value: f64,
-    /// Makes at most so many of its cases, always the same ones first.
+    /// Makes at most the given number of its cases, always the same ones first.
     make: Box<dyn Fn(usize) -> Vec<C> + Sync + 'a>,
 }
 
@@ -313,7 +313,7 @@ fn judge<C: Case>(work: &Workload<'_, C>) -> Vec<Row> {
     rows.collect()
 }
 
-/// The ratio of an error to its bound; infinite where both are infinite, as such a bound bounds nothing.
+/// The ratio of an error to its bound. Infinite where both are infinite, because an infinite bound bounds nothing.
 fn share(found: f64, bound: f64) -> f64 {
     let share = if found == 0.0 { 0.0 } else { found / bound };
     if share.is_nan() { f64::INFINITY } else { share }

@@ -1,4 +1,4 @@
-//! A scene's own camera and rays as workloads: they tell which method the scene needs.
+//! Makes workloads of a scene's own camera and rays. They tell which method the scene needs.
 
 use super::{methods::picks::PickWorld, random::Random};
 use crate::{
@@ -16,7 +16,7 @@ pub struct SceneRays {
     pub(super) world: Arc<PickWorld>,
     /// Pixel centres.
     pub(super) at: Vec<DVec2>,
-    /// Those of the rays through them that hit, each with its nearest hit.
+    /// The rays through these pixels that hit something, each with its nearest hit.
     pub(super) hits: Vec<(Ray, SceneHit)>,
     pub(super) seed: u64,
 }
@@ -71,8 +71,8 @@ impl SceneRays {
     }
 }
 
-/// The angle, seen from the eye, of a pixel in a view's middle, in radians. Parallel rays' pixels are as wide at every
-/// `distance`; in perspective the distance does not matter.
+/// The angle of a pixel in a view's middle, seen from the eye, in radians. With parallel rays the angle depends on
+/// `distance`, because a pixel is equally wide everywhere. In perspective `distance` does not matter.
 pub fn px_angle(view: &View, distance: f64) -> f64 {
     let lens = view.camera.lens();
     let height = 2.0 * lens.half_extent(1.0).y / f64::from(view.viewport.height());

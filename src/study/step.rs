@@ -36,7 +36,7 @@ pub struct MethodInfo {
     pub source: &'static str,
     /// Whether Sightline picks by this method.
     pub ours: bool,
-    /// What the method offers in return where another is faster and no more often wrong.
+    /// What the method offers although another one is faster and no more often wrong.
     pub reason: Option<&'static str>,
 }
 
@@ -152,14 +152,14 @@ impl<C> Family<C> {
         }
     }
 
-    /// Ordinary cases: a step's first family, whose times methods are compared by.
+    /// Ordinary cases: a step's first family. Methods are compared by their times on it.
     pub(super) const fn ordinary(make: fn(&mut Random, f64) -> C) -> Self {
         Self::new("ordinary", "-", &[1.0], make)
     }
 }
 
 impl<C: Case<Truth = Option<f64>>> Family<C> {
-    /// Ordinary cases of which a given share hits: for speed over the share of hits.
+    /// Ordinary cases of which a given share hits. They show how speed depends on the share of hits.
     pub(super) const HIT_RATE: Self = Self::new(
         "hit rate",
         "share of hits",
@@ -183,9 +183,9 @@ pub enum Verdict {
     Right(f64),
     /// The decision is right, and there is no value.
     Agreed,
-    /// A hit was missed; a ray this far aside misses indeed.
+    /// A hit was missed. A ray that passes this far aside really misses.
     Missed(f64),
-    /// A miss was called a hit; a ray this far aside hits indeed.
+    /// A miss was called a hit. A ray that passes this far aside really hits.
     Phantom(f64),
     /// Something else than the nearest was hit.
     Other,
@@ -230,7 +230,7 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
     const ABOUT: About;
     /// How many cases of a workload are timed; 0 for steps that simulate hardware.
     const TIMED: usize = 512;
-    /// At most so many rounds are timed.
+    /// The most rounds that are timed.
     const MOST_ROUNDS: usize = usize::MAX;
     /// How many cases of a workload are judged.
     #[must_use]
@@ -265,8 +265,8 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
     fn truth(&self) -> Self::Truth;
     /// Compares an answer with the truth.
     fn judge(&self, truth: &Self::Truth, answer: &Self::Answer) -> Verdict;
-    /// An upper bound of the error of Sightline's method, with its derivation; 0 where nothing rounds. Its decisions are
-    /// always right.
+    /// An upper bound of the error of Sightline's method; 0 where nothing rounds. Each step derives its own. The method's
+    /// decisions are always right.
     fn bound(&self, _: &Self::Truth) -> f64 {
         0.0
     }

@@ -1,17 +1,17 @@
-//! A report's figures for each method as a whole: for tables and charts.
+//! Sums up a report's figures for each method, for tables and charts.
 
 use super::{prelude::*, timing::Time};
 
 /// What a method did over several workloads.
 #[derive(Clone, Debug)]
 pub struct Summary<'a> {
-    /// Its first row: the ordinary workload, whose times methods are compared by.
+    /// Its first row: the ordinary workload. Methods are compared by their times on it.
     pub method: &'a Row,
     /// All of its rows.
     pub rows: Vec<&'a Row>,
 }
 
-/// A method is off the front when another one, at most as wrong, is faster by more than this factor.
+/// A method is off the Pareto front when another one is at most as wrong and faster by more than this factor.
 const FASTER: f64 = 1.1;
 
 impl<'a> Summary<'a> {
@@ -65,8 +65,9 @@ impl<'a> Summary<'a> {
         interval(self.sum(Row::wrong), self.sum(|row| row.cases))[1]
     }
 
-    /// Whether every method that is more than a tenth faster on the ordinary workload is more wrong: in decisions, or in the
-    /// error that one value of a thousand exceeds. Where nothing is timed: whether none is better.
+    /// Whether the method is on the Pareto front of speed and accuracy: every method that is more than a tenth faster on the
+    /// ordinary workload is more wrong, in decisions or in the error that one value of a thousand exceeds. Where nothing is
+    /// timed, no method may be better in one of the two and at least as good in the other.
     pub(super) fn is_on_front(&self, others: &[Self]) -> bool {
         let key = |of: &Self| [of.wrong_rate(), of.p999_error()];
         let own = key(self);
@@ -84,7 +85,7 @@ impl<'a> Summary<'a> {
     }
 }
 
-/// The ends of a share's 95 % interval by Wilson (JASA 22, 1927); for none of n, from 0 to 3 of n.
+/// The ends of a share's 95 % interval by Wilson (JASA 22, 1927). For 0 of n they are 0 and 3 / n.
 pub(super) fn interval(some: usize, of: usize) -> [f64; 2] {
     const Z2: f64 = 1.96 * 1.96;
     if some == 0 {
@@ -95,13 +96,13 @@ pub(super) fn interval(some: usize, of: usize) -> [f64; 2] {
     [-half, half].map(|half| (p + 0.5 * Z2 * per_n + half) / (1.0 + Z2 * per_n))
 }
 
-/// The share `some / of`; 0 of none.
+/// The share `some / of`; 0 for 0 of 0.
 #[expect(clippy::cast_precision_loss, reason = "millions at most")]
 pub(super) fn rate(some: usize, of: usize) -> f64 {
     some as f64 / of.max(1) as f64
 }
 
-/// The value that a given share of the sorted values does not exceed; 0 of none.
+/// The value that a given share of the sorted values does not exceed; 0 if there are no values.
 pub(super) fn quantile(sorted: &[f64], share: f64) -> f64 {
     #[expect(
         clippy::cast_precision_loss,

@@ -1,5 +1,5 @@
-//! A whole pick in which a method of the registry does one step and Sightline all others: it shows a method's mistakes on a
-//! scene.
+//! Makes a whole pick in which a method of the registry does one step and Sightline does all others. This shows the method's
+//! mistakes on a scene.
 
 use super::{
     methods::{
@@ -37,7 +37,7 @@ pub struct Click<'a> {
     ray: WorldRay<'static>,
 }
 
-/// A step that a pick can do by any of its methods.
+/// A step of a pick that any of the step's methods can do.
 pub trait Step: Case {
     /// The pick with this step done by `run`; `None` for a miss.
     fn pick(click: &Click<'_>, run: fn(&Self) -> Self::Answer) -> Option<Found>;
@@ -164,8 +164,8 @@ impl<'a> Click<'a> {
     }
 }
 
-/// The first hit in a ray's interval, by a method that finds the first hit at or after a ray's start: it is asked from
-/// `t = 0`, and again from `t_min` where that hit lies before the interval.
+/// The first hit in a ray's interval, by a method that finds the first hit at or after a ray's start. The method first runs
+/// from `t = 0`, or from `t_min` if that is negative. If its hit lies before the interval, it runs again from `t_min`.
 fn first(ray: &Ray, method: impl Fn(&Ray) -> Option<f64>) -> Option<f64> {
     let from = |start: f64| {
         let origin = ray.at(start);

@@ -186,7 +186,7 @@ fn place(row: &Row, found: f64) -> String {
     }
 }
 
-/// Nanoseconds with two or three digits.
+/// Nanoseconds with one decimal, or whole thousands from 10,000 on.
 fn time(ns: f64) -> String {
     if ns < 1e4 {
         format!("{ns:.1}")
@@ -205,7 +205,7 @@ fn percent(value: f64) -> String {
     }
 }
 
-/// A measured number with two digits.
+/// A measured number, rounded to a few digits.
 pub fn number(value: f64) -> String {
     match value {
         0.0 => "0".to_owned(),

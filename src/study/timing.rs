@@ -33,11 +33,12 @@ pub struct Time {
     pub learnt: f64,
 }
 
-/// So few cases that the processor learns their branches.
+/// The number of cases that are repeated: so few that the processor learns their branches.
 const FEW: usize = 32;
-/// The first-level cache holds twice as much: the cases, and the copy that brings them there.
+/// The size of the cases that methods take turns over. The first-level cache holds twice as much: the cases, and the copy
+/// that brings them there.
 const CACHED_BYTES: usize = 16 << 10;
-/// Shorter times are lost in the loop's own.
+/// Shorter times are lost in the time of the loop itself.
 const LEAST_NS: f64 = 0.1;
 
 /// Times each method of a step over the same cases, in the registry's order; `None` for a method that cannot run here. A

@@ -1,5 +1,5 @@
-//! Truth: where rays meet shapes by exact arithmetic, and how far off another answer is. Uses no method's code and none of
-//! [`crate::geometry`].
+//! The truth: computes by exact arithmetic where rays meet shapes, and how far off another answer is. It shares no code with
+//! any method or with [`crate::geometry`].
 
 use super::{
     exact::{Exact, Exact3},
@@ -12,7 +12,7 @@ use std::{cmp::Ordering, f64::consts::FRAC_PI_2};
 pub const UNIT: f64 = 0.5 * f64::EPSILON;
 /// Half an ulp of 1 in `f32`.
 pub const UNIT_F32: f64 = 0.5 * f32::EPSILON as f64;
-/// The largest relative error of a `t` that Sightline's shapes accept from `f64`; a less certain `t` they compute exactly.
+/// The largest relative error of a `t` that Sightline's shapes accept from `f64`. They compute a less certain `t` exactly.
 pub(super) const CERTAIN: f64 = 1.0 / 67_108_864.0;
 
 /// A ray in exact numbers. Shapes include their edges and rims.
@@ -43,7 +43,7 @@ impl Line {
         }
     }
 
-    /// Where it meets the plane with a normal through a point, which is relative to the ray's start; none where the ray is
+    /// Where it meets a plane, given by its normal and by a point relative to the ray's start; `None` where the ray is
     /// parallel to the plane.
     fn plane(&self, normal: &Exact3, point: &Exact3) -> Option<Meeting> {
         let fall = normal.dot(&self.direction);
@@ -83,8 +83,8 @@ impl Line {
         vec![at(&b - &root, !root.is_zero()), at(b + root, false)]
     }
 
-    /// Where it meets the faces of a cube about the origin. A face within which the ray runs is skipped: its rim belongs to
-    /// the faces beside it.
+    /// Where it meets the faces of a cube about the origin. A face is skipped if the ray runs in its plane: its rim also
+    /// belongs to the faces beside it.
     #[must_use]
     pub fn cube(&self, half: &Exact) -> Vec<Meeting> {
         let (o, d) = (&self.origin.0, &self.direction.0);
@@ -92,7 +92,7 @@ impl Line {
         for axis in (0..3).filter(|&axis| !d[axis].is_zero()) {
             for plane in [half.clone(), -half.clone()] {
                 let way = &plane - &o[axis];
-                // Without the quotient: |o + t d| <= half at t = way / d.
+                // Tests |o + t d| <= half at t = way / d, without dividing.
                 let is_within = |other: usize| {
                     let at = &o[other] * &d[axis] + &way * &d[other];
                     at.abs() <= (half * &d[axis]).abs()
@@ -109,7 +109,8 @@ impl Line {
     }
 
     /// Where it meets the parallelogram with sides u and v about a middle. With r from the middle to the ray's start and
-    /// N = u x v, the coordinate along u is `-r.(d x v) / d.N`, along v `r.(d x u) / d.N`; they are compared undivided.
+    /// N = u x v, the coordinate along u is `-r.(d x v) / d.N`, and along v `r.(d x u) / d.N`. Both are compared without
+    /// dividing.
     #[must_use]
     pub fn parallelogram(&self, middle: &Exact3, [u, v]: [&Exact3; 2]) -> Option<Meeting> {
         let (r, normal) = (&self.origin - middle, u.cross(v));
@@ -132,7 +133,7 @@ pub(super) fn first_ahead(met: impl IntoIterator<Item = Meeting>) -> Option<f64>
     ahead.min().map(|t| t.to_f64())
 }
 
-/// Each component of `p x q` with its two terms' magnitudes added: its rounding is relative to this.
+/// For each component of `p x q`, the sum of the magnitudes of its two terms. The component's rounding is relative to this.
 pub(super) fn cross_sizes(p: V3<f64>, q: V3<f64>) -> V3<f64> {
     let (p, q) = (p.abs(), q.abs());
     V3::new(
@@ -163,8 +164,8 @@ pub(super) fn segment_angle(o: V3<f64>, d: V3<f64>, from: V3<f64>, to: V3<f64>) 
     angle(d, p).min(angle(d, q))
 }
 
-/// The angle between two directions, at most a right one; small angles, which matter, by their tangent. Only quotients and
-/// roots are used, which every machine rounds alike.
+/// The angle between two directions, at most a right angle. Its tangent stands for it, because only small angles matter:
+/// the tangent needs only quotients and roots, which every machine rounds alike.
 fn angle(a: V3<f64>, b: V3<f64>) -> f64 {
     let (sin, cos) = (a.cross(b).length(), a.dot(b));
     if cos > 0.0 {

@@ -1,4 +1,4 @@
-//! Which triangles of a mesh continue across another one's edge.
+//! Finds the triangles of a mesh that share an edge with another one.
 
 use crate::geometry::MeshData;
 use std::collections::HashMap;
@@ -78,6 +78,6 @@ pub(super) struct Neighbour {
     pub triangle: u32,
     /// Its vertex off the edge.
     pub apex: u32,
-    /// Whether it runs along the edge the other way, as triangles that face the same way do.
+    /// Whether it runs along the edge in the opposite direction, as triangles that face the same way do.
     pub faces_alike: bool,
 }

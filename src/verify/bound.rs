@@ -16,13 +16,13 @@ pub(super) struct Outline {
     pub f32_px: f64,
 }
 
-/// Why a surface may be at a pixel for drawing and not for the pick, or vice versa.
+/// Why a surface may be at a pixel for drawing but not for the pick, or vice versa.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reason {
     pub class: Class,
-    /// What it needs over what is allowed; at most 1.
+    /// The error that it needs over the error that is allowed; at most 1.
     pub strain: f64,
-    /// The outline behind it; [`Outline::NONE`] for a depth.
+    /// The outline that it rests on; [`Outline::NONE`] for a depth.
     pub outline: Outline,
 }
 
@@ -37,7 +37,7 @@ pub(super) struct Stored {
     pub farthest: f64,
     /// The part of these bounds that is due to rounding, without moving the surface aside.
     pub rounding: f64,
-    /// The most that rounding may be in a view that drawing can hold.
+    /// The largest `rounding` in a view that `f32` can draw.
     pub ceiling: f64,
     /// Whether the bounds lie above a ceiling.
     pub beyond_f32: bool,
@@ -56,7 +56,7 @@ impl Outline {
         self.grid_px + self.f32_px
     }
 
-    /// What it explains: nothing when it is farther off than drawing may move it, or that has no bound.
+    /// What it explains: nothing when it is farther away than drawing may move it, or when there is no bound on that.
     pub fn reason(self) -> Option<Reason> {
         let error_px = self.error_px();
         let strain = strain(self.distance_px, error_px)?;
@@ -75,7 +75,7 @@ impl Outline {
         })
     }
 
-    /// The one of two that is nearer relative to how far drawing may move it; one without a bound wins.
+    /// The nearer of two, relative to how far drawing may move each; one without a bound wins.
     pub fn nearer(self, other: Self) -> Self {
         let [of_self, of_other] = [self, other].map(|at| {
             if at.is_bounded() {
@@ -94,8 +94,8 @@ impl Outline {
 }
 
 impl Reason {
-    /// What the near plane explains for a surface whose depth lies `gap` off it, when the rasteriser's grid and `f32` may
-    /// change that depth by so much; `beyond_f32` says that the depth's bounds exceed a ceiling.
+    /// What the near plane explains for a surface at distance `gap` from it in depth, when the rasteriser's grid and
+    /// `f32` may change that depth by `grid` and by `f32`. `beyond_f32` says that the depth's bounds exceed a ceiling.
     pub fn at_near_plane(gap: f64, [grid, f32]: [f64; 2], beyond_f32: bool) -> Option<Self> {
         let class = if beyond_f32 {
             Class::BeyondF32
@@ -120,7 +120,7 @@ impl Reason {
         }
     }
 
-    /// This reason, where something of another class has to hold, too.
+    /// This reason, where something of `class` has to hold, too.
     pub fn and(self, class: Class) -> Self {
         Self {
             class: if class == Class::BeyondF32 {
@@ -212,7 +212,7 @@ impl Stored {
     }
 }
 
-/// Whether bounds, aside in pixels or in depth, exceed their ceilings, so that `f32` cannot hold the view.
+/// Whether the bound aside, in pixels, or the bound in depth exceeds its ceiling, so that `f32` cannot draw the view.
 pub(super) fn beyond_f32(error_px: f64, depth_error: f64, depth_ceiling: f64) -> bool {
     !(error_px <= OUTLINE_CEILING_PX && depth_error <= depth_ceiling)
 }

@@ -1,4 +1,4 @@
-//! The faces and spheres that ids and hits stand for, and the surfaces that the GPU makes of them at a pixel.
+//! Finds the faces and spheres that ids and hits stand for, and the surfaces that the GPU makes of them at a pixel.
 
 use super::{
     adjoining::Adjoining,
@@ -114,7 +114,8 @@ impl<'a> Surfaces<'a> {
         }
     }
 
-    /// The surfaces that an id may stand for at a pixel: one, or the faces of a cube, or a sphere's front and back.
+    /// The surfaces that an id may stand for at a pixel: the background, a square, the faces of a cube, a sphere's
+    /// front and back, or a triangle with the neighbours that may show in its place.
     pub fn of_id(&self, px: DVec2, id: Id) -> Vec<Surface> {
         let Some(index) = (id.object as usize).checked_sub(1) else {
             return vec![Surface::background(self.space.view())];

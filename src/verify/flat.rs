@@ -1,8 +1,8 @@
-//! Triangles, squares and the faces of cubes at a pixel.
+//! Computes the surfaces of triangles, squares and the faces of cubes at a pixel.
 //!
-//! An edge across which the surface continues is no outline: when drawing moves it, the neighbour shows, and nothing
-//! behind. So an id stands for all triangles that may show in its place, found edge by edge, and has an outline only
-//! where one of them ends.
+//! An edge across which the surface continues is no outline: when drawing moves the edge, the neighbour shows, not what
+//! lies behind. So an id stands for all triangles that may show in its place, found edge by edge. It has an outline
+//! only at edges across which none of them continues.
 
 use super::{
     OUTLINE_CEILING_PX,
@@ -22,14 +22,15 @@ use crate::{
 use glam::{DVec2, DVec3};
 use std::collections::HashSet;
 
-/// Where more triangles than this may show, the rest of their edges are outlines: together they are smaller than what
-/// drawing may move an edge by.
+/// The most triangles that an id stands for. Where more may show, the remaining edges count as outlines: so many
+/// triangles are together smaller than the distance by which drawing may move an edge.
 const MOST: usize = 1024;
 
-/// More than any bound within its ceiling moves an edge.
+/// No bound below its ceiling moves an edge this far.
 const REACH_PX: f64 = 2.0 * OUTLINE_CEILING_PX;
 
-/// Below this sine of the viewing angle a triangle counts as edge-on: far above `f64`'s error, far below a pixel.
+/// Below this sine of the viewing angle a triangle counts as edge-on. It is far above `f64`'s error and far below a
+/// pixel.
 const EDGE_ON: f64 = 1e-6;
 
 /// Flat surfaces of one placement at a pixel.
@@ -53,7 +54,7 @@ pub(super) struct Vertices {
 }
 
 impl Flat<'_> {
-    /// A single face, all of whose edges are outlines; `None` when all of it lies before the near plane.
+    /// A single face, all of whose edges are outlines; `None` when all of it lies in front of the near plane.
     pub fn face(&self, corners_vertex_space: &[DVec3]) -> Option<Surface> {
         let polygon = self.polygon(corners_vertex_space)?;
         Some(surface(polygon, |_, _| false))
@@ -94,8 +95,8 @@ impl Flat<'_> {
         with_cut_neighbours(faces.collect())
     }
 
-    /// A triangle of the mesh of the batch whose first object is `batch`, and all shown triangles that may show in its
-    /// place.
+    /// The surfaces of a mesh's triangle, and of all visible triangles that may show in its place. `batch` is the first
+    /// object of the mesh's batch.
     pub fn triangle(
         &self,
         mesh: &MeshData,
@@ -147,8 +148,8 @@ impl Flat<'_> {
         with_cut_neighbours(surfaces)
     }
 
-    /// Whether drawing may show a triangle at the pixel, by its rectangle in the picture. One that reaches before the
-    /// near plane may be anywhere.
+    /// Whether drawing may show a triangle at the pixel, by its rectangle in the picture. One that reaches in front of
+    /// the near plane may be at any pixel.
     pub fn may_show(&self, mesh: &MeshData, triangle: u32) -> bool {
         let corners = mesh.triangles[triangle as usize];
         let corners = corners.map(|i| mesh.positions[i as usize]);

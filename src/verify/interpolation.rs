@@ -1,4 +1,4 @@
-//! Error bounds for interpolating depth over the picture.
+//! Bounds the error of interpolating depth over the picture.
 
 use super::polygon::{project, w};
 use crate::{
@@ -11,14 +11,14 @@ use glam::{DVec2, DVec3};
 /// A corner in the picture, in pixels, and what the depth buffer stores there.
 type Corner = (DVec2, f64);
 
-/// Error at a pixel of interpolating, over a flat polygon, what the depth buffer stores at its corners, or another
-/// function of depth past near that is linear over the picture. The polygon is what [`within_picture`] leaves. The
-/// pixel may lie up to `reach_px` outside.
+/// An upper bound on the error, at a pixel, of interpolating `stored` over a flat polygon. `stored` is what the depth
+/// buffer stores, or another function of depth past near that is linear over the picture. The polygon is the part that
+/// [`within_picture`] leaves. The pixel may lie up to `reach_px` outside.
 ///
-/// It is drawn as unknown triangles between these corners. The plane through three corners has slopes that are
-/// differences of products of corner differences over the area, and round relatively to those products. At the far end
-/// of the triangle that is some U times the range of depths times longest side squared over area. A few roundings of
-/// the largest depth add to it.
+/// The polygon is drawn as unknown triangles between its corners. The slopes of the plane through three corners are
+/// differences of products of corner differences, over the area; they round relative to those products. At the far end
+/// of the triangle the error is some U times the range of depths times the longest side squared over the area. A few
+/// roundings of the largest depth add to it.
 pub(super) fn error(
     view: &View,
     stored: impl Fn(f64) -> f64,
@@ -33,13 +33,14 @@ pub(super) fn error(
     let n = corners.len();
     let triangles = (0..n).flat_map(|i| (1..n - 1).map(move |j| [i, (i + j) % n, (i + j + 1) % n]));
     let triangles = triangles.map(|indices| indices.map(|i| corners[i]));
-    // A piece clipped to less than the grid covers no centre except at its ends; one without area covers none.
+    // A clipped piece with a side no longer than the grid's step covers no centre except at its ends; one without area
+    // covers none.
     let is_left = |triangle: &[Corner; 3]| {
         let is_short = |side: &DVec2| side.length() <= grid_px;
         n == 3 || !(sides_px(triangle).iter().any(is_short) || slimness(triangle).is_infinite())
     };
     let about = triangles.filter(|triangle| is_left(triangle) && may_hold(triangle, px, reach_px));
-    // Slopes are per pixel and act over the whole picture.
+    // Slopes are per pixel, so their underflow counts over the whole picture.
     let across = UNDERFLOW * view.viewport.size_px().element_sum();
     about
         .map(|triangle| {
@@ -53,8 +54,8 @@ pub(super) fn error(
         .fold(0.0, larger)
 }
 
-/// The part of a polygon within the picture's borders and before the far plane. Points are in view space with depth
-/// past near as z, none before the near plane.
+/// The part of a polygon within the picture's borders and in front of the far plane. Points are in view space with
+/// depth past near as z; none lies in front of the near plane.
 pub(super) fn within_picture(view: &View, corners: &[DVec3]) -> Vec<DVec3> {
     let lens = view.camera.lens();
     let half = view.half_extent();

@@ -1,55 +1,56 @@
-//! Compares drawing with picks: each pixel's (object, triangle) as the GPU drew it, and as the ray through the pixel's
-//! centre hits it. Each difference is explained by geometry, or is a defect.
+//! Compares drawing with picks: each pixel's (object, triangle) that the GPU drew, and the one that the ray through the
+//! pixel's centre hits. Each difference is explained by geometry, or is a defect.
 //!
-//! A rasteriser snaps vertices to a grid, mostly of 1/256 pixel, and computes in `f32`; the pick does neither. How far
-//! that may move a surface at a pixel is bounded from camera, scene and the driver's rounding alone, never from the
-//! pixels that differ or their neighbours. Where drawn and picked differ, one of these has to hold:
+//! A rasteriser snaps vertices to a grid, mostly of 1/256 pixel, and computes in `f32`; the pick does neither. The
+//! bounds on how far that may move a surface at a pixel come from camera, scene and the driver's rounding alone, never
+//! from the pixels that differ or their neighbours. Where drawn and picked differ, one of these has to hold:
 //!
-//! * **edge**: one side's surface has its outline (projected edges, the cut of the near plane, a sphere's rim) so near
-//!   the pixel's centre that the grid and `f32` ([`transform`](crate::render::transform),
-//!   [`sphere`](crate::render::sphere)) may carry it across, and its depth fits that answer;
-//! * **depth**: both surfaces cover the centre and the depth buffer cannot tell their depths apart, or they are closer
-//!   together than the ceiling. The empty buffer counts as a surface at the far plane; the near plane counts as a
-//!   surface, too;
-//! * **section**: a section cuts one side's surface so near the centre that the grid and the shaders' `f32` test
-//!   ([`ScreenSection`](crate::render)) leave open whether it is kept, and its depth fits that answer;
-//! * **f32 limit**: an edge, but `f32` moves the outline by more than the grid does;
+//! * **edge**: the drawn or the picked surface has an outline (projected edges, the cut of the near plane, a sphere's
+//!   rim) so near the pixel's centre that the grid and `f32` ([`transform`](crate::render::transform),
+//!   [`sphere`](crate::render::sphere)) may move it across, and the surface's depth fits that answer;
+//! * **depth**: both surfaces cover the centre, and the depth buffer may order them either way, by bounds below the
+//!   ceiling or because they are closer together than the ceiling. The empty buffer counts as a surface at the far
+//!   plane; the near plane counts as a surface, too;
+//! * **section**: a section cuts the drawn or the picked surface so near the centre that the grid and the shaders'
+//!   `f32` test ([`ScreenSection`](crate::render)) leave open whether it is kept, and the surface's depth fits that
+//!   answer;
+//! * **f32 limit**: an edge, but `f32` may move the outline by more than the grid does;
 //! * **beyond f32**: one of these, but by a bound above the ceiling ([`OUTLINE_CEILING_PX`], [`DEPTH_CEILING_STEPS`]);
-//!   or a bound that does not exist or exceeds the picture; or a surface well before the far plane that the buffer
+//!   or a bound that does not exist or exceeds the picture; or a surface well between near and far that the buffer
 //!   cannot tell from nothing. Drawing in `f32` cannot render the view faithfully; casting rays can. No such pixel
 //!   occurs where all bounds lie below the ceiling and the buffer can tell every surface from nothing;
 //! * **unexplained**: anything else: a defect.
 //!
-//! An edge across which the surface continues is no outline: a neighbour may show there, but nothing behind.
+//! An edge across which the surface continues is no outline: a neighbour may show there, but not what lies behind.
 //!
-//! A bound that is infinite or NaN explains nothing. An empty drawing with picks, or the reverse, fails whatever
-//! explains its single pixels, except for a speck smaller than a pixel or a section through all of them
-//! ([`Report::verdict`]).
+//! A bound that is infinite or NaN explains nothing. If nothing is drawn but something is picked, or the reverse, the
+//! comparison fails, whatever explains the single pixels. The exceptions are a speck smaller than a pixel, and a
+//! section through all of the pixels ([`Report::verdict`]).
 //!
-//! Where the bounds leave the order of two surfaces open, they lie *in one place* ([`Places`]), whether or not drawing
-//! and pick differ there.
+//! Where the bounds leave the order of two surfaces open, the surfaces lie *in one place* ([`Places`]), whether or not
+//! drawing and pick differ there.
 //!
 //! # What the bounds assume
 //!
 //! * The driver's `f32` sums, products and conversions are rounded once, in any order, fused or not; a division takes 2.5
 //!   units in the last place (WGSL's rules).
 //! * Corners move by at most half a grid step along each axis. Direct3D requires a grid of 1/256 pixel, Vulkan of 1/16,
-//!   and wgpu does not tell: each device's is measured ([`Rasteriser::grid_px`](crate::render::Rasteriser)).
-//! * A pixel is covered when its centre is, by edges through the rounded corners. Clipping at the picture's border
-//!   makes new corners between old ones and rounds them.
-//! * Depth over a triangle is the plane through its corners, with slopes rounded relatively to their terms. For a
+//!   and wgpu does not report it: each device's grid is measured ([`Rasteriser::grid_px`](crate::render::Rasteriser)).
+//! * A pixel is covered when its centre lies within the edges through the rounded corners. Clipping at the picture's
+//!   border makes new corners between old ones and rounds them.
+//! * Depth over a triangle is the plane through its corners, with slopes rounded relative to their terms. For a
 //!   triangle that leaves the picture, it is the plane through the corners of its clipped part, or as accurate.
-//!   `SwiftShader` is not: its plane goes through the whole triangle's corners as projected, rounded to its grid and to
-//!   `f32`, however far outside or behind the eye they lie. So it may show triangles far larger than the picture at
-//!   wrong depths. Those pixels are called unexplained, since nothing bounds them.
+//!   `SwiftShader` does not keep to this: its plane goes through the whole triangle's corners as projected, rounded to
+//!   its grid and to `f32`, however far outside or behind the eye they lie. It may therefore show triangles far larger
+//!   than the picture at wrong depths. Those pixels are called unexplained, since nothing bounds them.
 //! * The same numbers drawn twice give the same pixels and depths, to the bit; of equal depths, the first drawn stays.
 //! * The geometry here is in `f64`, whose own roundings are small beside those of `f32`.
 //!
 //! # What it cannot see
 //!
-//! A cube's or sphere's far side in place of its near side: both have one id.
+//! A cube's or sphere's far side that is drawn in place of its near side: both have one id.
 //!
-//! An error of a ray below the bounds at its pixel. Whether picks are exactly right is checked by an oracle
+//! An error of a ray that is below the bounds at its pixel. An oracle checks whether picks are exactly right
 //! (`tests/exact_picks`). Picks, the drawing of spheres and the bounds here share one definition of a pixel's ray
 //! ([`PixelGrid`](crate::geometry::PixelGrid)); vertices go through matrices and do not share it.
 //!
@@ -87,13 +88,13 @@ use glam::DVec2;
 use serde::Serialize;
 use surface::{Depths, Surface};
 
-/// The most by which drawing may move an outline, in pixels, in a view that `f32` can draw: beyond it, whole pixels are
+/// The most by which drawing may move an outline, in pixels, in a view that `f32` can draw. Beyond it, whole pixels are
 /// wrong.
 pub const OUTLINE_CEILING_PX: f64 = 0.5;
 
-/// The most by which `f32` may be off in depth in a view that it can draw, in steps of 2^-23 of the depth, or of the
-/// distance between near and far where that is less: 1/8192 of it; but at most half a pixel's width. A slanted surface
-/// may also be off by what moving it aside by half a pixel changes in its depth.
+/// The largest depth error of `f32` in a view that it can draw, in steps of 2^-23 of the depth, or of the distance
+/// between near and far where that is less: 1/8192 of it. The error is also at most half a pixel's width. A slanted
+/// surface may in addition be off by the change of its depth when it is moved aside by half a pixel.
 ///
 /// These are lengths and do not depend on what a depth buffer stores. They also limit how far along the line of sight
 /// the shaders may misplace a section.
@@ -111,7 +112,7 @@ pub enum Class {
     Section,
     /// The centre lies on an outline to within `f32`, which here is coarser than the grid.
     F32Limit,
-    /// One of these, but with a bound above the ceiling or none: `f32` cannot draw the view faithfully.
+    /// One of these, but with a bound above the ceiling, or without a bound: `f32` cannot draw the view faithfully.
     BeyondF32,
     /// A defect.
     Unexplained,
@@ -142,8 +143,8 @@ impl Class {
     }
 }
 
-/// Compares two id pictures of a scene, pixel by pixel; this rasteriser drew the first. Where it numbers no triangles,
-/// only objects are compared.
+/// Compares two id pictures of a scene, pixel by pixel. `rasteriser` drew the first; if it numbers no triangles, only
+/// objects are compared.
 ///
 /// # Panics
 /// When either differs from the view in size.

@@ -1,18 +1,18 @@
-//! Surfaces in one place: equally deep at a position, as far as drawing can tell, as the picked surface there.
+//! Finds surfaces in one place: surfaces that drawing cannot tell from the picked one by depth at a position.
 //!
-//! A pick's order is exact, a depth buffer's is not. Two surfaces hit by a position's ray are *in one place* there when
-//! the bounds by which [`compare`](super::compare) explains the class *depth* let the buffer order them either way; a
-//! bound above a ceiling counts as the ceiling. So a pixel of the class *depth* that shows one surface and picks
-//! another has both in one place at its centre. The exception, on a grid coarser than the common one: two triangles of
-//! one mesh that share a corner nearby.
+//! A pick's order is exact, a depth buffer's is not. Two surfaces that a position's ray hits are *in one place* there
+//! if the depth buffer may order them either way. This is decided by the bounds by which [`compare`](super::compare)
+//! explains the class *depth*; a bound above a ceiling counts as the ceiling. So a pixel of the class *depth* that
+//! shows one surface and picks another has both in one place at its centre. There is one exception, on a grid coarser
+//! than the common one: two triangles of one mesh that share a corner nearby.
 //!
-//! What counts as two:
+//! Which surfaces count as two:
 //!
-//! * Surfaces of two objects, or two triangles of one mesh: identical ones, both sides of a thin sheet, whatever lies
+//! * Surfaces of two objects, or two triangles of one mesh: identical ones, both sides of a thin sheet, or any others
 //!   within the bounds.
-//! * Not two triangles of one mesh that meet there in a shared edge or corner: one that drawing may move onto the
-//!   position, or so near that the two can be equally deep only when moved aside, which happens to both together. They
-//!   are one surface that continues or turns.
+//! * Not two triangles of one mesh that meet there in a shared edge or corner: they are one surface that continues or
+//!   turns. They meet there if drawing may move the edge or corner onto the position, or if the two can be equally deep
+//!   only when moved aside, which moves both together.
 //! * Not the near and the far side of one cube or sphere, which share a name.
 //! * Not the near plane or the empty buffer, which the class *depth* includes: they have no name.
 
@@ -32,24 +32,24 @@ use crate::{
 use glam::{DVec2, DVec3};
 use std::collections::HashSet;
 
-/// At this cosine between a ray and a face's normal or above, the slope in `f64` is at least half the true one: under a
-/// matrix of condition 1e14 a normal is off by some hundredths.
+/// If the cosine between a ray and a face's normal is at least this, the slope in `f64` is at least half the true one:
+/// under a matrix of condition 1e14 a normal is off by some hundredths.
 const LEAST_COSINE: f64 = 1.0 / 16.0;
 
-/// Where surfaces of a scene lie in one place, in a view.
+/// Finds where surfaces of a scene lie in one place, in a view.
 pub struct Places<'a> {
     surfaces: Surfaces<'a>,
 }
 
-/// What was hit: a face of a batch, or (without a face) its sphere.
+/// What was hit: a face of a batch, or its sphere (without a face).
 #[derive(Clone, PartialEq)]
 struct Patch {
     batch: usize,
     face: Option<Face>,
 }
 
-/// What drawing cannot tell from the pick at a pixel position; `None` where there is nothing such, or no pick. Uses the
-/// common rasteriser's grid, so that the answer is the same on every device.
+/// The surfaces that drawing cannot tell from the picked one at a pixel position; `None` where there are none, or no
+/// pick. It assumes the common rasteriser's grid, so that the answer is the same on every device.
 #[must_use]
 pub fn in_one_place(scene: &Scene, view: &View, px: DVec2) -> Option<InOnePlace> {
     let places = Places::new(scene, view, Rasteriser::COMMON);
@@ -65,8 +65,8 @@ impl<'a> Places<'a> {
         }
     }
 
-    /// The nearest hit at a pixel position and the hits in one place with it, from front to back. Empty where there are
-    /// none such, or nothing is hit.
+    /// The nearest hit at a pixel position and the hits in one place with it, from front to back. Empty where nothing
+    /// else is in one place with it, or nothing is hit.
     #[must_use]
     pub fn at(&self, px: DVec2) -> Vec<SceneHit> {
         let (scene, view) = (self.surfaces.scene, self.surfaces.space.view());
@@ -164,8 +164,8 @@ fn is_on_outline(surface: &Surface) -> bool {
     surface.outline.reason().is_some()
 }
 
-/// How near and how far a hit's surface may be drawn with bounds capped at their ceilings: a generous estimate from the
-/// hit alone.
+/// Estimates how near and how far a hit's surface may be drawn with bounds capped at their ceilings. The estimate is
+/// generous and needs only the hit.
 struct Reach<'a> {
     scene: &'a Scene,
     view: &'a View,
@@ -190,7 +190,7 @@ impl<'a> Reach<'a> {
     fn nearness(&self, SceneHit { object, hit }: &SceneHit) -> [f64; 2] {
         let object = &self.scene.objects()[*object];
         let aside = if matches!(object.shape, Shape::Sphere) {
-            // No more than its radius.
+            // A sphere's depth changes by no more than its radius.
             let ray = object.placement.ray_to_object(self.ray_world);
             Sphere::RADIUS / ray.direction.abs().max_element()
         } else {
@@ -222,7 +222,7 @@ impl<'a> Reach<'a> {
         ]
     }
 
-    /// How much moving a flat surface aside may change its view depth, given depth and normal.
+    /// The most by which moving a flat surface aside may change its view depth, given depth and normal.
     fn aside(&self, depth: f64, normal_world: DVec3) -> f64 {
         let normal = self.view.camera.rotation() * normal_world;
         let cosine = self.ray.direction.normalize().dot(normal).abs();

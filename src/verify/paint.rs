@@ -1,4 +1,4 @@
-//! The picture that shows where drawn and picked differ.
+//! Paints the picture that shows where drawn and picked differ.
 
 use super::{Class, Disagreement};
 use crate::{

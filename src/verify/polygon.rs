@@ -1,4 +1,4 @@
-//! A flat convex polygon at a pixel, with bounds on how far drawing in `f32` may move it.
+//! Computes the surface of a flat convex polygon at a pixel, with bounds on how far drawing in `f32` may move it.
 
 use super::{
     OUTLINE_CEILING_PX,
@@ -28,9 +28,9 @@ pub(super) struct Corner {
 #[derive(Clone, Copy)]
 struct SeenCorner {
     at: Corner,
-    /// Made by the near plane's cut, not a corner of the shape.
+    /// Whether the near plane's cut made it: then it is no corner of the shape.
     is_cut: bool,
-    /// The polygon's edge that continues from here, by the index of its first corner.
+    /// The polygon's edge that starts or continues here, by the index of its first corner.
     edge: usize,
 }
 
@@ -42,7 +42,8 @@ pub(super) struct Polygon {
     pub edges: Vec<(usize, Outline)>,
 }
 
-/// A flat convex polygon at a pixel, drawn on a grid of `grid_px`; `None` when all of it lies before the near plane.
+/// A flat convex polygon at a pixel, drawn on a grid of `grid_px`; `None` when all of it lies in front of the near
+/// plane.
 pub(super) fn polygon(
     space: &ViewSpace,
     grid_px: f64,
@@ -82,7 +83,7 @@ pub(super) fn polygon(
             )
         })
         .collect();
-    // Seen edge-on, it may have any depth of the polygon.
+    // A polygon seen edge-on may have any depth of its corners.
     let slope_px = ray.slope(near + past_near, normal);
     let slope = slope_px.length();
     let at = if past_near.is_finite() {
@@ -107,7 +108,7 @@ pub(super) fn polygon(
     } else {
         f64::INFINITY
     };
-    // A slanted surface may be off by what moving it aside changes in its depth; `min` drops NaN.
+    // A slanted surface may be off by the change of its depth when it is moved aside; `min` drops NaN.
     let of_slope = (OUTLINE_CEILING_PX * slope).min(ends[1] - ends[0]);
     let ceiling =
         |past_near: f64| depths.ceiling(past_near) + of_slope * depths.stored_per_depth(past_near);
@@ -146,8 +147,8 @@ pub(super) fn polygon(
     Some(Polygon { surface, edges })
 }
 
-/// The least depth past near that drawing may take for behind the near plane; kept in front of the eye's plane, which
-/// cannot be projected.
+/// The least depth past near that drawing may take for behind the near plane. In perspective it stays away from the
+/// eye's plane, which cannot be projected.
 fn nearest(view: &View, cut_error: f64) -> f64 {
     let lens = view.camera.lens();
     match lens.projection {
@@ -191,7 +192,7 @@ impl Corner {
     }
 }
 
-/// Whether `f64` resolves the depth at a pixel: it loses less than the ceiling with corners this large.
+/// Whether `f64` resolves the depth at a pixel: with corners this large, it loses less than the ceiling.
 fn is_known(depths: &Depths, corners: &[Corner], past_near: f64) -> bool {
     let sizes = corners.iter().map(|corner| corner.view.abs().max_element());
     let lost = 16.0 * f64::EPSILON * sizes.fold(0.0, larger);
@@ -206,7 +207,7 @@ fn depth_ends(corners: &[SeenCorner]) -> Option<[f64; 2]> {
     Some([least, depths.reduce(f64::max)?])
 }
 
-/// Whether a line passes through a convex polygon, on the same side of all its edges.
+/// Whether a line passes through a convex polygon: it is then on the same side of all edges.
 fn covers(ray: &ViewRay, corners: &[Corner]) -> bool {
     let mut sides = (0..corners.len()).map(|i| {
         let [a, b] = [corners[i], corners[(i + 1) % corners.len()]].map(|p| p.view - ray.origin);
@@ -217,14 +218,14 @@ fn covers(ray: &ViewRay, corners: &[Corner]) -> bool {
 
 /// The edge between two corners, neither in front of the near plane.
 ///
-/// Drawing moves the point at share `s` of the edge by `1 - s` times the one end's error and `s` times the other's.
+/// Drawing moves the point at share `s` of the edge by `1 - s` times the first end's error plus `s` times the second's.
 fn edge(view: &View, grid_px: f64, px: DVec2, [a, b]: [Corner; 2], clipped: ViewError) -> Outline {
     let [from, to] = [a, b].map(|corner| project(view, corner.view));
     let along = to - from;
     let s = (px - from).dot(along) / along.length_squared();
-    // An edge seen end-on has no length: both ends are as near.
+    // An edge seen end-on has no length: both ends are equally near.
     let s_px = if s.is_nan() { 0.0 } else { s.clamp(0.0, 1.0) };
-    // From the share in the picture to the share in space: weighted by 1 / w.
+    // The share in space, from the share in the picture: ends are weighted by 1 / w.
     let [wa, wb] = [a, b].map(|corner| w(view, corner.view));
     let s = s_px * wa / (s_px * wa + (1.0 - s_px) * wb);
     Outline {
@@ -239,8 +240,8 @@ fn edge(view: &View, grid_px: f64, px: DVec2, [a, b]: [Corner; 2], clipped: View
     }
 }
 
-/// The nearest border of the picture that cuts the polygon. Clipping makes new corners on the border and rounds them:
-/// if a pixel is a tiny part of the polygon, that loses pixels along the border.
+/// The nearest border of the picture that cuts the polygon. Clipping makes new corners on the border and rounds them.
+/// Where a pixel is a tiny part of the polygon, that rounding loses pixels along the border.
 fn border(view: &View, px: DVec2, corners: &[Corner], [grid_px, f32_px]: [f64; 2]) -> Outline {
     let half = view.half_extent();
     let size = view.viewport.size_px();
@@ -269,9 +270,10 @@ pub(super) fn project(view: &View, point: DVec3) -> DVec2 {
     view.px_of(point.truncate(), w(view, point))
 }
 
-/// How far in pixels a view-space error moves a point of this w and pixel: x and y by the focal length, z in
-/// perspective towards or away from the picture's middle; then the projection's roundings: of its factor, of two
-/// products and the reciprocal of w (8 units of U) relative to half the picture, of the sum relative to all of it.
+/// How far, in pixels, a view-space error moves a point of this w and pixel. Errors of x and y count times the focal
+/// length over w. In perspective an error of z moves the point towards or away from the picture's middle. The
+/// projection's roundings are added: those of its factor, of two products and of the reciprocal of w are 8 U relative
+/// to half the picture, that of the sum is U relative to all of it.
 pub(super) fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64 {
     let half = view.half_extent();
     let size = view.viewport.size_px();
@@ -281,7 +283,7 @@ pub(super) fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64
         Projection::Orthographic { .. } => DVec2::ZERO,
     };
     let px = (aside + towards).length() + 5.0 * U * size.length();
-    // A bound larger than the picture is none.
+    // A bound larger than the picture counts as none.
     if px <= size.length() {
         px
     } else {
@@ -289,9 +291,10 @@ pub(super) fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64
     }
 }
 
-/// Error from clipping at the picture's borders: a new point between two corners has two roundings of their difference
-/// and one of the sum, all at most twice the largest coordinate, for each of two borders. None for a polygon inside the
-/// picture, nor for a coordinate that all corners share.
+/// An upper bound on the error from clipping at the picture's borders. A new point between two corners takes two
+/// roundings of their difference, which is at most twice the largest coordinate, and one of the sum, which is at most
+/// that coordinate: 5 U for each of two borders. There is no error for a polygon inside the picture, nor for a
+/// coordinate that all corners share.
 fn clipping_error(view: &View, corners: &[Corner]) -> ViewError {
     let lens = view.camera.lens();
     let half = view.half_extent();
@@ -303,7 +306,7 @@ fn clipping_error(view: &View, corners: &[Corner]) -> ViewError {
         return ViewError::default();
     }
     let to_origin = depth_origin(view) - lens.near;
-    // A coordinate that all corners share, new ones share exactly.
+    // Where all corners share a coordinate, new corners have exactly the same.
     let of = |coordinate: &dyn Fn(DVec3) -> f64| {
         let all = corners.iter().map(|corner| coordinate(corner.view));
         let [least, most] = [f64::min, f64::max].map(|end| all.clone().reduce(end));

@@ -14,10 +14,11 @@ pub struct Disagreement {
     pub picked: Id,
     /// Why they differ.
     pub class: Class,
-    /// What the explanation needs over what is allowed: at most 1. Infinite where nothing explains it.
+    /// The error that the explanation needs over the error that is allowed: at most 1. Infinite where nothing explains
+    /// the pixel.
     pub strain: f64,
     /// Distance in pixels from the centre to the outline that explains it, or comes nearest to doing so; infinite where
-    /// depth does, or no outline is there.
+    /// depth explains it, or where there is no outline.
     pub outline_px: f64,
     /// How far drawing may move that outline, in pixels.
     pub outline_error_px: f64,
@@ -46,17 +47,18 @@ pub struct Report {
 /// The most pixels that something no wider than a pixel may touch.
 const SPECK_PX: usize = 4;
 
-/// What a comparison comes to. All but the first are failures.
+/// The verdict on a comparison. All but the first are failures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// Geometry explains every difference.
     Agrees,
     /// This many pixels differ by more than `f32` can draw. The rest is explained.
     BeyondF32(usize),
-    /// This many pixels are picked and none is drawn, whatever explains them singly. Excepted are at most four pixels,
-    /// each on an edge (something smaller than a pixel may be missed), and pixels that all lie on a section.
+    /// This many pixels are picked and none is drawn, whatever explains each of them. There are two exceptions: at most
+    /// four pixels, each on an edge (something smaller than a pixel may be missed), and pixels that all lie on a
+    /// section.
     NothingDrawn(usize),
-    /// This many pixels are drawn and none is picked, likewise.
+    /// This many pixels are drawn and none is picked, with the same exceptions.
     NothingPicked(usize),
     /// This many pixels are defects.
     Unexplained(usize),
@@ -90,7 +92,7 @@ impl Report {
         self.disagreements.len() - self.outline_differ
     }
 
-    /// What all of it comes to.
+    /// The verdict on all of it.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         let [beyond, unexplained] = [Class::BeyondF32, Class::Unexplained].map(|c| self.count(c));
@@ -103,8 +105,8 @@ impl Report {
         }
     }
 
-    /// Whether one picture may be empty: the other has a speck, or a face in a section's plane, of which drawing cannot
-    /// tell whether it is kept.
+    /// Whether one picture may be empty: the other has only a speck, or only a face in the section's plane, which
+    /// drawing may keep or not.
     fn may_be_empty(&self) -> bool {
         self.is_a_speck() || self.count(Class::Section) == self.disagreements.len()
     }

@@ -1,7 +1,7 @@
-//! The section at a pixel: whether it keeps a surface, and how far off drawing may be about that.
+//! Decides whether the section keeps a surface at a pixel, and whether drawing may decide otherwise.
 //!
 //! The shaders' test ([`ScreenSection`]) is linear over the picture on every plane, so moving a face aside changes its
-//! value by the slope there. Bounds have the same ceiling as depths:
+//! value by the test's slope times the distance. Bounds have the same ceiling as depths:
 //! [`DEPTH_CEILING_STEPS`](super::DEPTH_CEILING_STEPS) and half a pixel's width, plus what moving aside by half a pixel
 //! changes.
 
@@ -41,13 +41,14 @@ impl<'a> Sectioned<'a> {
         }
     }
 
-    /// The q that a fragment at a depth past near is tested with.
+    /// The q of a fragment at a depth past near.
     pub fn q(&self, past_near: f64) -> f64 {
         q(self.space, past_near)[0]
     }
 
-    /// A face, by its depth past near at a pixel's centre and its slope in depth per pixel. Drawing moves it aside by
-    /// up to `aside_px`; `error` is due to `f32`, `interpolation` the error of interpolating [`Sectioned::q`] over it.
+    /// Tests a face, given its depth past near at a pixel's centre and its slope in depth per pixel. Drawing moves it
+    /// aside by up to `aside_px`. `error` is the error of `f32`; `interpolation` is that of interpolating
+    /// [`Sectioned::q`] over the face.
     pub fn face(
         &self,
         px: DVec2,
@@ -68,7 +69,7 @@ impl<'a> Sectioned<'a> {
         self.at(screen, px, past_near, error, [moved, off, room])
     }
 
-    /// A sphere, which nothing moves aside; half a pixel aside would change its depth by `of_slope`.
+    /// Tests a sphere. Nothing moves it aside; half a pixel aside would change its depth by `of_slope`.
     pub fn sphere(&self, px: DVec2, past_near: f64, of_slope: f64, error: &ViewError) -> AtSection {
         let Some(screen) = &self.screen else {
             return AtSection::WHOLE;
@@ -79,8 +80,8 @@ impl<'a> Sectioned<'a> {
         self.at(screen, px, past_near, error, [0.0, 0.0, room])
     }
 
-    /// `moved` and `off` are errors of the test's value from moving aside and from all else so far; `room` is the
-    /// ceiling's part for moving aside.
+    /// `moved` is the error of the test's value from moving aside, and `off` the error from all else so far. `room` is
+    /// the ceiling's part for moving aside.
     fn at(
         &self,
         screen: &ScreenSection,
@@ -91,7 +92,7 @@ impl<'a> Sectioned<'a> {
     ) -> AtSection {
         let [q, per_depth] = q(self.space, past_near);
         let value = screen.value(px, q);
-        // A reciprocal (2.5 units in the last place), or what the depth buffer stores.
+        // The error of q: a reciprocal's (2.5 units in the last place), or the stored depth's.
         let off_q = if self.space.view().camera.lens().is_orthographic() {
             self.depths.error(past_near, error)
         } else {
@@ -118,7 +119,7 @@ impl<'a> Sectioned<'a> {
 }
 
 impl AtSection {
-    /// Without a section.
+    /// What holds without a section.
     const WHOLE: Self = Self {
         keeps: true,
         reason: None,

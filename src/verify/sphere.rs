@@ -1,4 +1,4 @@
-//! Spheres at a pixel.
+//! Computes the surfaces of spheres at a pixel.
 
 use super::{
     OUTLINE_CEILING_PX,
@@ -34,7 +34,7 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
     let error = sphere::rounding(&sphere::sphere(space, placement, 0), space.unit(), px);
     let ray = sphere::ray_object::<DoubleDouble>(view, placement, px);
     let d2 = ray.direction.narrow().length_squared();
-    // From the ray's point nearest to the sphere's centre, where nothing cancels.
+    // Computed from the ray's point nearest to the sphere's centre, where no digits cancel.
     let (middle, outside) = sphere::nearest_to_centre(&ray);
     let middle: f64 = (middle - lens.near.into()).into();
     let discriminant = -d2 * outside;
@@ -44,9 +44,9 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
         grid_px: 0.0,
         f32_px: change.least_distance_px(error.discriminant),
     };
-    // 0 on the rim and never -0: the slope is divided by it.
+    // The root is 0 on the rim, and never -0: the slope is divided by it.
     let root = (outside.min(0.0).abs() / d2).sqrt();
-    // How much half a pixel aside changes the root, which is that of the discriminant over d^2; at most the sphere's
+    // How much half a pixel aside changes the root, which is `sqrt(discriminant) / d^2`. It is at most the sphere's
     // radius.
     let of_slope = OUTLINE_CEILING_PX * change.slope / (2.0 * d2 * d2 * root);
     let of_slope = (Sphere::RADIUS / d2.sqrt()).min(of_slope);
@@ -65,7 +65,7 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
         let (past_near, error) = (ends[i], errors[i]);
         let nearness = depths.nearness(past_near);
         let rounding = depths.error(past_near, &error);
-        // Nothing moves the surface aside at the centre: there is no grid, and the rim is handled on its own.
+        // Nothing moves the surface aside at the centre: no grid acts on it, and the rim is handled on its own.
         let ceiling =
             |past_near| depths.ceiling(past_near) + of_slope * depths.stored_per_depth(past_near);
         let beyond_f32 = bound::beyond_f32(0.0, rounding, ceiling(past_near));
@@ -99,9 +99,10 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
 
 /// How fast the discriminant changes over the picture: by at most `slope s + bend s^2` within s pixels.
 ///
-/// It is a quadratic there: with w the ray's step for a pixel offset (of the direction d in perspective, of the origin o in
-/// orthographic projection), it is `r^2 |d|^2 - |o x d|^2`, so its slope is `2 r^2 d.w - 2 (o x d).(o x w)` or
-/// `-2 (o x d).(w x d)`, and its bend at most `r^2 |w|^2 + |o x w|^2` or `|w x d|^2`.
+/// The discriminant is `r^2 |d|^2 - |o x d|^2`, which is quadratic over the picture. Let w be the ray's step for a
+/// pixel offset: that of the direction d in perspective, that of the origin o in orthographic projection. In
+/// perspective the slope is `2 r^2 d.w - 2 (o x d).(o x w)`, and the bend is at most `r^2 |w|^2 + |o x w|^2`. In
+/// orthographic projection the slope is `-2 (o x d).(w x d)`, and the bend is at most `|w x d|^2`.
 struct Change {
     slope: f64,
     bend: f64,
@@ -131,7 +132,7 @@ impl Change {
         }
     }
 
-    /// Lower bound on the distance in pixels at which the discriminant differs by `change` from its value at the
+    /// A lower bound on the distance in pixels at which the discriminant differs by `change` from its value at the
     /// centre.
     fn least_distance_px(&self, change: f64) -> f64 {
         let (Self { slope, bend }, change) = (self, change.abs());

@@ -1,4 +1,4 @@
-//! One surface at a pixel, and whether two of them explain a difference.
+//! A surface at a pixel, depths as the GPU computes them, and whether two surfaces explain a difference.
 
 use super::{
     Class, DEPTH_CEILING_STEPS, OUTLINE_CEILING_PX,
@@ -17,15 +17,16 @@ use glam::{DAffine3, DVec2, DVec3};
 /// A surface that an id may stand for at a pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Surface {
-    /// Why only drawing or only the pick may have it: an outline or the near plane's cut is near enough.
+    /// Why only drawing or only the pick may have it: an outline, or the cut of the near plane or the section, is near
+    /// enough.
     pub loose: Option<Reason>,
-    /// Why a neighbour may show in its place or vice versa: an edge between them is near enough.
+    /// Why a neighbour may show in its place, or vice versa: an edge between them is near enough.
     pub crossed: Option<Reason>,
     /// Why drawing may decide otherwise whether the section keeps it.
     pub cut: Option<Reason>,
     /// For a mesh's triangle: its batch's first object, and its number.
     pub triangle: Option<(usize, u32)>,
-    /// Its nearest outline, however far.
+    /// Its nearest outline, however far away.
     pub outline: Outline,
     /// Whether it truly covers the centre, behind the near plane and kept by the section.
     pub covers: bool,
@@ -37,15 +38,14 @@ pub(super) struct Surface {
     pub source: Source,
 }
 
-/// What a surface is made from. From identical input the GPU makes identical output, to the bit, and so does a pick:
-/// then object order decides which shows. Matrices that differ by less than `f32` resolves give identical drawings, but
+/// What a surface is made from. Identical input gives identical output, to the bit, on the GPU and in a pick: then the
+/// order of objects decides which shows. Matrices that differ by less than `f32` resolves give identical drawings, but
 /// not identical picks; so the model matrix is compared, too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Source {
     /// Nothing.
     Empty,
-    /// An origin and, about it, vertices in this order (of a face the first three), under a model matrix and the GPU's
-    /// version of it.
+    /// The GPU's version of a model matrix, that matrix, an origin and, about it, the first three vertices in order.
     Vertices(VertexToView, DAffine3, [DVec3; 4]),
     /// A sphere's equations.
     Sphere(Placement),
@@ -78,7 +78,7 @@ impl Surface {
         }
     }
 
-    /// The same at the view depth where a ray hits it, if its corners are too large to tell the depth.
+    /// The same surface, put at the view depth where a ray hits it if its corners are too large to tell the depth.
     pub fn at_hit(self, depths: &Depths, depth: f64) -> Self {
         if self.stored.is_bounded() {
             return self;
@@ -107,8 +107,8 @@ impl Surface {
     }
 }
 
-/// A neighbour across an edge may be cut away by the section where a surface is kept, or vice versa: then what lies
-/// behind may show at the edge between them.
+/// Adds reasons where the section may cut away a neighbour across an edge but keep the surface, or vice versa: what
+/// lies behind may then show at the edge between them.
 pub(super) fn with_cut_neighbours(mut surfaces: Vec<Surface>) -> Vec<Surface> {
     let cut = surfaces.iter().filter_map(|surface| surface.cut);
     if let Some(cut) = cut.reduce(Reason::or) {
@@ -120,16 +120,16 @@ pub(super) fn with_cut_neighbours(mut surfaces: Vec<Surface>) -> Vec<Surface> {
     surfaces
 }
 
-/// The surfaces of an object that drawing may show at a pixel: no far side of a solid where its near side is certainly
-/// drawn before it.
+/// The surfaces of an object that drawing may show at a pixel, without the far side of a solid where its near side is
+/// certainly drawn in front of it.
 pub(super) fn may_be_drawn(surfaces: Vec<Surface>) -> Vec<Surface> {
     not_behind(surfaces, |near, far| {
         near.stored.farthest > far.stored.nearest
     })
 }
 
-/// The surfaces that a pick may find there: no far side of a solid where its near side certainly covers the centre,
-/// since picks have exact order.
+/// The surfaces of an object that a pick may find at a pixel, without the far side of a solid where its near side
+/// certainly covers the centre: picks have exact order.
 pub(super) fn may_be_picked(surfaces: Vec<Surface>) -> Vec<Surface> {
     not_behind(surfaces, |near, far| near.depth < far.depth)
 }
@@ -152,11 +152,11 @@ fn not_behind(
 
 /// The best explanation why one surface was drawn and the other picked; `None` when there is none.
 ///
-/// Drawing and pick agree on whether a surface covers the centre if its outline is far away. Then the other surface
-/// must be there for one of them only, and come first there. Two surfaces made from the same input cover the same
-/// pixels at the same depths: their order decides which shows, and nothing excuses another answer.
+/// Where a surface's outline is far away, drawing and pick agree on whether the surface covers the centre. The other
+/// surface must then be there for only one of the two, and come first there. Two surfaces made from the same input
+/// cover the same pixels at the same depths: their order decides which shows, and nothing explains another answer.
 ///
-/// A surface well between near and far that the depth buffer takes for nothing is lost, whatever its bounds.
+/// A surface well between near and far that the depth buffer takes for nothing is beyond `f32`, whatever its bounds.
 pub(super) fn explain(depths: &Depths, drawn: &Surface, picked: &Surface) -> Option<Reason> {
     if drawn.triangle.is_some() && drawn.triangle == picked.triangle {
         // Drawing and pick reach the same triangle across edges.
@@ -235,7 +235,7 @@ impl Depths {
         self.per_measured * (past_near - self.origin) / self.w(past_near)
     }
 
-    /// The same as nearness: more is nearer.
+    /// The depth buffer's value as nearness, unrounded: more is nearer.
     pub fn nearness(&self, past_near: f64) -> f64 {
         match self.lens.depth {
             DepthMapping::Reversed => self.stored(past_near),
@@ -243,10 +243,10 @@ impl Depths {
         }
     }
 
-    /// Error bound of the stored value.
+    /// An upper bound on the error of the stored value.
     ///
-    /// Rounded are the factor, its product with the measured depth, the reciprocal of w (2.5 units in the last place),
-    /// the product with that, and the stored value: 9 half units, and one for second order.
+    /// These are rounded: the factor, its product with the measured depth, the reciprocal of w (2.5 units in the last
+    /// place), the product with that, and the stored value. That is 9 half units; one more is for second order.
     pub fn error(&self, past_near: f64, error: &ViewError) -> f64 {
         let (w, stored) = (self.w(past_near), self.stored(past_near).abs());
         let of_w = match self.lens.projection {
@@ -262,8 +262,9 @@ impl Depths {
     }
 
     /// How far drawing may misplace the near plane, in depth. In reversed depth, clipping compares a product of two
-    /// rounded factors with w, which is the near plane's depth (or 1); their difference changes with depth by 1 plus
-    /// the factor (orthographic: by the factor). In standard depth it tests the sign of the measured depth.
+    /// rounded factors with w, which is the near plane's depth, or 1 in orthographic projection. Their difference
+    /// changes with depth by 1 plus the factor, or by the factor in orthographic projection. In standard depth,
+    /// clipping tests the sign of the measured depth.
     pub fn near_error(&self, error: &ViewError, exact: bool) -> f64 {
         if self.lens.depth == DepthMapping::Standard {
             return error.measured;
@@ -293,16 +294,16 @@ impl Depths {
         is_exact && is_f32(factor) && is_f32(measured) && is_f32(factor * measured)
     }
 
-    /// The most that the stored value may be off in a view that drawing can hold: [`DEPTH_CEILING_STEPS`] of 2^-23 of
-    /// the depth, or of the distance between near and far where that is less; at most half a pixel's width, as for
+    /// The largest error of the stored value in a view that `f32` can draw: [`DEPTH_CEILING_STEPS`] of 2^-23 of the
+    /// depth, or of the distance between near and far where that is less; at most half a pixel's width, as for
     /// outlines.
     ///
-    /// It comes from lengths, whatever the buffer stores: a coarser buffer excuses no larger errors.
+    /// It comes from lengths, whatever the buffer stores: a coarser buffer does not allow larger errors.
     pub fn ceiling(&self, past_near: f64) -> f64 {
         self.stored_per_depth(past_near) * self.ceiling_world(past_near)
     }
 
-    /// The same as a length along the line of sight.
+    /// The ceiling as a length along the line of sight.
     pub fn ceiling_world(&self, past_near: f64) -> f64 {
         let range = self.lens.far - self.lens.near;
         let w = self.w(past_near).abs();
@@ -327,8 +328,8 @@ impl Depths {
     }
 }
 
-/// The ray through a pixel position in view space, with depth past near as z: where it meets the near plane, its step
-/// per unit of depth, and the change of origin or direction per pixel right and down.
+/// The ray through a pixel position in view space, with depth past near as z: the point where it meets the near plane,
+/// its step per unit of depth, and the change of its origin or direction per pixel right and down.
 pub(super) struct ViewRay {
     pub origin: DVec3,
     pub direction: DVec3,
@@ -356,8 +357,8 @@ impl ViewRay {
         normal.dot(point - self.origin) / normal.dot(self.direction)
     }
 
-    /// Change of that depth per pixel right and down, at a view depth. From `N . (o + z d - P) = 0`, where o or d
-    /// moves.
+    /// Change of that depth per pixel right and down, at a view depth. It follows from `N . (o + z d - P) = 0`, where o
+    /// or d changes with the pixel.
     pub fn slope(&self, depth: f64, normal: DVec3) -> DVec2 {
         let [right, down] = self.steps;
         -self.lens.w(depth) * DVec2::new(normal.dot(right), normal.dot(down))

@@ -40,7 +40,7 @@ fn rounded(value: f64) -> f32 {
     if rounded.is_normal() { rounded } else { 0.0 }
 }
 
-/// A product or a sum as a GPU computes it: `f64` has those of two `f32` exactly, or nearly so.
+/// A product or a sum as a GPU computes it: `f64` holds that of two `f32` exactly, or nearly so.
 fn product(a: f32, b: f32) -> f32 {
     rounded(f64::from(a) * f64::from(b))
 }
@@ -139,7 +139,7 @@ fn vertices_lie_within_their_bounds() {
     }
 }
 
-/// Vertices as small as the least `f32` numbers, on the line of sight: only underflow moves them sideways.
+/// Vertices as small as the least `f32` numbers, on the line of sight: only underflow moves them aside.
 #[test]
 fn vertices_that_underflow_lie_within_their_bounds() {
     let straight = views(4000).map(|(view, random)| {

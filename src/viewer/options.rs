@@ -1,4 +1,4 @@
-//! What the window opens with, and why there may be none.
+//! What the window opens with, and the errors that keep it from opening.
 
 use crate::{
     camera::{CameraChoice, Viewport},
@@ -24,9 +24,9 @@ pub struct Options {
     /// The file that remembers, from one run to the next, the window, its panels and what was opened; `None` for a window
     /// that remembers nothing.
     pub memory: Option<PathBuf>,
-    /// What it shows of the first scene: with others than its camera's picture the matrices stand beside.
+    /// Which views of the first scene show. Beside all but the camera's picture, the matrices show too.
     pub views: Views,
-    /// The picture alone, without panels.
+    /// Whether only the picture shows, without panels.
     pub is_bare: bool,
     /// Whether each pick is printed as a line of JSON.
     pub print_picks: bool,
@@ -42,13 +42,13 @@ pub enum ViewerError {
         "no display to open a window on; draw a picture instead: sightline render SCENE -o picture.png"
     )]
     NoDisplay,
-    /// No graphics for it.
+    /// No graphics device to draw it with.
     #[error(transparent)]
     Gpu(#[from] GpuError),
 }
 
 impl ViewerError {
-    /// What the system says of it is for the log: it speaks of its own sources.
+    /// Logs the system's reason and does not show it: the text names source files of libraries.
     pub(super) fn no_display(reason: &dyn std::fmt::Display) -> Self {
         log::info!("{reason}");
         Self::NoDisplay

@@ -1,7 +1,7 @@
-//! How a tree is built: top down, on several threads.
+//! Builds a tree top down, on several threads.
 //!
-//! A range of triangles is a job until it is small. A job makes a node and up to eight more jobs; one thread builds a
-//! small range alone. In the end the small trees are put behind each other.
+//! A job is a range of triangles. A large job makes one top node and up to eight more jobs. A small job becomes a whole
+//! small tree, built by one thread. In the end the small trees are stored one after another, behind the top nodes.
 
 use super::{
     Bvh,
@@ -84,7 +84,7 @@ pub(super) fn build(
     })
 }
 
-/// The power of two that scales coordinates so that products of them neither underflow nor overflow; `None` where it
+/// The power of two that scales coordinates so that products of them neither underflow nor overflow; `None` where scaling
 /// would change a coordinate.
 fn scale(positions: &[[f32; 3]]) -> Option<f32> {
     const SAFE: f32 = 1_073_741_824.0; // 2^30
@@ -173,13 +173,13 @@ struct Site<'a> {
 }
 
 impl<'a> Site<'a> {
-    /// What each thread does, until no job is left.
+    /// Takes jobs until none is left. Each thread runs this.
     fn work(&self) {
         while let Some(job) = self.next() {
             match job.parent {
                 _ if self.stop.load(Ordering::Relaxed) => {}
                 Some(parent) if job.range.len() <= self.small.max(WIDTH) => {
-                    // Enough for almost all trees.
+                    // This capacity is enough for almost all trees.
                     let mut lines = Vec::with_capacity(job.range.len());
                     let root = self.grow(&mut lines, job.range, job.depth);
                     let grown = Grown {
@@ -261,7 +261,7 @@ fn node_of(parts: &[Range]) -> Node {
     Node::about(bounds.map(|corners| corners.map(|corner| corner.to_array())))
 }
 
-/// Vertices in the tree's lengths.
+/// A mesh's vertices, scaled to the tree's unit of length.
 #[derive(Clone, Copy)]
 struct Vertices<'a> {
     positions: &'a [[f32; 3]],

@@ -1,9 +1,9 @@
-//! A bounding volume hierarchy over a mesh's triangles, which only rejects.
+//! A bounding volume hierarchy over a mesh's triangles. It only rejects: it visits every triangle that a ray may hit.
 //!
-//! Nodes of eight boxes and leaves of eight triangles, so that one instruction handles eight numbers (Wald, Benthin
-//! & Boulos, "Getting rid of packets", RT 2008; Embree's layout). Boxes and triangles are tested in `f32` with a derived
-//! bound ([`ray`]) on rounding: what they reject is missed for certain. The caller decides about the rest in `f64`, so
-//! the answer is the same to the bit, whichever instructions there are.
+//! A node has eight boxes and a leaf eight triangles, so that one instruction handles eight numbers (Wald, Benthin &
+//! Boulos, "Getting rid of packets", RT 2008; Embree's layout). Boxes and triangles are tested in `f32`, with a proven
+//! bound on the rounding errors ([`ray`]): the ray certainly misses whatever is rejected. The caller decides the rest in
+//! `f64`, so the answer is the same to the bit, whichever instructions there are.
 
 #![allow(
     clippy::inline_always,
@@ -28,10 +28,10 @@ use simd::Instructions;
 use std::{ops::ControlFlow, sync::atomic::AtomicBool};
 use walk::Walk;
 
-/// Receives the triangles that a ray may hit. A closure will do; what must be compiled for a walk's instructions needs
-/// `#[inline(always)]`, which closures cannot have.
+/// Receives the triangles that a ray may hit. A closure will do, but is not compiled for a walk's instructions: that
+/// needs `#[inline(always)]`, which closures cannot have.
 pub trait Visit {
-    /// Takes a triangle of the mesh and its corners, to the bit; returns the new end of the ray's interval.
+    /// Takes a triangle of the mesh and its exact corners. Returns the new end of the ray's interval.
     fn visit(&mut self, triangle: u32, corners: [DVec3; 3]) -> f64;
 }
 
@@ -42,8 +42,8 @@ impl<F: FnMut(u32, [DVec3; 3]) -> f64> Visit for F {
     }
 }
 
-/// Where coherent rays enter a tree: a node in place of the root, with all that any of them may meet. (Entry points,
-/// after Reshetov, Soupikov & Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005.)
+/// The entry point of coherent rays: a node that replaces the root and holds all that any of them may meet (after
+/// Reshetov, Soupikov & Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005).
 #[derive(Debug)]
 pub(crate) struct Entry(Node);
 
@@ -58,7 +58,7 @@ pub struct Bvh {
 
 impl Bvh {
     /// Builds the tree over `triangles`, index triples into `positions`, on all processors. All coordinates must be
-    /// finite. `simd` names the instructions that build it and that rays walk it by: one of [`Simd::available`].
+    /// finite. `simd` names the instructions that build the tree and walk it: one of [`Simd::available`].
     ///
     /// `None` when `stop` was set meanwhile, when this processor lacks the instructions, and for meshes that a tree
     /// cannot hold: without triangles, with more than `2^27`, or with coordinates of such different magnitude that
@@ -73,9 +73,9 @@ impl Bvh {
         build::build(positions, triangles, Instructions::of(simd)?, stop)
     }
 
-    /// Calls `visit` with every triangle that `ray` may hit, nearer boxes first. In the ray's space, vertices are about
-    /// `center`. `visit` returns the new end of the ray's interval: boxes that begin beyond it are skipped, boxes that
-    /// begin *at* it are not, so that all ties are seen.
+    /// Calls `visit` with every triangle that `ray` may hit, nearer boxes first. In the ray's space, the vertices' origin
+    /// lies at `center`. `visit` returns the new end of the ray's interval. Boxes that begin beyond it are skipped; boxes
+    /// that begin *at* it are not, so that all ties are seen.
     ///
     /// Which other triangles are visited may differ between processors.
     #[inline]
@@ -83,8 +83,8 @@ impl Bvh {
         self.visit_from::<true>(None, ray, center, visit);
     }
 
-    /// [`Bvh::visit`] for a ray whose entry point may be known. Without `FILTER` it rejects by boxes alone, for triangle
-    /// tests under study: these may hit a triangle that the ray misses.
+    /// [`Bvh::visit`] for a ray whose entry point may be known. Without `FILTER`, only boxes reject. This is for other
+    /// triangle tests under study, which may hit a triangle that the ray misses.
     #[inline]
     pub(crate) fn visit_from<const FILTER: bool>(
         &self,
@@ -131,7 +131,8 @@ impl Bvh {
         unscaled.collect()
     }
 
-    /// Where rays within a pyramid, given about the vertices' origin, may enter; `None` where they meet nothing.
+    /// The entry point of all rays within a pyramid; `None` where they meet nothing. The pyramid is given about the
+    /// vertices' origin.
     pub(crate) fn entry(&self, pyramid: &Pyramid) -> Option<Entry> {
         let unscale = self.frame.unscale;
         let children_met = |place: Place| {
@@ -143,7 +144,7 @@ impl Bvh {
                 is_met.then_some((place.of(child), bounds))
             })
         };
-        // As far down as they fit into one node.
+        // Descends as far as the children met still fit into one node.
         let mut met: Vec<_> = children_met(Place::ROOT).collect();
         let mut next = 0;
         while let Some(&(place, _)) = met.get(next) {
@@ -171,8 +172,8 @@ impl Bvh {
         Node::at(&self.lines, Place::ROOT)
     }
 
-    /// Calls `visit` with every triangle that may be inside a pyramid, and its corners, until it answers that it has
-    /// enough. The pyramid is given about the vertices' origin.
+    /// Calls `visit` with every triangle that may be inside a pyramid, and its corners, until `visit` breaks. The pyramid
+    /// is given about the vertices' origin.
     pub(crate) fn visit_pyramid(
         &self,
         pyramid: &Pyramid,

@@ -1,4 +1,5 @@
-//! Nodes of eight boxes and packets of eight triangles; each number is stored beside its seven counterparts.
+//! Nodes of eight boxes and packets of eight triangles, as structures of arrays: each number is stored beside its seven
+//! counterparts.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -14,8 +15,8 @@ pub(super) struct Line([u32; 16]);
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(64))]
 pub(super) struct Node {
-    /// The least and the greatest corner of each box, by axis. An absent child has them infinite and the wrong way round,
-    /// so that no ray enters it.
+    /// The least and the greatest corner of each box, by axis. An absent child's box is infinite and inverted, so that no
+    /// ray enters it.
     pub corners: [[[f32; WIDTH]; 3]; 2],
     /// What is in each box.
     pub children: [Child; WIDTH],
@@ -31,7 +32,7 @@ impl Place {
     /// The first node.
     pub const ROOT: Self = Self(0);
 
-    /// In this line, which must be below `2^31`.
+    /// The place of the node or packet that begins in this line, which must be below `2^31`.
     pub fn new(line: usize, is_packet: bool) -> Self {
         Self(to_u32(line << 1 | usize::from(is_packet)))
     }
@@ -52,7 +53,7 @@ impl Place {
         Self(self.0.wrapping_add(child.0))
     }
 
-    /// For a stack of numbers.
+    /// The place as a number, for a walk's stack.
     #[inline(always)]
     pub fn bits(self) -> u32 {
         self.0
@@ -64,17 +65,16 @@ impl Place {
     }
 }
 
-/// The distance of a node or packet behind the node that leads to it, so that a small tree may be put anywhere in a large
-/// one.
+/// The distance from a node to one of its children. Being relative, it lets a small tree be put anywhere in a large one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
 #[repr(transparent)]
 pub(super) struct Child(u32);
 
 impl Child {
-    /// Nothing; behind a box that no ray enters.
+    /// No child. Its box is one that no ray enters.
     pub const NONE: Self = Self(0);
 
-    /// From the node in place `node` to what is in `place`, behind it.
+    /// The distance from the node in `node` to its child in `place`, which comes after it.
     pub fn between(node: Place, place: Place) -> Self {
         Self(place.0 - node.0)
     }
@@ -124,7 +124,7 @@ impl Node {
         bytemuck::cast_mut(lines.expect("nodes are whole"))
     }
 
-    /// What is stored of it.
+    /// The cache lines that store it.
     pub fn lines(&self) -> &[Line; Self::LINES] {
         bytemuck::cast_ref(self)
     }
@@ -167,7 +167,7 @@ impl Packet {
         bytemuck::cast_ref(lines.expect("packets are whole"))
     }
 
-    /// What is stored of it.
+    /// The cache lines that store it.
     pub fn lines(&self) -> &[Line; Self::LINES] {
         bytemuck::cast_ref(self)
     }

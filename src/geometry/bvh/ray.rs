@@ -6,35 +6,36 @@
 //! two, which rounds nothing. `M` is the largest coordinate of the mesh, `|o|` that of the ray's origin. An error in `t` or
 //! in the direction is given as the error in position that it makes.
 //!
-//! **In `f64`.** An eye that is many `M` away is moved to where the ray enters the tree's box, `|o| + M` away at most.
-//! The origin may have been rounded once before (`U |o|`), and the moved one is a product and a sum; the ends of the
-//! interval are moved likewise. All of this is below `far = 8 U (|o| + M)`. Components of the direction below `2^-60` of
-//! the largest are raised to that. This moves a point by less than any of these and keeps reciprocals finite, so that
-//! neither 0 / 0 nor the sign of a zero ever arises.
+//! **In `f64`.** An eye more than [`NEAR`] `M` away is moved to where the ray enters the tree's box, by `|o| + M` at
+//! most. The origin may have been rounded once before (`U |o|`); moving it takes a product and a sum; the ends of the
+//! interval are moved likewise. All these errors together are below `far = 8 U (|o| + M)`. Components of the direction
+//! below `2^-90`, which is at most `2^-60` of the largest, are raised to that. This moves a point by less than any of
+//! those errors. It keeps reciprocals finite, so that 0 / 0 never arises and the sign of a zero never matters.
 //!
-//! An inexact ray ([`LocalRay`]) adds its origin's error to `far`, and its direction's times the distance.
+//! An inexact ray ([`LocalRay`]) adds its origin's error to `far`, and its direction's error times the distance.
 //!
 //! From here on nothing that matters is farther from the origin than `D`: `|o| + M`, or `2 M` where the eye was moved.
-//! Then `far / u` is added, so that `u D` has room for `far`, but not for a near eye, whose `far` is below `2^-26 u D`,
-//! or below `2^-3 u D` with the ray's own errors.
+//! Then `far / u` is added to `D`, so that `u D` has room for `far`. A ray that is near, almost exact and of a usual size
+//! goes without: its `far` is below `2^-26 u D`, or below `2^-3 u D` with the ray's own errors.
 //!
 //! **Boxes.** Origin and direction are rounded to `f32`: `u |o|` and, through the direction, `u D`. Then
 //! `t = plane * inverse + offset` rounds `inverse` (`u D`), `offset` (`u |o|`, and again as the padding is added), the
-//! product and the sum (`u D` each, or one where they are fused): together below `7 u D`. The planes are moved apart by
-//! [`PAD`] `u D`, which costs nothing as it is in `offset`, and every computed interval then holds the exact one.
+//! product and the sum (`u D` each, or one where they are fused): together below `7 u D`. The slab's planes are moved
+//! apart by [`PAD`] `u D`; this costs nothing, as `offset` includes it. Every computed interval then holds the exact one.
 //!
-//! **Triangles** (after Woop, Benthin & Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013). Seen from the ray,
-//! a corner is `z = +-(v_k - o_k)` along the largest axis and `x = (v_x - o_x) - (d_x / |d_k|) z` beside it, and `y` likewise.
-//! `z` errs by `u |o|` from the origin and `u D` from the difference; `x` by as much, by as much again through `z`, by
-//! `4 u D` through the slope (both components of the direction, a reciprocal and a product), by `u D` through its product
-//! with `z`; together below [`REACH`] `u D = reach`, and by `u |x|` of its own. With `m` the largest of the six `|x|` and
-//! `|y|` of a triangle, an edge function `x1 y2 - y1 x2` errs by `4 m (reach + u m)` through its factors,
-//! `2 (reach + u m)^2` through both, and `4 u m^2` by itself; terms in `u^2` aside that is less than
-//! `E = (m + reach) (5 reach + 10 u m)`. Where one edge function is below `-E` and another above `E`, the exact ones have
-//! both signs, and the ray misses. It also misses where all three `z` are beyond its interval by more than `reach`. The
-//! caller of [`visit`](super::Bvh::visit) decides about all else.
+//! **Triangles** (after Woop, Benthin & Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013). Seen from the
+//! ray, a corner is `z = +-(v_k - o_k)` along the largest axis and `x = (v_x - o_x) - (d_x / |d_k|) z` beside it, and `y`
+//! likewise. `z` errs by `u |o|` from the origin and `u D` from the difference. `x` errs by as much itself, by as much
+//! again through `z`, by `4 u D` through the slope (both components of the direction, a reciprocal and a product), and by
+//! `u D` through the slope's product with `z`. Together that is below [`REACH`] `u D = reach`; rounding `x` itself adds
+//! `u |x|`. Let `m` be the largest of the six `|x|` and `|y|` of a triangle. An edge function `x1 y2 - y1 x2` errs by
+//! `4 m (reach + u m)` through an error in one factor, by `2 (reach + u m)^2` through errors in both, and by `4 u m^2`
+//! through its own rounding. Up to terms in `u^2`, the sum is less than `E = (m + reach) (5 reach + 10 u m)`. Where one
+//! edge function is below `-E` and another above `E`, the exact ones differ in sign, and the ray misses. It also misses
+//! where all three `z` are beyond its interval by more than `reach`. The caller of [`visit`](super::Bvh::visit) decides
+//! about all else.
 //!
-//! Sizes between `2^-30` and `2^30` keep all of this within `f32`; other meshes are scaled when the tree is built, other
+//! Sizes between `2^-30` and `2^30` keep all of this within `f32`. Other meshes are scaled when the tree is built, other
 //! directions here.
 
 use crate::geometry::{Aabb, LocalRay, Ray, U, binary, entry};
@@ -53,14 +54,14 @@ const LEAST_COMPONENT: f32 = to_f32(binary::power_of_two(-90));
 /// An eye that is farther away than this many times the mesh's largest coordinate is moved.
 const NEAR: f32 = 7.0;
 
-/// Where a tree lies, and in which lengths.
+/// A tree's bounding box, and its unit of length.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
-    /// About all triangles, in the tree's lengths.
+    /// The box of all triangles, in the tree's unit.
     pub bounds: Aabb,
     /// `M`.
     pub most: f32,
-    /// A power of two: the caller's lengths times this are the tree's.
+    /// A power of two: a length of the caller's times this is one in the tree's unit.
     pub scale: f64,
     /// Its reciprocal.
     pub unscale: f64,
@@ -69,32 +70,32 @@ pub(super) struct Frame {
 /// A ray as boxes see it.
 #[derive(Debug)]
 pub(super) struct TreeRay {
-    /// By axis: 1 where it runs backwards, and enters boxes through the side of their greatest corner; else 0.
+    /// By axis: 1 where the ray runs backwards and enters boxes through the side of their greatest corner, else 0.
     pub backwards: [usize; 3],
     /// 1 / direction.
     pub inverse: Vec3A,
-    /// - origin / direction, earlier by the padding.
+    /// - origin / direction`, earlier by the padding.
     pub entry_offset: Vec3A,
-    /// - origin / direction, later by the padding.
+    /// - origin / direction`, later by the padding.
     pub exit_offset: Vec3A,
     /// The start of the interval.
     pub start: f32,
     placed: Placed,
 }
 
-/// A ray in the tree's lengths.
+/// A ray in the tree's unit of length.
 #[derive(Debug)]
 struct Placed {
     origin: Vec3A,
     direction: Vec3A,
     /// `D`.
     distance: f32,
-    /// The tree's `t` is the caller's times this, less `t_start`.
+    /// The tree's `t` is the caller's `t` times this, less `t_start`.
     t_scale: f64,
     t_start: f64,
 }
 
-/// Why a ray does not walk through a tree.
+/// Why a ray is not walked through a tree.
 #[derive(Debug)]
 pub(super) enum Unplaced {
     /// It misses the tree's box.
@@ -104,10 +105,10 @@ pub(super) enum Unplaced {
 }
 
 impl TreeRay {
-    /// `local`, in the caller's lengths, as the tree sees it about `center`.
+    /// Prepares `local`, which is in the caller's unit, for a tree whose vertices' origin lies at `center`.
     #[inline(always)]
     pub fn prepare(local: &LocalRay, center: &DVec3, frame: &Frame) -> Result<Self, Unplaced> {
-        /// Errors up to this, over the distance, fit into what the bounds have to spare.
+        /// Relative errors up to this fit into what the bounds have to spare.
         const NOTHING: f64 = binary::power_of_two(-30);
         let ray = local.ray;
         let origin = ((ray.origin - *center) * frame.scale).as_vec3a();
@@ -129,7 +130,8 @@ impl TreeRay {
                 t_start: 0.0,
             }
         } else {
-            // Field by field: a whole one would go through memory, for near rays as well, and cost them a quarter.
+            // Copied field by field: a whole `Placed` would go through memory, for near rays too, and slow those by a
+            // quarter.
             let far = Placed::far(local, center, frame)?;
             Placed {
                 origin: far.origin,
@@ -171,13 +173,14 @@ impl TreeRay {
     /// The caller's end of the interval, as a `t` from the moved origin; never too early.
     #[inline(always)]
     pub fn end(&self, t_max: f64) -> f32 {
-        // Four roundings, relative to what they round; `far` has room for those that the difference cancels.
+        // Widened for four roundings, each relative to its result. `far` has room for the earlier ones where the
+        // difference cancels.
         let end = t_max * self.placed.t_scale - self.placed.t_start;
         let end = end * (1.0 + 4.0 * f64::from(U32));
         to_f32(greater(end, 0.0))
     }
 
-    /// As triangles see it.
+    /// The ray as triangles see it.
     #[inline(always)]
     pub fn sheared(&self) -> ShearedRay {
         let Placed {
@@ -258,16 +261,16 @@ impl Placed {
     }
 }
 
-/// A ray as triangles see it: as if it ran along the axis along which its direction is largest.
+/// A ray as triangles see it: sheared so that it runs along the axis of its largest component.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShearedRay {
-    /// Two axes and that one.
+    /// The two other axes, then that axis.
     pub axes: [usize; 3],
-    /// The origin along these, the last times minus the direction's sign.
+    /// The origin along these axes; the last coordinate is times minus the direction's sign.
     pub origin: [f32; 3],
-    /// The direction along these, over its size along the last; there it is 1 or -1.
+    /// The direction along these axes, divided by its size along the last, where it is 1 or -1.
     pub slope: [f32; 3],
-    /// The direction's size along the last: from `t` to a length.
+    /// The direction's size along the last axis: turns a `t` into a length.
     pub size: f32,
     /// How far a corner may be from where this sees it.
     pub reach: f32,
@@ -291,7 +294,7 @@ mod tests {
     use crate::geometry::random::Random;
 
     /// The padding's derivation holds against planes met in `f64`, fused and not: no box is entered late or left early,
-    /// and most of the padding is needed. Nor does an interval that ends at a plane end before it.
+    /// and errors reach at least 3 of the proven 7 `u D`. An interval that ends at a plane does not end before it.
     #[test]
     fn boxes_are_entered_in_time() {
         let mut random = Random(7);
@@ -309,7 +312,7 @@ mod tests {
                 scale: 1.0,
                 unscale: 1.0,
             };
-            // Near the box, as far as an eye may stay, and beyond.
+            // Near the box, as far as an eye may be without being moved, and beyond.
             let away = [0.3, 1.0, 6.99, 1e3, 1e9][i as usize % 5];
             let plane = to_f32(most * random.next());
             let target = most * random.point();

@@ -38,14 +38,14 @@ impl Simd {
             .filter(|simd| Instructions::of(*simd).is_some())
     }
 
-    /// The first of them.
+    /// The fastest that this processor can do.
     #[must_use]
     pub fn fastest() -> Self {
         Self::available().next().unwrap_or(Self::Portable)
     }
 }
 
-/// Instructions that this processor was seen to have; whoever holds this need not look again.
+/// Instructions that this processor has been detected to have. A value is the proof: nobody need detect again.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Instructions {
     #[cfg(target_arch = "x86_64")]
@@ -58,7 +58,7 @@ pub(super) enum Instructions {
 }
 
 impl Instructions {
-    /// Those of this name; `None` where this processor lacks them.
+    /// The instructions of this name; `None` where this processor lacks them.
     pub fn of(simd: Simd) -> Option<Self> {
         match simd {
             #[cfg(target_arch = "x86_64")]
@@ -73,7 +73,7 @@ impl Instructions {
         }
     }
 
-    /// Does `work` by them.
+    /// Does `work` with these instructions.
     #[inline]
     pub fn run<W: Work>(self, work: W) -> W::Output {
         match self {
@@ -88,14 +88,12 @@ impl Instructions {
     }
 }
 
-/// Something to do by whichever instructions there are.
+/// Work that is compiled for each set of instructions.
 ///
-/// `run`, and all that it calls with its lanes, must be `#[inline(always)]`, which rules out closures: only then is it
-/// compiled for these instructions.
+/// `run` and all that it calls with its lanes must be `#[inline(always)]`: only then are they compiled for these
+/// instructions. This rules out closures.
 pub(super) trait Work {
-    /// What comes out.
     type Output;
-    /// Does it.
     fn run<L: Lanes>(self, lanes: L) -> Self::Output;
 }
 
@@ -124,11 +122,12 @@ pub(super) trait Lanes: Copy {
     fn halves_swapped(self, a: Self::F) -> Self::F;
     /// Prefetches the cache line of an item; any index will do.
     fn prefetch<T>(self, items: &[T], index: usize);
-    /// Does `work` by the same instructions, but out of line: for rare work that would crowd a loop.
+    /// Does `work` with the same instructions, but out of line: for rare work that would crowd a loop.
     fn apart<W: Work>(self, work: W) -> W::Output;
 }
 
-/// Eight numbers in memory, never across two pages: a walk whose stack lies so takes a third longer.
+/// Eight numbers in memory, aligned so that they never span two pages: a walk whose numbers on the stack do takes a third
+/// longer.
 #[derive(Clone, Copy)]
 #[repr(align(32))]
 pub(super) struct Eight(pub [f32; 8]);
@@ -247,7 +246,7 @@ mod x86 {
         work.run(lanes)
     }
 
-    /// [`Lanes`] as two halves, by what every x86-64 has.
+    /// [`Lanes`] as two halves of four, in SSE2, which every x86-64 has.
     #[derive(Clone, Copy)]
     pub(super) struct Sse2;
 
@@ -274,7 +273,7 @@ mod x86 {
     }
 }
 
-/// Room for a [`Stack`]; as much as the deepest tree needs (see the assertion in [`super::split`]).
+/// Room for a [`Stack`], enough for the deepest tree (see the assertion in [`super::split`]).
 pub(super) struct StackRoom([MaybeUninit<u64>; Self::CAPACITY]);
 
 impl StackRoom {
@@ -287,7 +286,7 @@ impl StackRoom {
     }
 }
 
-/// The places that a walk has yet to visit. Its length is apart from its room so that it stays in a register.
+/// The places that a walk has yet to visit. The length is kept apart from the room so that it stays in a register.
 pub(super) struct Stack<'a> {
     room: &'a mut StackRoom,
     len: usize,

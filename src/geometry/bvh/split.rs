@@ -1,11 +1,11 @@
-//! Where ranges of triangles are cut: by the surface area heuristic (Mac Donald & Booth 1990), estimated in bins (Wald,
-//! "On fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007).
+//! Splits ranges of triangles by the surface area heuristic (Mac Donald & Booth 1990), estimated in bins (Wald, "On fast
+//! Construction of SAH-based Bounding Volume Hierarchies", RT 2007).
 //!
-//! The range with the largest surface is cut first, until there are eight: they make a node.
+//! To make a node, the range with the largest surface is cut in two, again and again, until there are eight.
 //!
-//! A library's builder was tried instead: under the same nodes, the trees of obvhs 0.4 (PLOC, medium quality) took a ray
-//! 2 to 35 % longer on the benchmark's meshes and 1.2 to 2.5 times as long to build, with twice the memory; its faster
-//! presets were worse on rays.
+//! A library's builder was tried instead, under the same nodes. With the trees of obvhs 0.4 (PLOC, medium quality), rays
+//! took 2 to 35 % longer on the benchmark's meshes. Building took 1.2 to 2.5 times as long and twice the memory. The
+//! library's faster presets made rays slower still.
 
 use super::{
     node::{WIDTH, to_u32},
@@ -13,8 +13,8 @@ use super::{
 };
 use glam::Vec3A;
 
-/// From this many triangles on, a range is sorted into 16 bins along each axis, else into 8: more would cost more than
-/// they tell.
+/// From this many triangles on, a range is sorted into 16 bins along each axis, else into 8: more bins would cost more
+/// than they gain.
 const WORTH_16_BINS: usize = 64;
 /// From this depth on, ranges are halved by count, whatever that does to their boxes, so that no input makes the tree
 /// deeper than [`DEEPEST`]. Real meshes are 5 to 8 deep.
@@ -48,8 +48,8 @@ impl Leaf {
     }
 }
 
-/// A box: least x, y, z and any number, then greatest x, y, z, negated, and any number. One minimum of eight numbers then
-/// joins two boxes.
+/// A box as eight numbers: least x, y, z and any number, then the negated greatest x, y, z and any number. The lanes'
+/// minimum of two such boxes is then their union.
 #[derive(Clone, Copy)]
 struct Extent(Eight);
 
@@ -130,7 +130,7 @@ impl<'a> Range<'a> {
         [self.bounds.min(), self.bounds.max()]
     }
 
-    /// Cuts it into up to eight, none empty, for a node at this depth.
+    /// Cuts the range into up to eight, none empty, for a node at this depth.
     pub fn split_wide(self, depth: usize, instructions: Instructions) -> Vec<Self> {
         let by_area = depth < HALVED_BELOW;
         let mut parts = Vec::with_capacity(WIDTH);
@@ -154,17 +154,17 @@ impl<'a> Range<'a> {
         parts
     }
 
-    /// Without branches: a processor would mispredict every other one.
+    /// Partitions the leaves at a cut, without branches: a processor would mispredict every other one.
     #[inline(always)]
     fn split_at<L: Lanes>(self, lanes: L, cut: &Cut) -> (Self, Self) {
-        // The greater of a number and the first is infinite and widens no box; with the second it is the number.
+        // `max` with the first is infinite and widens no box. `max` with the second leaves a number as it is.
         const GATE: [f32; 2] = [f32::INFINITY, f32::NEG_INFINITY];
         let Self { leaves, .. } = self;
         let mut below = lanes.splat(f32::INFINITY);
         let mut above = below;
         let mut count = 0;
         for i in 0..leaves.len() {
-            // Read before it moves: what was just written is slow to read.
+            // Read before the leaf moves: what was just written is slow to read.
             let is_below = cut.is_below(&leaves[i]);
             let leaf = lanes.load(&leaves[i].0.0);
             leaves[i] = leaves[count];
@@ -223,12 +223,12 @@ impl<'a> Work for Whole<'a> {
     }
 }
 
-/// From centres to bins.
+/// Maps centres to bins.
 #[derive(Clone, Copy)]
 struct Bins {
     origin: Vec3A,
     scale: Vec3A,
-    /// Numbers less than their count, which is a power of two.
+    /// The number of bins, a power of two, less 1.
     mask: u32,
 }
 
@@ -249,7 +249,7 @@ impl Bins {
     }
 
     /// The bin of a centre along each axis. The last bits of a float between 2^23 and 2^24 are an integer. The mask gives
-    /// some bin, always the same, even for what overflows.
+    /// some bin even where that overflows, and always the same one.
     #[inline(always)]
     fn of(&self, center: Vec3A) -> [u32; 3] {
         let at = (center - self.origin) * self.scale + Vec3A::splat(Self::INTEGER);
@@ -348,7 +348,7 @@ impl<const BINS: usize> Binning<BINS> {
     }
 }
 
-/// Surface times packets, the expected cost of a ray; infinite for no triangles.
+/// The expected cost of a ray: surface times number of packets. Infinite for no triangles.
 #[expect(clippy::cast_precision_loss, reason = "an estimate")]
 #[inline(always)]
 fn cost(extent: &Extent, count: usize) -> f32 {

@@ -8,8 +8,8 @@ use super::{
 };
 
 impl Bvh {
-    /// Checks that the tree holds each of `triangles` once, with its corners to the bit, that every box covers what is
-    /// below it, that each node and packet is reached once, and none of them too deep for a walk's stack.
+    /// Checks that the tree holds each of `triangles` once, with its corners to the bit; that every box covers what is
+    /// below it; that each node and packet is reached once; and that none is too deep for a walk's stack.
     ///
     /// # Errors
     /// What is wrong, for whoever repairs the builder.
@@ -18,7 +18,7 @@ impl Bvh {
         let mut lines = 0;
         let Frame { bounds, scale, .. } = self.frame;
         let everywhere = [bounds.min, bounds.max].map(|v| v.as_vec3().to_array());
-        // Each with the box that it must lie in, and its depth.
+        // Places, each with the box that it must lie in and its depth.
         let mut open = vec![(Place::ROOT, everywhere, 0)];
         while let Some((place, bounds, depth)) = open.pop() {
             if depth > DEEPEST {

@@ -148,7 +148,7 @@ struct Open<'a> {
 }
 
 impl Open<'_> {
-    /// The nearest; the others go onto the stack, farthest first.
+    /// Returns the nearest; the others go onto the stack, farthest first.
     #[inline(always)]
     fn nearest<L: Lanes>(mut self, lanes: L, lines: &[Line], stack: &mut Stack) -> Place {
         let first = self.next();
@@ -202,8 +202,8 @@ fn prefetch<L: Lanes>(lanes: L, lines: &[Line], item: u64) {
     }
 }
 
-/// A place and where the box about it begins, so that the nearer is the smaller number: floats from 0 on are ordered as
-/// their bits are. (Boxes that begin before 0 are merely visited in another order.)
+/// A place and the `t` at which its box begins, packed so that a nearer box is a smaller number: floats from 0 on are
+/// ordered like their bits. (Boxes that begin before 0 are merely visited in another order.)
 #[inline(always)]
 fn item(begins: f32, place: Place) -> u64 {
     u64::from(begins.to_bits()) << 32 | u64::from(place.bits())
@@ -215,8 +215,8 @@ fn place_of(item: u64) -> Place {
     Place::from_bits(item as u32)
 }
 
-/// The last item whose box begins no later than `end`, which is 0 or more. Items compare as signed numbers, so that boxes
-/// that begin before 0 are less.
+/// The last item whose box begins no later than `end`, which is 0 or more. Items compare to it as signed numbers, so that
+/// boxes that begin before 0 are less.
 #[inline(always)]
 fn last(end: f32) -> i64 {
     (u64::from(end.to_bits()) << 32 | u64::from(u32::MAX)).cast_signed()
@@ -357,7 +357,7 @@ impl TriangleFilter {
     }
 }
 
-/// Twice the area that two corners span with the ray, with its sign.
+/// The edge function of two corners: twice the signed area that they span with the ray.
 #[inline(always)]
 fn edge<L: Lanes>(lanes: L, a: Seen<L>, b: Seen<L>) -> L::F {
     lanes.sub_mul(lanes.mul(a.x, b.y), a.y, b.x)

@@ -86,7 +86,7 @@ fn short(points: impl Iterator<Item = DVec3> + Clone) -> Option<[[i64; 3]; 6]> {
     Some(integers)
 }
 
-/// Products of three differences have 126 bits.
+/// [`are_coplanar`] in integers: products of three differences have 126 bits.
 fn are_coplanar_integers([p, q, r, others @ ..]: &[[i64; 3]; 6]) -> bool {
     let from_p = |c: &[i64; 3]| [0, 1, 2].map(|i| i128::from(c[i] - p[i]));
     let (u, v) = (from_p(q), from_p(r));

@@ -1,4 +1,4 @@
-//! The numbers of exact decisions in any length, and what distances in pixels need besides: quotients, roots, rounding.
+//! The exact numbers of any length, with what distances in pixels also need: quotients, roots, rounding.
 
 pub(crate) use super::{
     super::interval::InDoubt,
@@ -44,8 +44,8 @@ pub(crate) fn point_world(point: &PlacedPoint) -> DyadicVector {
     world::placed(point)
 }
 
-/// A world-space point and a direction in the object space of a placement, both times the third result: the determinant
-/// of its linear part.
+/// A world-space point and direction, taken to the object space of a placement. Both are times the third result, the
+/// determinant of the placement's linear part.
 pub(crate) fn to_object(
     placement: &Placement,
     point: DVec3,

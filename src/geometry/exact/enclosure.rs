@@ -1,6 +1,6 @@
 //! Pairs of `f64` with a bound on their error, in which a formula is tried before it is computed in integers.
 //!
-//! They tell a sign, or a rounded number, only where the bound leaves no doubt: then integers would give the same.
+//! They decide a sign or a rounded number only where the bound leaves no doubt. Integers would then give the same.
 
 use super::{
     super::{
@@ -13,11 +13,11 @@ use super::{
 };
 use std::cmp::Ordering;
 
-/// A number and an upper bound on its error. NaN and infinite where nothing is known.
+/// A number and an upper bound on its error. The bound is infinite, or the number NaN, where nothing is known.
 ///
 /// With `u = 2^-53`, a sum of two pairs rounds by `3 u^2 / (1 - 4 u)` of itself, a product by `7 u^2` (Joldes, Muller &
-/// Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44(2), 2017), and
-/// of two `f64` by nothing. Bounds are rounded themselves, by far less than [`MORE`].
+/// Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44(2), 2017),
+/// and both are exact for two `f64`. Bounds are rounded themselves, by far less than [`MORE`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Enclosure {
     value: DoubleDouble,
@@ -38,7 +38,7 @@ impl Enclosure {
         Self { value, error }
     }
 
-    /// As one `f64`, and the bound on its error.
+    /// The number as one `f64`, and the bound on its error.
     pub fn rounded(&self) -> [f64; 2] {
         [self.value.hi, MORE * (self.value.lo.abs() + self.error)]
     }
@@ -52,7 +52,7 @@ impl Enclosure {
         self.value.hi == 0.0 && self.error == 0.0
     }
 
-    /// `value`, computed from two pairs, with its own rounding and what their errors add.
+    /// `value`, computed from two pairs. Its error is `error`, which theirs cause, plus its own rounding.
     #[inline]
     fn of(value: DoubleDouble, made_of: [&Self; 2], error: f64) -> Self {
         let rounding = if made_of[0].is_short() && made_of[1].is_short() {
@@ -68,9 +68,9 @@ impl Enclosure {
 
     /// The square root of a number that is certainly above 0.
     ///
-    /// With `s` the root of `x` as `f64` rounds it and `r = x - s^2`, the root is `s + r / 2 s` less `(r / 2 s)^2 / 2 s` and
-    /// higher terms, which is below `u^2 s`; the quotient rounds by `2 u^2 s`, and `r` by `2 ROUNDING x`, half of which over `s`
-    /// is its part. What `x` errs by adds less than that over `s`.
+    /// Let `s` be the root of `x` as `f64` rounds it, and `r = x - s^2`. The root is `s + r / 2 s`, less
+    /// `(r / 2 s)^2 / 2 s` and higher terms, which are below `u^2 s`. The quotient rounds by `2 u^2 s`. `r` rounds by
+    /// `2 ROUNDING x`, which adds half of that over `s`. An error of `x` adds less than that error over `s`.
     pub fn sqrt(&self) -> Result<Self, InDoubt> {
         if self.decided_sign()?.is_le() || self.value.hi < LEAST {
             return Err(InDoubt);
@@ -152,7 +152,8 @@ impl Decided for Enclosure {
         }
     }
 
-    /// What every number in it rounds to, even with the digits beyond the 64th cut off, as in long integers (Ziv's test).
+    /// The `f64` that every number within the bound rounds to (Ziv's test), even with the digits beyond the 64th cut off,
+    /// as long integers do.
     #[inline]
     fn decided_value(&self) -> Result<(f64, i64), InDoubt> {
         let DoubleDouble { hi, lo } = self.value;
@@ -166,15 +167,15 @@ impl Decided for Enclosure {
     }
 }
 
-/// `numerator / denominator`, rounded once; the denominator is not 0. The exact quotient must lie between the middles
-/// from the result to its neighbours.
+/// `numerator / denominator`, rounded once; the denominator is not 0. The exact quotient must lie between the midpoints
+/// from the result to its two neighbours.
 pub(super) fn rounded_quotient(
     numerator: &Number<Enclosure>,
     denominator: &Number<Enclosure>,
 ) -> Result<f64, InDoubt> {
     let quotient = numerator.integer.value / denominator.integer.value;
     let nearest = quotient.hi;
-    // Closer to 0 the middles are not pairs, and products lack digits.
+    // Closer to 0 the midpoints are not pairs, and products lack digits.
     if !(power_of_two(-400)..power_of_two(400)).contains(&nearest.abs()) {
         return Err(InDoubt);
     }

@@ -1,7 +1,7 @@
-//! Integers of a width that suffices: the same formulas in 128, 256, 512, 1024 or any number of bits.
+//! Computes a formula in the narrowest integers that hold it: of 128, 256, 512, 1024 or any number of bits.
 //!
-//! Fixed widths need no heap and are ten times as fast. A formula is first run on [`Bits`], which only counts how long
-//! each number may become; that tells the width.
+//! Fixed widths need no heap and are ten times as fast. A formula is first run on [`Bits`], which only counts how many
+//! bits each number may need. That tells the width.
 
 use super::super::{binary::split, interval::InDoubt};
 use bnum::BInt;
@@ -28,7 +28,7 @@ pub(crate) trait Ring: Clone {
 
 /// A number of which sign and value can be read, unless they are in doubt.
 pub(crate) trait Decided: Ring {
-    /// Against 0.
+    /// How it compares to 0.
     fn decided_sign(&self) -> Result<Ordering, InDoubt>;
     /// As [`Integer::rounded`].
     fn decided_value(&self) -> Result<(f64, i64), InDoubt>;
@@ -46,10 +46,11 @@ impl<I: Integer> Decided for I {
 
 /// Exact numbers. Results that do not fit are silently wrong: [`Bits`] tells beforehand whether they fit.
 pub(crate) trait Integer: Ring {
-    /// Against 0.
+    /// How it compares to 0.
     fn sign(&self) -> Ordering;
     fn to_big(&self) -> BigInt;
-    /// The value as a number times a power of two, by its exponent; rounded once.
+    /// The value as `(n, e)`, meaning `n * 2^e`. It is rounded once; long integers cut off the digits beyond the 64th
+    /// first.
     fn rounded(&self) -> (f64, i64);
 }
 
@@ -188,7 +189,7 @@ fn scaled(leading: u64, exponent: i64, is_negative: bool) -> (f64, i64) {
     (if is_negative { -value } else { value }, exponent)
 }
 
-/// How many bits a number may have, and how many any number on the way to it; without signs.
+/// Upper bounds on the bits of a number, and on those of any number on the way to it; without signs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bits {
     here: u32,
@@ -201,7 +202,7 @@ impl Bits {
         Self { here, most }
     }
 
-    /// The most bits that any of the numbers had.
+    /// The most bits that any of the numbers needs, or any number on the way to them.
     pub fn most(numbers: impl IntoIterator<Item = Self>) -> u32 {
         let most = numbers.into_iter().map(|number| number.most);
         most.max().unwrap_or(0)

@@ -1,4 +1,4 @@
-//! Inverses of matrices too close to singular for `f64`.
+//! Inverses and signs of determinants, for matrices too close to singular for `f64`.
 
 use super::{root::Root, world::Adjugate};
 use glam::{DMat3, DVec3};

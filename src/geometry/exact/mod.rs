@@ -1,13 +1,13 @@
-//! Rays against shapes in exact arithmetic, from the stored numbers, for the few that `f64` cannot decide.
+//! Intersects rays with shapes in exact arithmetic, from the stored numbers, in the few cases that `f64` cannot decide.
 //!
-//! Every finite `f64` is an integer times a power of two, and so is every sum and product of such numbers: integers
-//! neither round nor overflow. Triangles are decided in the world, by their corners' weights where the ray meets their
-//! plane. Spheres, cubes and squares are decided in object space, times the determinant of the model matrix, which avoids
-//! a division. A ray parameter is a quotient, or a root of a quadratic with rational coefficients, and is compared as
-//! such ([`mod@root`]).
+//! Every finite `f64` is an integer times a power of two, and so is every sum and product of such numbers. Integers wide
+//! enough neither round nor overflow. Triangles are decided in the world, by the barycentric weights where the ray meets
+//! their plane. Spheres, cubes and squares are decided in object space, where all is times the determinant of the model
+//! matrix: this avoids a division. A ray parameter is a quotient, or a root of a quadratic with rational coefficients,
+//! and is compared as such ([`mod@root`]).
 //!
-//! What a pick's record says (parameters, points, distances in the picture) is tried first in pairs of `f64` with bounds
-//! ([`enclosure`]). These count where they round to what integers would.
+//! The numbers of a pick's record (parameters, points, distances in the picture) are first tried in pairs of `f64` with
+//! bounds ([`enclosure`]). These pairs count where they round to what integers would.
 //!
 //! Integers have 128, 256, 512 or 1024 bits where that is enough, else any number. (Floating-point expansions, Shewchuk
 //! 1997, fail as soon as a product underflows.)
@@ -50,7 +50,7 @@ use std::cmp::Ordering;
 #[derive(Clone, Copy)]
 pub(crate) enum Surface<'a> {
     Triangle(Corners<'a>),
-    /// And whether the line leaves it there.
+    /// With whether the line leaves the sphere there.
     Sphere(&'a Placement, bool),
     Cube {
         placement: &'a Placement,
@@ -61,7 +61,7 @@ pub(crate) enum Surface<'a> {
     Square(&'a Placement),
 }
 
-/// Where a ray's line meets a surface. It must meet it.
+/// Where a ray's line meets a surface, which it must meet.
 fn root(ray: &WorldRay, surface: &Surface) -> Option<Root> {
     let on = |placement| Exactly::placed(ray, placement);
     match *surface {

@@ -26,7 +26,7 @@ pub(crate) struct Vector<I> {
 }
 
 impl<I: Ring> Number<I> {
-    /// A finite number.
+    /// From a finite number.
     pub fn new(value: f64) -> Self {
         let (integer, exponent) = I::parts(value);
         Self { integer, exponent }
@@ -64,7 +64,7 @@ impl<I: Ring> Number<I> {
 }
 
 impl<I: Decided> Number<I> {
-    /// Against 0.
+    /// How it compares to 0.
     pub fn decided_sign(&self) -> Result<Ordering, InDoubt> {
         self.integer.decided_sign()
     }
@@ -89,7 +89,7 @@ impl<I: Decided> Number<I> {
         Ok((value, exponent + self.exponent + unit + 1))
     }
 
-    /// `self / other`, which must not be 0, to within three roundings.
+    /// `self / other`, to within three roundings. `other` must not be 0.
     pub fn decided_ratio(&self, other: &Self) -> Result<f64, InDoubt> {
         let ((a, above), (b, below)) = (
             self.integer.decided_value()?,
@@ -107,12 +107,12 @@ impl<I: Decided> Number<I> {
 }
 
 impl<I: Integer> Number<I> {
-    /// Against 0.
+    /// How it compares to 0.
     pub fn sign(&self) -> Ordering {
         self.integer.sign()
     }
 
-    /// `self / other`, which must not be 0, to within three roundings.
+    /// `self / other`, to within three roundings. `other` must not be 0.
     pub fn ratio(&self, other: &Self) -> f64 {
         if self.sign().is_eq() {
             return 0.0;
@@ -144,7 +144,7 @@ fn difference(greater: i64, less: i64) -> u32 {
 }
 
 impl<I: Ring> Vector<I> {
-    /// A finite vector.
+    /// From a finite vector.
     pub fn new(v: DVec3) -> Self {
         let parts = v.to_array().map(|c| (c != 0.0).then(|| I::parts(c)));
         let exponents = parts.iter().flatten().map(|(_, exponent)| *exponent);
@@ -165,7 +165,7 @@ impl<I: Ring> Vector<I> {
         }
     }
 
-    /// Of three numbers, in the smallest of their units.
+    /// The vector of three numbers, in the smallest of their units.
     pub fn of(numbers: &[Number<I>; 3]) -> Self {
         let [x, y, z] = numbers.each_ref().map(|n| n.exponent);
         let exponent = x.min(y).min(z);

@@ -68,7 +68,7 @@ impl<'a> Parameter<'a> {
         rounded().or_else(|| Some(self.root()?.behind(before.root()?)))
     }
 
-    /// For a flat surface placed by `placement`: the axis that it is across in object space, and where.
+    /// For a flat surface placed by `placement`: the axis of its normal in object space, and its coordinate along that.
     fn plane(&self, placement: &Placement) -> Option<(usize, f64)> {
         match &self.surface {
             Surface::Cube {
@@ -96,8 +96,8 @@ impl<'a> Parameter<'a> {
         enclosed().or_else(|| solids::point_at(&exactly, self.root()?))
     }
 
-    /// The weights of the corners there, each within three roundings, where it is a triangle's; `None` when the ray runs
-    /// along its plane.
+    /// The barycentric weights there, each to within three roundings. `None` for anything but a triangle, and when the
+    /// ray runs along the triangle's plane.
     pub fn weights(&self) -> Option<[f64; 3]> {
         let Surface::Triangle(triangle) = &self.surface else {
             return None;
@@ -108,7 +108,7 @@ impl<'a> Parameter<'a> {
     }
 }
 
-/// The parameter as [`mod@super::root`] has it.
+/// The parameter as the quotient that [`mod@super::root`] has, in pairs of `f64`.
 fn enclosed(ray: &WorldRay, surface: &Surface) -> Result<Quotient, InDoubt> {
     let local = |placement| LocalLine::<Enclosure>::new(&Exactly::placed(ray, placement));
     let (numerator, denominator) = match *surface {
@@ -159,7 +159,7 @@ fn enclosed(ray: &WorldRay, surface: &Surface) -> Result<Quotient, InDoubt> {
     })
 }
 
-/// The axis across which a face of the cube lies, and where.
+/// The axis of the normal of a cube's face, and the face's coordinate along that.
 fn face(normal: DVec3) -> (usize, f64) {
     let axis = normal.abs().max_position();
     (axis, Cuboid::HALF_SIDE.copysign(normal[axis]))

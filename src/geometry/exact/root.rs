@@ -1,4 +1,4 @@
-//! Exact ray parameters: quotients and roots of quadratics, compared and rounded without error.
+//! Exact ray parameters: quotients and roots of quadratics, compared exactly and rounded correctly.
 
 use super::{
     super::{
@@ -58,7 +58,7 @@ impl Root {
         if discriminant.integer.sign() == Sign::Minus {
             return None;
         }
-        // In the unit whose square is the discriminant's.
+        // `p` and the root are in the unit whose square is that of `q`.
         let unit = b.exponent.min(discriminant.exponent.div_euclid(2));
         let mut p = -(&b.integer << (b.exponent - unit));
         let mut q = discriminant.integer << (discriminant.exponent - 2 * unit);
@@ -84,7 +84,7 @@ impl Root {
         Self::rational(mantissa.into(), 1.into(), exponent)
     }
 
-    /// Against a number that is not NaN.
+    /// How it compares to a number that is not NaN.
     pub(super) fn compare_to(&self, value: f64) -> Ordering {
         if value.is_infinite() {
             return 0.0_f64.total_cmp(&value);
@@ -92,7 +92,7 @@ impl Root {
         self.compare(&Self::number(value))
     }
 
-    /// Whether a hit there counts. False where an end of the interval is NaN.
+    /// Whether it lies in the interval, which includes its start but not its end. False where either is NaN.
     pub(super) fn is_within(&self, interval: &Ray) -> bool {
         let Ray { t_min, t_max, .. } = *interval;
         super::has_interval(interval)
@@ -100,7 +100,7 @@ impl Root {
             && self.compare_to(t_max).is_lt()
     }
 
-    /// Which is less.
+    /// Which of the two is less.
     pub fn compare(&self, other: &Self) -> Ordering {
         let signed = |root: &Self, by: &BigInt| if root.minus { -by.clone() } else { by.clone() };
         let rational = &self.p * &other.r - &other.p * &self.r;
@@ -141,8 +141,8 @@ impl Root {
         })
     }
 
-    /// `of` applied to the root, where `of` is monotonic and takes a numerator and a denominator. Like [`rounded`], it
-    /// narrows an enclosure until both ends give the same.
+    /// `of` applied to the root. `of` takes a numerator and a denominator, and must be monotonic. As in [`rounded`], an
+    /// enclosure is narrowed until both its ends give the same.
     pub(super) fn agreed<T: PartialEq>(&self, of: impl Fn([BigInt; 2]) -> T) -> T {
         agreed(|bits| {
             self.enclosed(bits)
@@ -180,7 +180,7 @@ fn sign_of_sum(x: &BigInt, (a, q): (&BigInt, &BigInt), (b, r): (&BigInt, &BigInt
     if first.is_eq() {
         return second;
     }
-    // Opposite signs: the larger square decides. (x + a sqrt(q))^2 - b^2 r has one root only.
+    // Opposite signs: the larger square decides. `(x + a sqrt(q))^2 - b^2 r` contains only one square root.
     let squares = sign_with_root(&(x * x + a * a * q - b * b * r), &(x * a * 2), q);
     match squares {
         Ordering::Equal => Ordering::Equal,
@@ -239,7 +239,7 @@ impl Quotient {
             _ => (magnitude.clone(), denominator << -shift),
         };
         let (quotient, rest) = (&dividend / &divisor, &dividend % &divisor);
-        // The rest puts it above the middle between two `f64` where the quotient alone lies on it.
+        // A sticky bit: where the quotient lies midway between two `f64`, a remainder puts it above.
         let sticky = quotient << 1 | num_bigint::BigUint::from(u8::from(rest.bits() > 0));
         let value = match u128::try_from(sticky) {
             Ok(value) => round_scaled(value, -shift - 1),
@@ -279,7 +279,7 @@ fn round_scaled(value: u128, exponent: i64) -> f64 {
 }
 
 /// Narrows an enclosure until both ends round to the same `f64` (Ziv, "Fast evaluation of elementary mathematical
-/// functions with correctly rounded last bit", 1991). This ends: a number in the middle between two `f64` is rational,
+/// functions with correctly rounded last bit", 1991). This ends, because a number midway between two `f64` is rational,
 /// and its enclosure is a point.
 fn rounded(enclosure: impl Fn(u64) -> [Quotient; 2]) -> f64 {
     agreed(|bits| enclosure(bits).map(|end| end.to_f64()))

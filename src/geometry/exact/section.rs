@@ -1,4 +1,4 @@
-//! Whether a section keeps what a ray hits, in integers.
+//! Decides in integers whether a section keeps what a ray hits.
 
 use super::{
     super::{Placement, Section, WorldRay, ray::Line},
@@ -72,7 +72,7 @@ fn along<I: Ring>(line: &ExactLine<I>, section: &Section) -> [Number<I>; 2] {
 struct OfTriangle<'a>(&'a Line<'a>, &'a Corners<'a>, &'a Section);
 
 impl Formula for OfTriangle<'_> {
-    /// `n . p + c` where the ray meets the plane, times the denominator of t, and that.
+    /// `n . p + c` where the ray meets the triangle's plane, times the denominator of t; and that denominator.
     type Numbers<I: Ring> = [Number<I>; 2];
     type Answer = bool;
 

@@ -1,4 +1,4 @@
-//! Rays against spheres, cubes and squares in integers of any length.
+//! Intersects rays with spheres, cubes and squares in integers of any length.
 
 use super::{
     super::{Cuboid, Hit, Ray, Sphere, Square, interval::InDoubt, local_ray::Exactly},
@@ -27,7 +27,8 @@ impl Crossing {
     }
 }
 
-/// A ray in object space, its sign turned where the placement mirrors; `None` where a number is not finite.
+/// A ray in object space; `None` where a number is not finite. Where the placement mirrors, all its numbers are negated,
+/// so that [`LocalLine::one`] is positive.
 fn local(exactly: &Exactly) -> Option<Integers> {
     if !super::is_finite(&exactly.line) {
         return None;
@@ -127,7 +128,7 @@ pub(super) fn square_parameter(exactly: &Exactly) -> Option<Root> {
     square_crossing(&local(exactly)?)
 }
 
-/// The hits of the sphere within the ray's interval. `ray` is the ray, rounded.
+/// The hits of the sphere within the ray's interval. `ray` is the ray of `exactly`, rounded.
 pub(in super::super) fn sphere(exactly: &Exactly, ray: &Ray) -> [Option<Hit>; 2] {
     let Some(line) = local(exactly) else {
         return [None, None];
@@ -149,7 +150,7 @@ pub(in super::super) fn sphere(exactly: &Exactly, ray: &Ray) -> [Option<Hit>; 2]
             front,
         ))
     };
-    // A tangent touches, and does not enter.
+    // A tangent ray touches the sphere and does not enter it.
     if touches {
         [hit(&leave.0, false), None]
     } else {

@@ -1,4 +1,4 @@
-//! A ray and a triangle in integers.
+//! Intersects a ray with a triangle in integers.
 
 use super::{
     super::{
@@ -40,8 +40,8 @@ pub(super) struct Plane<I> {
     pub denominator: Number<I>,
 }
 
-/// The corners' weights there, not normalised: their sum has the sign of `direction . normal` (Moeller & Trumbore, "Fast,
-/// Minimum Storage Ray/Triangle Intersection", JGT 2(1), 1997).
+/// The barycentric weights where a ray meets a triangle's plane, not normalised: their sum has the sign of
+/// `direction . normal` (Moeller & Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", JGT 2(1), 1997).
 struct Weights<I> {
     corners: [Number<I>; 3],
     sum: Number<I>,
@@ -118,7 +118,7 @@ impl Weights<Bits> {
     }
 }
 
-/// [`hit`].
+/// The formula of [`hit`].
 struct Hit<'a> {
     line: Line<'a>,
     triangle: Corners<'a>,
@@ -235,8 +235,8 @@ pub(super) fn enclosed_weights(line: &Line, triangle: &Corners) -> Result<[f64; 
     ])
 }
 
-/// The weights of a triangle's corners where a ray's line meets its plane, each within three roundings; `None` if it runs
-/// along the plane.
+/// The barycentric weights where a ray's line meets a triangle's plane, each within three roundings; `None` if the line
+/// runs along the plane.
 pub(super) fn weights(line: &Line, triangle: &Corners) -> Option<[f64; 3]> {
     struct Rounded<'a>(&'a Line<'a>, &'a Corners<'a>);
     impl Formula for Rounded<'_> {

@@ -1,4 +1,4 @@
-//! Rays and points of the world in integers.
+//! Turns rays, points and placements into exact numbers, in world space and in object space.
 
 #[cfg(test)]
 use super::super::LocalRay;
@@ -49,8 +49,9 @@ impl<I: Ring> ExactLine<I> {
         }
     }
 
-    /// With n = U x R, which looks into the picture, the point P lies at depth t = n . (P - eye) / n . F. In perspective the
-    /// line is eye + t' (P - eye) / t, in orthographic projection P - t F + t' F; each times its denominator.
+    /// Let n = U x R, which points into the picture. The point P lies at depth t = n . (P - eye) / n . F. The line is eye
+    /// + t' (P - eye) / t in perspective and P - t F + t' F in orthographic projection. Each is multiplied by its
+    /// denominator.
     fn through(ThroughPoint { grid, point, .. }: &ThroughPoint) -> Self {
         let point = placed(point);
         let [depth, unit] = depth_of(grid, &point);
@@ -116,7 +117,7 @@ fn moved(placement: Option<&Placement>) -> Option<&Placement> {
 /// A point of a shape in the world.
 pub(super) fn placed<I: Ring>(point: &PlacedPoint) -> Vector<I> {
     let from = Vector::new(point.from);
-    // A zero's exponent would not suit the others.
+    // A share of 0 adds nothing, but the exponent of `to` would still lengthen the integers.
     let here = if point.share == 0.0 {
         from
     } else {

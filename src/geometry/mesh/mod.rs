@@ -84,7 +84,7 @@ pub struct ColourRun {
     pub colour: Option<Srgb>,
 }
 
-/// Why data is no mesh.
+/// Why data is not a valid mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshError {
@@ -103,9 +103,9 @@ pub enum MeshError {
 ///
 /// # Memory
 /// A vertex takes 12 bytes, and 3 more where the file has colours; a triangle takes 12. Lists and single picks need no
-/// more. Drawing adds 12 bytes a normal, mostly one a vertex, and 12 a triangle to index them; these stay, since saving
-/// and shading by rays ask again. A tree is added for many rays, and 48 bytes for 256 triangles where an object may be
-/// moved. Neither the file's text nor its numbers in `f64` are kept.
+/// more. Drawing adds 12 bytes a normal, mostly one a vertex, and 12 a triangle to index them; these are kept, since
+/// saving and shading by rays need them again. A tree is added for many rays, and 48 bytes for 256 triangles where an
+/// object may be moved. Neither the file's text nor its numbers in `f64` are kept.
 pub struct Mesh {
     data: Arc<MeshData>,
     bounds: Arc<[Aabb]>,
@@ -141,7 +141,7 @@ impl Mesh {
         &self.data
     }
 
-    /// The box about the triangles of a part, in object space; empty for a part without triangles, and where there is none.
+    /// The box about the triangles of a part, in object space; empty for a part that has no triangles or does not exist.
     #[must_use]
     pub fn part_bounds(&self, part: usize) -> Aabb {
         self.bounds.get(part).copied().unwrap_or(Aabb::EMPTY)
@@ -320,7 +320,7 @@ fn bounds_of_parts(data: &MeshData) -> Vec<Aabb> {
     all
 }
 
-/// The first of `count` items that is not right.
+/// The first of `count` items for which `is_right` is false.
 fn first_without(count: usize, is_right: impl Fn(usize) -> bool + Sync) -> Option<usize> {
     let found = in_shares(count, |mut share| share.find(|&i| !is_right(i)));
     found.into_iter().flatten().next()

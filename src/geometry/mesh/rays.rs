@@ -1,4 +1,4 @@
-//! Rays against a mesh: through its tree, or against every triangle in turn.
+//! Intersects rays with a mesh: through its tree, or by testing every triangle in turn.
 #![allow(
     clippy::inline_always,
     reason = "what is not inlined into a walk is not compiled for its instructions"
@@ -74,8 +74,9 @@ impl Mesh {
         self.data.triangles.len() < WORTH_A_TREE || self.tree.get().is_some() || self.few.is_some()
     }
 
-    /// The same mesh for rays within one of these pyramids of object space. They are tested against only the few
-    /// triangles that they may meet, found by a look at each. Other rays may wrongly miss.
+    /// The same mesh, for rays within one of these pyramids of object space. Each triangle is tested once against the
+    /// pyramids; rays are then tested only against the few triangles that they may meet. Rays outside the pyramids may
+    /// wrongly miss.
     #[must_use]
     pub(crate) fn narrowed(&self, pyramids: &[Pyramid]) -> Self {
         let pyramids: Vec<_> = (pyramids.iter())
@@ -104,8 +105,8 @@ impl Mesh {
         }
     }
 
-    /// The nearest hit of an object-space ray on the parts that `accept` names; of ties, the lowest triangle. By
-    /// [`guarded_volume`]: the choice is that of exact arithmetic.
+    /// The nearest hit of an object-space ray on the parts that `accept` names; of ties, the lowest triangle. It is the
+    /// hit that exact arithmetic would choose ([`guarded_volume`]).
     #[must_use]
     pub fn closest<'a>(
         &self,
@@ -198,7 +199,7 @@ impl Mesh {
     }
 
     /// Calls `visit` with every triangle that may be inside a pyramid of object space, and its corners about the mesh's
-    /// origin, until it answers that it has enough.
+    /// origin, until `visit` breaks.
     pub(crate) fn within(
         &self,
         pyramid: &Pyramid,
@@ -218,8 +219,8 @@ impl Mesh {
         }
     }
 
-    /// Whether `f64` alone cannot decide if an object-space ray hits a triangle that lies in its interval and before its
-    /// limit, and whose part `accept` names. The same with and without a tree.
+    /// Whether there is a triangle for which `f64` alone cannot decide if an object-space ray hits it. The triangle must
+    /// lie in the ray's interval and before its limit, and `accept` must name its part. The same with and without a tree.
     pub fn is_in_doubt<'a>(
         &self,
         ray: impl Into<LocalRay<'a>>,
@@ -235,7 +236,7 @@ impl Mesh {
                     && Aabb::around(corners).may_hit_before(&local, inverse, ray.limit)
                     && reaches_plane(&local, corners, ray.limit)
                     && accept(self.part_of(triangle));
-            // One is enough: nothing lies before this.
+            // One is enough: this ends the interval.
             if found { f64::NEG_INFINITY } else { ray.limit }
         };
         if local.is_bounded() {
@@ -289,7 +290,7 @@ impl Mesh {
     }
 }
 
-/// [`TriangleTest`]s, closures like them, and tests that are sure to be inlined.
+/// A [`TriangleTest`], a closure like one, or a test that is sure to be inlined.
 trait Test {
     fn test(&self, ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit>;
 }
@@ -360,12 +361,12 @@ impl<T: Test, A: Fn(usize, &Hit) -> bool> Visit for Nearest<'_, T, A> {
             && (self.sides == Sides::Both || hit.front)
         {
             let hit = hit.on(triangle, corners);
-            // Of a copy, so that the hit itself need not lie in memory.
+            // Compares a copy, so that the hit itself need not lie in memory.
             let is_first = |best: &Hit| self.mesh.order(&{ hit }, best, local).is_lt();
             if self.best.as_ref().is_none_or(is_first)
                 && (self.accept)(self.mesh.part_of(triangle), &hit)
             {
-                // The exact parameter may be this much larger, so nearer or equal hits may lie before it.
+                // The exact parameter may be larger by `t_error`: nearer or equal hits may lie up to there.
                 self.end = self.end.min(hit.t + hit.t_error);
                 self.best = Some(hit);
             }

@@ -3,7 +3,7 @@
 use super::*;
 use crate::geometry::{LocalRay, Ray, random::Random};
 
-/// At the ends of `f64`'s range bounds are absolute, or there are none: decisions are still exact.
+/// At the ends of `f64`'s range, bounds are absolute or missing. Decisions are still exact.
 #[test]
 fn products_that_vanish_or_overflow_decide_nothing() {
     let mut random = Random(3);
@@ -64,8 +64,8 @@ fn products_that_vanish_or_overflow_decide_nothing() {
     assert!(hits[0] > 5000 && hits[1] > 1000, "{hits:?}");
 }
 
-/// The derivation of [`volume_bound`] holds against exact volumes, for exact rays and for those off by as much as they
-/// say.
+/// The derivation of [`volume_bound`] holds against exact volumes, for exact rays and for rays that are off by as much as
+/// their bounds say.
 #[test]
 fn volumes_round_by_less_than_their_bound() {
     let mut random = Random(7);
@@ -74,7 +74,7 @@ fn volumes_round_by_less_than_their_bound() {
         let mut point = || random.point();
         let away = [1.0, 1e3, 1e9][i % 3];
         let corners = [point(), point(), point()].map(|p| p.as_vec3().as_dvec3());
-        // From anywhere near and far, from an origin with a tail, and at a corner.
+        // From near and far, from an origin with a tail, and aimed at a corner.
         let (mut origin, mut direction) = (away * point(), point());
         let vertex_origin = if i % 2 == 0 {
             DVec3::ZERO

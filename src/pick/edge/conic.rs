@@ -14,8 +14,8 @@ use crate::geometry::{binary::times_power_of_two, dyadic::rounded};
 use num_bigint::BigInt;
 use std::array;
 
-/// How far the answer may exceed the least distance: relatively by this or, in pixels, by [`TOLERANCE_PX`]. A
-/// ten-thousandth of what picks promise.
+/// How far the answer may exceed the least distance: relatively by this, or in pixels by [`TOLERANCE_PX`], whichever is
+/// more. A ten-thousandth of what picks promise.
 const TOLERANCE: f64 = 1e-13;
 const TOLERANCE_PX: f64 = 1e-10;
 
@@ -23,7 +23,7 @@ const TOLERANCE_PX: f64 = 1e-10;
 pub(super) trait Fixed: Sized + Clone {
     /// Half the sum, rounded down.
     fn midpoint(&self, other: &Self) -> Self;
-    /// In units of 2^bits.
+    /// The value over `2^bits`.
     fn to_f64(&self, bits: i64) -> f64;
 }
 
@@ -51,7 +51,7 @@ impl Fixed for BigInt {
 /// Three control points (u, v, w).
 pub(super) type Controls<T> = [[T; 3]; 3];
 
-/// Arcs in fixed point, at least one. Where `w` is positive along an arc, it is at its control points, too.
+/// Arcs in fixed point, at least one. If `w` is positive along an arc, it is also positive at the arc's control points.
 pub(super) struct Arcs<T> {
     pub(super) controls: Vec<Controls<T>>,
     /// Divided by 2^bits, coordinates are about 1 or less.
@@ -140,7 +140,7 @@ fn least_distance(points: &[[f64; 3]; 3], error: f64) -> f64 {
     let coordinate = |i: usize| points.map(|point| point[i]);
     let [u, v, w] = [0, 1, 2].map(coordinate);
     let size = u.iter().chain(&v).fold(error, |size, c| size.max(c.abs()));
-    // Error of the sum of two squares: from the coordinates', and from rounding sums of their products.
+    // Error of the sum of two squares: from the coordinates' errors, and from rounding sums of their products.
     let slack = 2.0 * error * (2.0 * size + error) + 16.0 * f64::EPSILON * size * size;
     let (u, v, w) = (square(u), square(v), square(w.map(|w| w.max(0.0) + error)));
     let quotients = (0..5).map(|i| (u[i] + v[i] - slack).max(0.0) / w[i]);

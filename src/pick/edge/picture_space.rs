@@ -1,4 +1,4 @@
-//! Exact picture coordinates about one position.
+//! Maps world points to exact picture coordinates about one position.
 
 use crate::{
     camera::View,
@@ -10,8 +10,8 @@ use crate::{
 };
 use glam::DVec2;
 
-/// Maps world points to picture coordinates about a position. Exact for the numbers that the camera stores, also where
-/// its axes are not perpendicular to the last bit.
+/// Maps world points to picture coordinates about a position. It is exact for the numbers that the camera stores, even
+/// where its axes are not perpendicular to the last bit.
 ///
 /// The point at depth t on the ray through (x, y) is E + Q with Q = t F + s (X R + Y U), where s is t in perspective and 1
 /// in orthographic projection, X = (h / H) (2 x - W) and Y = (h / H) (H - 2 y). By Cramer's rule, with D = det(R, U, F):
@@ -62,7 +62,7 @@ impl<I: Decided> PictureSpace<I> {
         let [of_right, of_up] = factors(&grid, px);
         let per_depth = right.cross(&up);
         let determinant = forward.dot(&per_depth);
-        // A determinant below 0, as axes of a left-handed view space have it, turns all signs.
+        // A negative determinant, as of the axes of a left-handed view space, flips all signs.
         let sign = Number::new(if determinant.decided_negative()? {
             -1.0
         } else {
@@ -163,7 +163,7 @@ impl<I: Decided> Shown<I> {
     }
 }
 
-/// The length of (u, v) over w, each rounded once; w is not 0.
+/// The length of (u, v) over w, which is not 0. u, v and w are first rounded once each.
 pub(in crate::pick) fn distance_px<I: Decided>(
     u: &Number<I>,
     v: &Number<I>,
@@ -172,7 +172,7 @@ pub(in crate::pick) fn distance_px<I: Decided>(
     Ok(quotient(length(u, v)?, w.size()?))
 }
 
-/// The size of n over the length of (x, y), which is not 0, each rounded once.
+/// The size of n over the length of (x, y), which is not 0. n, x and y are first rounded once each.
 pub(in crate::pick) fn ratio<I: Decided>(
     n: &Number<I>,
     x: &Number<I>,

@@ -7,8 +7,8 @@ use crate::geometry::{
 };
 use num_bigint::BigInt;
 
-/// The outline is kept where `middle + sqrt(k q) (cos a + sin sqrt(g) b)` is not below 0: n . p + c times 4 g q, with the
-/// names of [`Circle`](super::sphere_outline::Circle).
+/// The outline is kept where `middle + sqrt(k q) (cos a + sin sqrt(g) b)` is not below 0. This is n . p + c times 4 g q,
+/// in the names of [`Circle`](super::sphere_outline::Circle).
 pub(super) struct Kept {
     middle: Dyadic,
     a: Dyadic,
@@ -55,7 +55,7 @@ impl Kept {
         let discriminant = kq.times(&squares).minus(&self.middle.squared());
         let mut ends = vec![part.from.clone(), part.to.clone()];
         if !discriminant.is_negative() {
-            // The root by the sum that does not cancel; the other by the product of both.
+            // One root comes from the sum that does not cancel, the other from the product of both.
             let sum = h.plus(&signed(h.is_negative(), discriminant.sqrt(bits)));
             for (n, by) in [(&sum, &alpha), (&gamma, &sum)] {
                 if by.is_zero() {

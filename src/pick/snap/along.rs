@@ -1,5 +1,5 @@
-//! Points along an edge: where the picture shows it nearest to the position, what near, far and section leave of it,
-//! and where it emerges from behind a surface.
+//! Finds points along an edge: where the picture shows it nearest to the position, what near, far and section leave of
+//! it, and where it emerges from behind a surface.
 
 use super::{Candidate, Facet, Search};
 use crate::{
@@ -14,8 +14,8 @@ use crate::{
 use num_bigint::BigInt;
 
 impl Search<'_> {
-    /// The share of the perpendicular's foot as [part, whole]; it may lie beyond the ends. `None` for a side that shows
-    /// as a point.
+    /// The foot of the perpendicular in the picture, as a share [part, whole] of the side. It may lie beyond the ends.
+    /// `None` for a side that shows as a point.
     fn foot(shown: &[Shown<BigInt>; 2]) -> Option<[Dyadic; 2]> {
         let [a, b] = shown;
         // As in `edge`: the line through both ends, and their places along it.
@@ -35,7 +35,7 @@ impl Search<'_> {
         (ends, shown)
     }
 
-    /// The exact share of a point of an edge if that point is the foot, with a positive whole.
+    /// The exact share of a point of an edge as [part, whole] with a positive whole; `None` unless the point is the foot.
     fn is_foot(point: &Candidate, shown: &[Shown<BigInt>; 2]) -> Option<[Dyadic; 2]> {
         let [part, whole] = Self::foot(shown)?;
         let share = point.share.to_bits();
@@ -55,7 +55,7 @@ impl Search<'_> {
         }
     }
 
-    /// The candidate as the picture shows it, times a positive weight.
+    /// The candidate as the picture shows it, times a positive weight; and that weight.
     pub(super) fn shown(&self, candidate: &Candidate) -> (Shown<BigInt>, Dyadic) {
         let (_, ends) = self.ends(&candidate.facet, candidate.corner);
         let Some([part, whole]) = Self::is_foot(candidate, &ends) else {
@@ -89,8 +89,9 @@ impl Search<'_> {
         Some([if is_first { first } else { last }, first, last])
     }
 
-    /// Where a side emerges from behind the surface that hides a point of it, away from the nearest point: if that is
-    /// the hidden one, to both sides. A convex surface hides one interval of a side, which is skipped whole.
+    /// Where a side emerges from behind the surface that hides a point of it. The search goes away from the side's
+    /// nearest point; if that is the hidden point, it goes both ways. A convex surface hides one interval of a side,
+    /// which is skipped whole.
     pub(super) fn beside(&self, hidden: &Candidate, by: &SceneHit) -> Vec<Candidate> {
         let Candidate {
             facet,
@@ -115,7 +116,7 @@ impl Search<'_> {
             .collect()
     }
 
-    /// Where a side leaves the radius between two shares, or a little beyond: by bisection in `f64`.
+    /// The share at which a side leaves the radius, between two shares, or a little beyond; by bisection in `f64`.
     fn reach(&self, facet: &Facet, corner: usize, [mut within, mut beyond]: [f64; 2]) -> f64 {
         let [from, to] = facet.side(corner).map(|end| facet.origin + end);
         let placement = &self.scene.objects()[facet.object].placement;

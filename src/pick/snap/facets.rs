@@ -66,7 +66,7 @@ pub(super) fn facets(scene: &Scene, view: &View, px: DVec2, radius_px: f64) -> V
             );
             ControlFlow::Continue(())
         }),
-        // From so far away that rounding merges the rays, any may show.
+        // From so far away that rounding merges the rays, any facet may show.
         None => {
             for batch in scene.batches() {
                 add(scene, batch, None, &mut facets);

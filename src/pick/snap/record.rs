@@ -118,7 +118,7 @@ impl Snap {
         let written =
             |vertex: &VertexInFile| ExactPoint::written(&object.placement, &vertex.written);
         let stored = |share: f64| ExactPoint::stored(&facet.point(scene, corner, share), 0.0);
-        // A vertex is measured as the file writes it; a point of an edge is off by at most what its ends are.
+        // A vertex is measured as the file writes it; a point of an edge is off by at most as much as its ends.
         let ends: Option<Vec<_>> =
             (of_file.as_deref()).and_then(|all| all.iter().map(written).collect());
         let exact = match (to, ends.as_deref()) {
@@ -216,8 +216,8 @@ fn asked(
     }
 }
 
-/// The area of an object in the world. A mesh's is that of what its file writes; the error bounds how far storing moved
-/// it.
+/// The area of an object in the world. A mesh is measured as its file writes it; the error covers how far storing moved
+/// its corners.
 #[must_use]
 pub fn object_area(object: &Object) -> Measured {
     let placement = &object.placement;

@@ -34,13 +34,13 @@ pub(super) fn demo(progress: &Progress) -> Result<Loaded, LoadError> {
     })
 }
 
-/// A torus of 576 triangles about the z axis, smooth around and with edges across.
+/// A torus of 576 triangles: shaded smoothly around the z axis, with edges around its tube.
 fn ring() -> Arc<Mesh> {
     const AROUND: u32 = 36;
     const ACROSS: u32 = 8;
     const RADIUS: f64 = 0.5;
     const THICKNESS: f64 = 0.16;
-    /// In radians: less than between the faces across.
+    /// In radians, less than the angle between neighbouring faces around the tube.
     const CREASE: f32 = 0.5;
     let vertex = |i: u32| {
         let turn = |part: u32, whole: u32| TAU * f64::from(part) / f64::from(whole);

@@ -66,7 +66,7 @@ struct SceneFile {
 /// Reads the text of a scene file. `file` is its path: errors name it, and mesh files are relative to its folder.
 ///
 /// # Errors
-/// When it is not a scene file, an object in it cannot be, or a mesh file is refused.
+/// When it is not a scene file, an object in it is not valid, or a mesh file is refused.
 pub fn parse(
     text: &str,
     file: &Path,
@@ -150,7 +150,7 @@ fn check_camera(camera: &CameraChoice) -> Result<(), Problem> {
 /// its meshes, as [`Loaded::meshes`](super::Loaded) has them.
 ///
 /// # Errors
-/// When a mesh has no file, or one with a path that TOML cannot hold.
+/// When a mesh has no file, or the path of its file is not UTF-8.
 pub fn to_toml(
     scene: &Scene,
     camera: &CameraChoice,

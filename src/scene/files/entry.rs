@@ -101,7 +101,7 @@ impl From<Colour> for ColourText {
 }
 
 impl Entry {
-    /// The objects that the entry describes: one, or those of its mesh file.
+    /// The objects that the entry describes: one, or all objects of its mesh file.
     pub(super) fn objects(
         &self,
         folder: &Path,
@@ -220,7 +220,7 @@ impl Entry {
             entry.file = Some(text.to_owned());
             entry.part = Some(part + 1);
         }
-        // As scale, rotation and position where they give the same bits, for readability; as a matrix otherwise.
+        // For readability, written as scale and position if they give the same bits; otherwise as a matrix.
         let model = object.placement.model();
         let DMat3 {
             x_axis,

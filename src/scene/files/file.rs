@@ -22,7 +22,7 @@ pub enum FileError {
         /// The file.
         file: PathBuf,
     },
-    /// Too large: of another kind, or more than memory can hold.
+    /// Too large: probably not a file of this kind, or more than memory can hold.
     #[error("{}: is too large: more than {} GiB", file.display(), most >> 30)]
     TooLarge {
         /// The file.
@@ -32,7 +32,7 @@ pub enum FileError {
     },
 }
 
-/// The system's error for a file.
+/// The metadata of a regular file.
 pub(super) fn about(path: &Path) -> Result<Metadata, FileError> {
     let file = path.to_owned();
     match fs::metadata(path) {

@@ -14,7 +14,7 @@ pub struct FilesAgain<'a> {
 }
 
 impl<'a> FilesAgain<'a> {
-    /// Of a scene, and the files as [`Loaded::meshes`](super::Loaded) has them.
+    /// Takes a scene and its mesh files, as [`Loaded::meshes`](super::Loaded) has them.
     #[must_use]
     pub fn new(scene: &'a Scene, files: &'a [MeshFile], progress: &'a Progress) -> Self {
         let again = |file: &'a MeshFile| {
@@ -46,7 +46,7 @@ impl<'a> FilesAgain<'a> {
         InFile::default()
     }
 
-    /// The face of a triangle of an object's mesh; `None` where the mesh is from no file.
+    /// The face of a triangle, counted over the whole mesh of an object; `None` where the mesh is from no file.
     ///
     /// # Errors
     /// When the file cannot be read, or has changed.

@@ -1,5 +1,5 @@
-//! The failure gallery: scenes, on each of which a known method fails. They are built into the program and open by the
-//! path `gallery:NAME`.
+//! The failure gallery: on each of its scenes, a known method fails. The scenes are built into the program and open by
+//! the path `gallery:NAME`.
 
 use super::{LoadError, MeshFiles, Progress, Warning, obj};
 use std::path::{Path, PathBuf};
@@ -85,7 +85,7 @@ impl Exhibit {
         Path::new(PREFIX).join(self.name).with_extension("toml")
     }
 
-    /// The meshes that it names; they are built in, not files.
+    /// The meshes that it names, from the built-in bytes.
     pub(super) fn meshes(
         &self,
         progress: &Progress,

@@ -25,7 +25,7 @@ const MOST_BYTES: u64 = 1 << 30;
 pub struct Loaded {
     /// The objects of all files, in the order of the files.
     pub scene: Scene,
-    /// The camera of the first scene file that has one; empty otherwise.
+    /// The camera of the first scene file that has one; empty if none has.
     pub camera: CameraChoice,
     /// The scene file that the camera is from.
     pub camera_file: Option<PathBuf>,
@@ -68,8 +68,7 @@ pub enum LoadError {
 }
 
 /// Loads files as one scene: `.toml` is a scene file, `gallery:NAME` is one of the gallery's, anything else is an OBJ
-/// file. Ids run on in the order of `paths`.
-/// Without any path it is the demo.
+/// file. Ids run on in the order of `paths`. Without any path, loads the demo.
 ///
 /// # Errors
 /// When a file cannot be read or is refused, or the load is cancelled through `progress`.
@@ -133,8 +132,9 @@ pub fn load_with(
     })
 }
 
-/// The camera of a scene file whose objects are `own` of the `count` in the scene: the id of a section along a face is
-/// moved from the file's ids to the scene's. An id that the file lacks becomes one that the scene lacks.
+/// Renumbers a scene file's camera for the whole scene. The section along a face names an object by its id in the file;
+/// the file's objects are `own` of the `count` in the scene. An id that the file lacks becomes one that the scene
+/// lacks.
 fn of_all(camera: CameraChoice, own: &Range<usize>, count: usize) -> CameraChoice {
     let Some(SectionChoice::Face { id, face }) = camera.section else {
         return camera;
@@ -156,7 +156,7 @@ pub(crate) fn is_scene_file(path: &Path) -> bool {
         .is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
 }
 
-/// What a scene file holds.
+/// The text of a scene file.
 fn text(path: &Path) -> Result<String, FileError> {
     let (mut file, _) = file::open(path, MOST_BYTES)?;
     let mut text = String::new();
@@ -209,7 +209,7 @@ pub enum Detail {
 }
 
 impl MeshFiles {
-    /// Uses `mesh` as the mesh of a file, which is then not read.
+    /// Uses `mesh` as the mesh of a file. The file is then not read.
     pub(super) fn insert(&mut self, path: &Path, mesh: Arc<Mesh>) {
         self.loaded.push(MeshFile {
             path: absolute(path),

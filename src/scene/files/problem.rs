@@ -27,16 +27,16 @@ fn place(file: &Path, line: Option<usize>) -> String {
 /// What is wrong in a scene file.
 #[derive(Debug, thiserror::Error)]
 pub enum Problem {
-    /// It is not TOML, or not a scene's.
+    /// It is not TOML, or not a scene file.
     #[error("{0}")]
     Syntax(String),
     /// Two fields that say the same thing.
     #[error("{0} exclude each other: keep one")]
     Both(&'static str),
-    /// TOML knows `nan` and `inf`; space does not.
+    /// A number is `nan` or `inf`, which TOML allows.
     #[error("{0} must be finite")]
     NotFinite(&'static str),
-    /// No such model matrix.
+    /// The model matrix is not valid.
     #[error("{object}: {source}")]
     Placement {
         /// Name of the object.
@@ -44,10 +44,10 @@ pub enum Problem {
         /// What is wrong with the matrix.
         source: PlacementError,
     },
-    /// A mesh comes from a file.
+    /// A mesh without a file.
     #[error("a mesh needs its file: file = \"name.obj\"")]
     NoFile,
-    /// Only a mesh comes from a file.
+    /// A field that only a mesh may have.
     #[error("{0} is for shape = \"mesh\" only")]
     NotAMesh(&'static str),
     /// The mesh file has fewer objects.
@@ -71,13 +71,13 @@ pub enum SaveError {
     /// A mesh that was made, not loaded.
     #[error("{0} comes from no file, so a scene file cannot name it")]
     NoFile(String),
-    /// TOML is UTF-8.
+    /// A path that is not UTF-8, as TOML requires.
     #[error("the path {0} is not text that a scene file can hold")]
     Path(String),
-    /// A mesh without a file that OBJ cannot hold as it is.
+    /// A mesh without a file that an OBJ file cannot hold exactly.
     #[error("the mesh {0} has no file, and an OBJ file would not hold it exactly")]
     NotExact(String),
-    /// The system's complaint.
+    /// A file cannot be written.
     #[error("cannot write {}: {source}", file.display())]
     Unwritable {
         /// The file.
@@ -85,7 +85,7 @@ pub enum SaveError {
         /// What the system says.
         source: std::io::Error,
     },
-    /// The TOML writer's complaint.
+    /// The TOML writer failed.
     #[error("cannot write the scene as TOML: {0}")]
     Toml(#[from] toml::ser::Error),
 }

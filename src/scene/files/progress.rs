@@ -9,7 +9,7 @@ pub struct Progress {
     done: AtomicU64,
     total: AtomicU64,
     cancelled: AtomicBool,
-    /// How often a load has reported; and the report, from 1, with which it is cancelled.
+    /// For tests: how often a load has reported, and the report, from 1, with which it is cancelled.
     #[cfg(test)]
     pub(super) reports: AtomicU64,
     #[cfg(test)]
@@ -65,7 +65,7 @@ impl Progress {
         self.cancelled.store(true, Ordering::Relaxed);
     }
 
-    /// The done part of the expected work, in [0, 1].
+    /// The fraction of the expected work that is done, in [0, 1].
     #[must_use]
     #[expect(
         clippy::cast_precision_loss,

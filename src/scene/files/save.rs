@@ -1,4 +1,4 @@
-//! Saves a scene: a scene file, and beside it an OBJ file of each mesh that has no file.
+//! Saves a scene as a scene file, and each mesh that has no file as an OBJ file beside it.
 
 use super::{
     MeshFile, MeshFiles, Progress, SaveError, Scene, Shape, description::to_toml, load::absolute,
@@ -13,13 +13,13 @@ use std::{
 };
 
 /// Writes a scene file that reads back as the same scene to the bit. `meshes` are the files of its meshes, as
-/// [`Loaded::meshes`](super::Loaded) has them. Those beside `path` or below are named relative to it, so that a folder
-/// can be moved; the others by their absolute paths. A mesh without a file, or whose file is gone, is written as an OBJ
-/// file beside `path`, under a name that is free. Returns the files of all meshes as they are from then on.
+/// [`Loaded::meshes`](super::Loaded) has them. Files in the folder of `path` or below it are named relative to that
+/// folder, so that the folder can be moved; others by their absolute paths. A mesh without a file, or whose file is
+/// gone, is written as an OBJ file beside `path`, under a name that is free. Returns the files of all meshes after
+/// saving.
 ///
 /// # Errors
-/// When a file cannot be written, or a mesh that is not a file's cannot be written exactly. Then `path` holds what it
-/// held.
+/// When a file cannot be written, or a mesh without a file cannot be written exactly. Then `path` is unchanged.
 pub fn save(
     path: &Path,
     scene: &Scene,
@@ -55,7 +55,8 @@ pub fn save(
     Ok(files)
 }
 
-/// Mesh files written for a scene file that is not written yet. Dropping removes them, if the scene file fails.
+/// Mesh files written for a scene file that is not written yet. Dropping this removes them, in case the scene file
+/// fails.
 struct Made(Vec<PathBuf>);
 
 impl Drop for Made {
@@ -78,7 +79,7 @@ fn from(folder: &Path, file: &Path) -> PathBuf {
     }
 }
 
-/// Bytes of the longest file name that common file systems take.
+/// The longest file name, in bytes, that common file systems allow.
 const LONGEST_NAME: usize = 255;
 
 /// Writes a mesh beside the scene file, and checks that it reads back the same.

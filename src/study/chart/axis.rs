@@ -1,4 +1,4 @@
-//! Axes, with places beside the scale for 0, for ties and for infinite values; and panels, frames with two axes.
+//! Axes, with places beside the scale for 0, for ties and for infinite values. Also panels: frames with two axes.
 
 use super::{
     measure::Measure,
@@ -23,7 +23,7 @@ pub struct Axis {
     fails: Option<f64>,
 }
 
-/// The distance of such positions from the scale, in pixels.
+/// The approximate distance between the scale and the places beside it, in pixels.
 const BEYOND: f64 = 22.0;
 
 impl Axis {

@@ -1,10 +1,11 @@
-//! The depths that a depth buffer tells apart: every number of a small format on the curve of 1 / z, after Reed, Depth
-//! Precision Visualized, 2015; and the least step of real formats against distance.
+//! Shows the depths that a depth buffer tells apart. One part has every number of a small format on the curve of 1 / z, after
+//! Reed, Depth Precision Visualized, 2015. The other has the least step of real formats against distance.
 
 use super::prelude::*;
 use crate::study::methods::depth::{DepthCase, Mapping};
 
-/// Mappings with name, index into [`COLOURS`] (black beyond them) and line width: a line that another covers is wider.
+/// Mappings with name, index into [`COLOURS`] (black beyond the last) and line width. A line that another one covers is
+/// wider.
 const MAPPINGS: [(&str, Mapping, usize, u32); 5] = [
     ("standard, 32-bit float", Mapping::STANDARD, 1, 9),
     ("standard, 24-bit integer", Mapping::STANDARD_24, 5, 6),
@@ -98,7 +99,7 @@ fn steps(picture: &mut Picture) {
         }
         picture.line(points, colour, width, false);
     }
-    // Labels beside the lines' ends, from the top; moved down where they would overlap.
+    // Labels stand beside the lines' ends and move down where they would overlap.
     ends.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut lowest = f64::NEG_INFINITY;
     for (y, x, name, colour) in ends {

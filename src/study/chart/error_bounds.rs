@@ -1,4 +1,4 @@
-//! The derived error bounds against the errors that were found, for each step that Sightline rounds in.
+//! Shows the derived error bounds against the errors that were found, for each step in which Sightline rounds.
 
 use super::prelude::*;
 

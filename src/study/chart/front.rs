@@ -4,7 +4,7 @@ use super::prelude::*;
 
 /// The steps that are shown, and whether their panels share one time axis.
 const STEPS: [(&str, bool); 3] = [("triangle", true), ("sphere", true), ("pick", false)];
-/// The frames' top and bottom, the first one's left end, and the gap between two.
+/// The frames' top and bottom, the left end of the first frame, and the gap between two frames.
 const TOP: f64 = 148.0;
 const BOTTOM: f64 = 836.0;
 const LEFT: f64 = 100.0;
@@ -19,7 +19,8 @@ struct Point<'a> {
     ns: f64,
     /// On the workload that takes longest.
     slowest: f64,
-    /// Wrong answers in per cent: over all workloads, the median workload's, the worst with more than ties, the worst.
+    /// Wrong answers in per cent: over all workloads, on the median workload, on the worst one with more than ties, and on
+    /// the worst one.
     wrong: [f64; 4],
 }
 
@@ -28,7 +29,7 @@ impl<'a> Point<'a> {
         let rows = || of.rows.iter().copied();
         let mut percents: Vec<f64> = rows().map(Row::wrong_percent).collect();
         percents.sort_by(f64::total_cmp);
-        // A wrong triangle has no distance, and is no tie.
+        // A wrongly picked triangle has no distance, so it is no tie.
         let apart =
             rows().filter(|row| row.worst_wrong > 0.0 || row.info.step.wrong_unit.is_empty());
         let apart = apart.map(Row::wrong_percent).fold(0.0, f64::max);
@@ -111,8 +112,8 @@ fn never<'a>(points: &[Point<'a>]) -> Vec<&'a str> {
     distinct(never.map(|point| point.row.info.name))
 }
 
-/// The logarithms of the first and last time on an axis. Methods that are far slower than most stand at its end, with their
-/// time in words.
+/// The logarithms of the first and last time on an axis. Methods that are far slower than most stand at the axis's end, and
+/// their labels name their times.
 fn span<'a>(points: impl IntoIterator<Item = &'a Point<'a>>) -> [f64; 2] {
     let mut times: Vec<f64> = points.into_iter().map(|point| point.ns.log10()).collect();
     times.sort_by(f64::total_cmp);

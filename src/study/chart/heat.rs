@@ -1,4 +1,4 @@
-//! A heat map of methods by families: a cell's colour is how far off a method is there, its number how often.
+//! A heat map of methods by families. A cell's colour shows how far off a method is there, and its number how often.
 
 use super::prelude::*;
 use plotters::prelude::{ColorMap, ViridisRGB};

@@ -71,7 +71,7 @@ impl LabelPlaces {
             [left, y - half, left + width, y + half]
         };
         let steps = (0..26_u32).map(|i| 13.0 + 9.0 * f64::from(i));
-        // Right and left first.
+        // Places to the right and to the left come first.
         let turns = [
             0.0, 0.5, 0.04, 0.96, 0.46, 0.54, 0.09, 0.91, 0.41, 0.59, 0.25, 0.75,
         ];
@@ -85,16 +85,16 @@ impl LabelPlaces {
         let is_off_lines = |area: &&[f64; 4]| {
             is_free(area) && !self.lines.iter().any(|line| meet(area, line, 1.0))
         };
-        // A near place off lines, else the nearest free place.
+        // Prefers a near place off all lines, then the nearest free place.
         let free = all.iter().take(7 * turns.len()).find(is_off_lines);
         let free = free.or_else(|| all.iter().find(is_free));
-        // The frame is full.
+        // If the frame is full, the first place must do.
         let area = *free.unwrap_or(&all[0]);
         let nearest = [at[0].clamp(area[0], area[2]), at[1].clamp(area[1], area[3])];
         if (nearest[0] - at[0]).hypot(nearest[1] - at[1]) > 16.0 {
             picture.line(vec![at, nearest], line, 1, false);
         }
-        // Hides lines behind the words.
+        // White, to hide lines behind the words.
         picture.rectangle([area[0], area[1]], [area[2], area[3]], [0xff; 3]);
         let from = [area[0], area[1] + half];
         picture.text(from, Anchor::Left, SIZE, INK, words);

@@ -1,8 +1,8 @@
-//! The figures that methods are compared by.
+//! The figures by which methods are compared.
 
 use crate::study::{run::Row, step::About, summary::Summary};
 
-/// The figure that a step's methods are compared by.
+/// A figure by which a step's methods are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
     /// The worst error of a value, in the step's unit.
@@ -65,5 +65,5 @@ impl Measure {
     }
 }
 
-/// A wrong decision below this distance is a tie: truth itself rounds as much.
+/// A wrong decision below this distance is a tie, because the truth itself rounds by as much.
 const LEAST_PX: f64 = 1e-30;

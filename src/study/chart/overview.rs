@@ -23,7 +23,7 @@ pub fn chart(report: &Report, title: &str) -> Picture {
 
 /// A method in a panel.
 struct Point {
-    /// Nanoseconds, with quartiles; in a panel without times a place of its own.
+    /// Nanoseconds, with quartiles. In a panel without times, each point has a place of its own instead.
     x: f64,
     quartiles: [f64; 2],
     y: f64,
@@ -94,7 +94,7 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], at: [f64; 2]) 
     legend(picture, points.iter().map(|point| &point.style), at, 16.5);
 }
 
-/// The points for which no other is both faster and better, fastest first.
+/// The points of the Pareto front, fastest first: each is better than every faster one.
 fn front(points: &[Point]) -> Vec<(f64, f64)> {
     let mut sorted: Vec<(f64, f64)> = points.iter().map(|point| (point.x, point.y)).collect();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));

@@ -1,4 +1,4 @@
-//! The page of a chart with many panels. In pixels.
+//! Lays out the page of a chart with many panels. Lengths are in pixels.
 
 use super::{
     axis::Panel,

@@ -1,4 +1,4 @@
-//! The smallest steps: each triangle test's answers for rays at an edge that start at neighbouring numbers. After Kettner,
+//! Shows each triangle test's answers for rays at an edge that start at neighbouring floating-point numbers. After Kettner,
 //! Mehlhorn, Pion, Schirra & Yap, Classroom examples of robustness problems in geometric computations, CGTA 40(1), 2008.
 
 use super::prelude::*;

@@ -1,4 +1,5 @@
-//! A line for each method: the worst error against the parameter that stresses it, and the time against the share of hits.
+//! Draws a line for each method: its worst error against the parameter that stresses it, or its time against the share of
+//! hits.
 
 use super::prelude::*;
 use crate::study::methods::TriangleCase;
@@ -77,8 +78,8 @@ fn names<'a>(rows: &[&'a Row]) -> Vec<&'a str> {
     distinct(rows.iter().map(|row| row.info.name))
 }
 
-/// The chart of one family: one panel in a narrow picture, in which the line of the method `wide` is wider. `rows` are the
-/// family's and a scene's own ([`SCENE`]), which are marked at `here`. Without rows of the family it is empty.
+/// The chart of one family: one panel in a narrow picture, in which the line of the method `wide` is wider. `rows` has the
+/// family's rows and a scene's own ([`SCENE`]), which are marked at `here`. Without rows of the family, the chart is empty.
 #[must_use]
 pub fn family(rows: &[Row], here: f64, wide: Option<(&str, Precision)>) -> Picture {
     let (own, rows): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.family == SCENE);

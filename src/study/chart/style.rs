@@ -1,4 +1,5 @@
-//! How methods look: each formula has a colour and a shape, hollow in `f32`, filled in `f64`; Sightline's is a black star.
+//! How methods look. Each formula has a colour and a shape, hollow in `f32` and filled otherwise. Sightline's is a black
+//! star.
 
 use super::picture::{Anchor, COLOURS, Colour, INK, Picture, SHAPES, Shape};
 use crate::study::{

@@ -59,7 +59,7 @@ impl Case for BoxCase {
         truth::first_ahead(Line::new(origin, direction).cube(&half))
     }
 
-    /// An error is relative to the truth; of 0 it is the answer itself.
+    /// The error is relative to the truth. Where the truth is 0, the error is the answer itself.
     fn judge(&self, truth: &Option<f64>, answer: &Option<f64>) -> Verdict {
         let error = |truth: f64, answer: f64| match truth {
             0.0 => answer.abs(),
@@ -87,7 +87,7 @@ fn planes<T: Real>() -> [T; 2] {
     [-Cuboid::HALF_SIDE, Cuboid::HALF_SIDE].map(T::of)
 }
 
-/// Without a quotient for a ray along a slab: it is inside the slab or misses.
+/// Divides nothing for a ray along a slab: such a ray is inside the slab or misses.
 pub fn branch<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let (mut enter, mut leave) = (T::neg_infinity(), T::infinity());
     for axis in 0..3 {
@@ -109,7 +109,7 @@ pub fn branch<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     first(enter, leave)
 }
 
-/// Without a branch: by Rust's `min` and `max`, which ignore a NaN and take the slab's other plane alone.
+/// Uses no branch, but Rust's `min` and `max`. These ignore a NaN and take the slab's other plane alone.
 pub fn min_max<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let (mut enter, mut leave) = (T::neg_infinity(), T::infinity());
     for axis in 0..3 {
@@ -123,8 +123,8 @@ pub fn min_max<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     first(enter, leave)
 }
 
-/// Comparisons in an order in which NaN never wins: a ray within a slab's plane is inside that slab. Culling must not lose a
-/// hit, so the far ends, or the inverses that they are computed by, grow by `ulps`.
+/// Compares in an order in which NaN never wins, so a ray within a slab's plane is inside that slab. Culling must not lose a
+/// hit, so the far ends, or the inverses that they are computed from, grow by `ulps`.
 pub fn nan_safe<T: Real>(case: &ObjectRay<T>, ulps: [f64; 2]) -> Option<f64> {
     let (mut enter, mut leave) = (T::neg_infinity(), T::infinity());
     let [wider, padded] = ulps.map(|ulps| T::one() + T::of(ulps) * T::epsilon());
@@ -152,7 +152,8 @@ pub fn nan_safe<T: Real>(case: &ObjectRay<T>, ulps: [f64; 2]) -> Option<f64> {
     first(enter, leave)
 }
 
-/// The first of three planes that is hit within its rim: those that face the ray, or from inside the other three.
+/// Tests three planes in turn and returns the first hit within a face's rim. The planes are those that face the ray or, from
+/// inside, the other three.
 pub fn majercik<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let (o, d, half) = (case.origin, case.direction, T::of(Cuboid::HALF_SIDE));
     let size = o.abs();
@@ -167,8 +168,8 @@ pub fn majercik<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     Some(t.wide())
 }
 
-/// The least change of the ray, in radians seen from its origin, by which `hit` becomes wrong: to the nearest edge, or out
-/// of the face that it runs along.
+/// The least change of the ray that makes `hit` wrong, in radians seen from its origin: to the nearest edge, or out of the
+/// face that the ray runs along.
 fn edge_angle(case: &ObjectRay<f64>, hit: Option<f64>) -> f64 {
     let half = Cuboid::HALF_SIDE;
     let corner = |i: usize| {

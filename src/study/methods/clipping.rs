@@ -1,4 +1,4 @@
-//! Whether a hit lies between the near and the far plane. The answer is yes or no.
+//! Decides whether a hit lies between the near and the far plane. The answer is yes or no.
 
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, Viewport},
@@ -116,7 +116,7 @@ impl Case for ClipCase {
         scene.hits.iter().map(case).collect()
     }
 
-    /// By the given view depth.
+    /// Compares the given view depth with both planes.
     fn truth(&self) -> bool {
         self.wide.near <= self.depth && self.depth < self.wide.far
     }
@@ -136,12 +136,12 @@ impl Case for ClipCase {
     }
 }
 
-/// The ray parameter against both numbers.
+/// Compares the ray parameter with both planes' depths.
 pub fn by_distance<T: Real>(case: &Clip<T>) -> bool {
     case.near <= case.t && case.t < case.far
 }
 
-/// The view depth against both numbers.
+/// Compares the view depth with both planes' depths.
 pub fn by_depth<T: Real>(case: &Clip<T>) -> bool {
     let depth = case.t * case.direction.dot(case.forward);
     case.near <= depth && depth < case.far

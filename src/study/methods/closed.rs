@@ -1,7 +1,7 @@
-//! Rays into a closed body through its edges and corners. The answer is t of the first hit. Where there is none, or only the
-//! one where the ray leaves the body, the ray has leaked.
+//! Casts rays into a closed body through its edges and corners. The answer is t of the first hit. If there is no hit, or only
+//! the one where the ray leaves the body, the ray has leaked.
 //!
-//! Truth needs no arithmetic: a ray from a point outside to a point inside must enter, wherever it does.
+//! Truth needs no arithmetic: a ray from a point outside to a point inside must enter somewhere.
 
 use super::{
     from_start,
@@ -110,8 +110,8 @@ fn corner(_: &mut Random, [a, ..]: [V3<f64>; 3], _: bool) -> V3<f64> {
     a
 }
 
-/// A ray through a point of a body's surface to a point inside. With `bits`, coordinates are rounded to so many bits after the
-/// binary point, and the ray passes exactly through the point.
+/// A ray through a point of a body's surface to a point inside. With `bits`, coordinates are rounded to that many bits after
+/// the binary point, and the ray passes exactly through the point.
 fn aim(
     random: &mut Random,
     bits: Option<f64>,

@@ -1,4 +1,5 @@
-//! View depth into the depth buffer and back, as a graphics card stores it. The answer is the view depth that is read back.
+//! Stores a view depth in the depth buffer and reads it back, as a graphics card does. The answer is the view depth that is
+//! read back.
 
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection},
@@ -102,11 +103,11 @@ impl Case for DepthCase {
     ///
     /// With u = 2^-24 and depth z: `a z + b` is `n (f - z) / (f - n)`; matrix entries, product, sum, quotient and the
     /// buffer err together by at most 2u |a| + 4u (|a| + b / z) with |a| = n / (f - n) and b = f |a|. Read back,
-    /// `z = b / (stored - a)`: relative to z that is the error over b / z.
+    /// `z = b / (stored - a)`: the relative error of z is this error divided by b / z.
     fn bound(&self, _: &f64) -> f64 {
         if self.parallel {
             // `a z + b` with |a| = 1 / (f - n) and b = f |a|, read back as `(stored - b) / a`: entries, product, sum and
-            // buffer err together by at most 4u (|a| z + b), which over |a| is a depth.
+            // buffer err together by at most 4u (|a| z + b). Divided by |a|, this is an error of depth.
             let depth = f64::from(self.depth);
             return 4.0 * UNIT_F32 * (depth.abs() + self.far.abs()) / depth.abs();
         }

@@ -1,5 +1,5 @@
-//! Reading an OBJ file: a site 900 m wide, surveyed to the millimetre, somewhere on a national grid. The answer is the
-//! triangles' corners; digits that a method drops here are lost to picks and pictures.
+//! Reads an OBJ file: a site 900 m wide, surveyed to the millimetre, somewhere on a national grid. The answer is the
+//! triangles' corners. Picks and pictures lack the digits that a method drops here.
 
 use crate::{
     geometry::Mesh,
@@ -136,7 +136,7 @@ impl FileCase {
     }
 }
 
-/// A hilly site, so many whole metres north and east of the grid's origin.
+/// A hilly site, this many whole metres north and east of the grid's origin.
 fn site(random: &mut Random, metres: f64) -> FileCase {
     #[expect(clippy::cast_possible_truncation, reason = "whole metres")]
     let metres = metres as i64;

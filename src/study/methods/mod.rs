@@ -79,7 +79,8 @@ impl<Shape> ShapeCase<Shape> {
     }
 }
 
-/// The method as a pick uses it: it also computes the bounds that later exact decisions need, which is no part of the step.
+/// The name of a method as a pick uses it: it also computes the error bounds that later exact decisions need. The bounds are
+/// no part of the step.
 const WITH_BOUNDS: &str = "Sightline's, with its bounds";
 
 /// The placement with a linear part and a translation; `None` where the matrix has no inverse.
@@ -108,13 +109,13 @@ fn ahead<T: Real>(t: T) -> Option<f64> {
     (t >= T::zero()).then(|| t.wide())
 }
 
-/// Work that is done for each step.
+/// Work that is done once for each step.
 pub trait Visitor {
-    /// Does it for one step.
+    /// Does the work for one step.
     fn visit<C: Case>(&mut self);
 }
 
-/// Visits the steps of a pick in order; the only list of them.
+/// Visits the steps of a pick in order. This is the only list of them.
 pub fn each_step(visitor: &mut impl Visitor) {
     visitor.visit::<rays::PixelCase>();
     visitor.visit::<object_space::PlacedCase>();

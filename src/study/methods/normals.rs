@@ -1,4 +1,4 @@
-//! An object's outward normal in the world. The answer is about 1 long.
+//! Transforms an object's outward normal to the world. The answer is about 1 long.
 
 use super::object_space::turned;
 use crate::{geometry::Placement, study::prelude::*};
@@ -9,11 +9,11 @@ use std::cmp::Ordering;
 pub struct Tilted<T> {
     /// The model matrix's linear part, by columns.
     pub linear: M3<T>,
-    /// Outward, in object space.
+    /// The outward normal in object space.
     pub normal: V3<T>,
     /// The inverse's transpose, which programs store for each object.
     pub inverse_transpose: M3<T>,
-    /// Its cofactors, stored likewise.
+    /// The cofactors of the linear part, which programs store in the same way.
     pub cofactors: M3<T>,
 }
 
@@ -135,13 +135,13 @@ pub fn as_point<T: Real>(case: &Tilted<T>) -> [f64; 3] {
     case.linear.apply(case.normal).normalize().wide().array()
 }
 
-/// By the transpose of its inverse.
+/// By the transpose of the model matrix's inverse.
 pub fn transpose<T: Real>(case: &Tilted<T>) -> [f64; 3] {
     let matrix = &case.inverse_transpose;
     matrix.apply(case.normal).normalize().wide().array()
 }
 
-/// By its cofactors: inward under a mirroring matrix.
+/// By the model matrix's cofactors. The normal points inward if the matrix mirrors.
 pub fn cofactors<T: Real>(case: &Tilted<T>) -> [f64; 3] {
     case.cofactors.apply(case.normal).normalize().wide().array()
 }

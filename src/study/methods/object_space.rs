@@ -1,5 +1,5 @@
-//! A world-space ray into an object's space. The answer is origin and direction there. It is judged by the ray that it becomes
-//! when it is transformed back to the world exactly.
+//! Transforms a world-space ray into an object's space. The answer is origin and direction there. To judge it, it is
+//! transformed back to the world exactly and compared with the given ray.
 
 use super::WITH_BOUNDS;
 use crate::{
@@ -230,7 +230,7 @@ fn flattened(random: &mut Random, least: f64) -> PlacedCase {
 }
 
 /// An object about as large as its largest scale, at a distance from the world's origin, and a ray past it from 5 units away.
-/// Where the object is larger than a unit, both distances are in its sizes.
+/// If the object is larger than 1, both distances are multiplied by its size.
 fn aim(random: &mut Random, scale: [f64; 3], offset: f64) -> PlacedCase {
     loop {
         // Scaled along axes that are special in neither space.

@@ -1,4 +1,5 @@
-//! Eight rays of one picture against one triangle at once, as SIMD instructions do it. The answer is t or none for each ray.
+//! Tests eight rays of one picture against one triangle at once, as SIMD instructions do. The answer is t or none for each
+//! ray.
 
 use super::{
     from_start,
@@ -209,7 +210,7 @@ fn all<T: Ring>(v: V3<T>) -> V3<Lanes<T>> {
     v.map(|c| Lanes([c; WIDTH]))
 }
 
-/// Without a branch: misses are sorted out at the end. What does not depend on the ray is computed once.
+/// Uses no branch: misses are sorted out at the end. What does not depend on the ray is computed once.
 fn moeller_trumbore_packet<T: Real>(bundle: &Bundle<T>) -> Parameters {
     let [a, b, c] = bundle.corners;
     let (e1, e2, s) = (b - a, c - a, bundle.origin - a);

@@ -151,8 +151,8 @@ pub fn outline_angle(ray: &ObjectRay<f64>) -> f64 {
 /// The bound of a hit's `t` in `f64`; whether there is a hit is decided exactly.
 ///
 /// Let u = 2^-53, m the moment `o x d`, O and D the largest components of o and d. Each component of m errs by 5u O D. The
-/// discriminant `r^2 d.d - m.m` errs by 10u of both its terms and by `2.2 |m|_1` times m's error, its root by that over the
-/// root. `o.d` errs by 4u |o|_1 D; the quotient and the sum add a few u.
+/// discriminant `r^2 d.d - m.m` errs by 10u of both its terms and by `2.2 |m|_1` times m's error. Its root errs by that error
+/// divided by the root. `o.d` errs by 4u |o|_1 D; the quotient and the sum add a few u.
 fn bound(ray: &ObjectRay<f64>, t: f64) -> f64 {
     let (o, d) = (ray.origin, ray.direction);
     let largest = |v: [f64; 3]| v.into_iter().fold(0.0, f64::max);
@@ -196,7 +196,7 @@ fn longer(random: &mut Random, length: f64) -> SphereCase {
 /// A ray that starts `distance` radii away and passes the centre at `past` radii; its direction is about 1 long.
 fn passing(random: &mut Random, distance: f64, past: f64) -> SphereCase {
     let [back, aside] = random.directions();
-    // The ray's angle to the line through the centre: so the ray's own distance from the centre is `past`.
+    // The sine of the ray's angle to the line through the centre, so that the ray's distance from the centre is `past`.
     let sin = past / distance;
     let cos = (1.0 - sin.powi(2)).max(0.0).sqrt();
     let towards = aside * sin - back * cos;

@@ -1,4 +1,4 @@
-//! A ray against a square or parallelogram in the world. The answer is the ray parameter t of the hit, or none.
+//! Tests a ray against a square or parallelogram in the world. The answer is the ray parameter t of the hit, or none.
 
 use super::ahead;
 use crate::{
@@ -178,14 +178,14 @@ impl Case for SquareCase {
     }
 }
 
-/// The ray's origin is subtracted first.
+/// Subtracts the ray's origin first.
 pub fn point<T: Real>(case: &RaySquare<T>) -> Option<f64> {
     let Kept { normal, .. } = case.kept;
     let way = normal.dot(case.middle - case.origin);
     inside(case, way / normal.dot(case.direction))
 }
 
-/// With the plane's distance from the world's origin.
+/// Uses the plane's distance from the world's origin.
 pub fn constant<T: Real>(case: &RaySquare<T>) -> Option<f64> {
     let Kept {
         normal, distance, ..

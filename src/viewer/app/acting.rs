@@ -8,7 +8,8 @@ use crate::viewer::{
 use std::{mem, time::Instant};
 
 impl App {
-    /// Applies an action to the scene or the view. A click in the picture waits while rays are slow, for want of trees.
+    /// Applies an action to the scene or the view. A click in the picture waits while rays are slow because trees are
+    /// missing.
     pub fn act(&mut self, action: Action) {
         let clicks = matches!(action, Action::Click(..));
         if clicks && !self.state.rays_are_quick() && self.state.stages().is_empty() {
@@ -56,7 +57,7 @@ impl App {
         });
     }
 
-    /// Shows these views. Stages open the matrix panel; back in the picture it closes if it was closed before.
+    /// Shows these views. Stages open the panel of matrices; back in the picture, it closes if it was closed before.
     pub(super) fn show_views(&mut self, views: Views) {
         let (was, floating) = (self.state.views(), &mut self.floating);
         if was == Views::Picture && views != Views::Picture {

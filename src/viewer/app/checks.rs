@@ -51,7 +51,7 @@ impl App {
             return;
         };
         if !check.is_about(&self.state) {
-            // The errors of another method stay marked: the new view is compared as well.
+            // The errors of another method stay marked, so the new view is compared as well.
             self.checking = match self.state.method() {
                 Some(_) => Checking::Wanted,
                 None => Checking::Off,

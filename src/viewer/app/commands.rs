@@ -116,7 +116,7 @@ impl App {
         }
     }
 
-    /// What Esc does: ends the first of these that is active.
+    /// What Esc does: ends the first thing in this list that is active.
     fn escape(&mut self) {
         let selects_none = self.state.selection().is_none();
         if self.question.is_some() {

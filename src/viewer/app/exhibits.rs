@@ -18,7 +18,7 @@ impl App {
         self.load(vec![GALLERY[next].path()], Purpose::Open);
     }
 
-    /// Takes the chart of the gallery's scene, or begins to compute it.
+    /// Takes the chart for the scene of the gallery, or begins to compute it.
     pub fn take_chart(&mut self) {
         let Some(subject) = self.state.showing().and_then(Showing::subject) else {
             self.chart = None;

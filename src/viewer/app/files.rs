@@ -129,7 +129,7 @@ impl App {
         Ok(())
     }
 
-    /// Applies the command line's `--hide` and camera to the first scene. Returns why either was left out.
+    /// Applies the command line's `--hide` and camera to the first scene. Returns the reasons for what was left out.
     fn apply_flags(&self, loaded: &mut Loaded) -> Vec<String> {
         let hidden = loaded.scene.hide(&self.options.hidden);
         let hidden = hidden.map_err(|error| format!("--hide: {error}"));
@@ -144,8 +144,8 @@ impl App {
             .collect()
     }
 
-    /// Asks where to save the scene as it is now. With an intent, the scene is the first whose edits the intent would
-    /// drop, perhaps one left for the gallery; the intent is carried out after the save.
+    /// Asks where to save the scene as it is now. With an intent, saves the first scene whose edits the intent would
+    /// drop, perhaps one left for the gallery, and carries out the intent after the save.
     pub(super) fn ask_where_to_save(&mut self, then: Option<Intent>) {
         let drops = then.as_ref().map(|intent| intent.drops(&self.state));
         let scene = drops.and_then(|scenes| scenes.first().copied());
@@ -201,8 +201,8 @@ impl App {
     }
 }
 
-/// The file to write a scene to: `.toml` is added to a name that lacks it. An existing file is never overwritten under
-/// a name that was completed so.
+/// The file to write a scene to: `.toml` is added to a name that lacks it. If that names an existing file, it is an
+/// error: the user has not agreed to overwrite that file.
 fn scene_file(mut path: PathBuf) -> Result<PathBuf, String> {
     if scene::is_scene_file(&path) {
         return Ok(path);

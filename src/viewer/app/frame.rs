@@ -1,4 +1,4 @@
-//! The driver of a frame, which windows and pictures of them share. A frame takes the results of jobs, runs the panels
+//! The driver of a frame, which windows and pictures of windows share. A frame takes the results of jobs, runs the panels
 //! on egui's input, executes their commands, replaces a lost device, and draws.
 
 use super::{
@@ -37,7 +37,7 @@ struct Pass {
     pixels_per_point: f32,
     /// Where the scene goes; `None` where there is no room for it.
     place: Option<SceneRect>,
-    /// Where the stages go within it.
+    /// Where the stages go within that place.
     panes: Vec<(Stage, SceneRect)>,
     platform: egui::PlatformOutput,
     /// The panels show the state from before their own commands.
@@ -47,8 +47,8 @@ struct Pass {
 }
 
 impl App {
-    /// Runs a pass, and another if that changed something, so that panels and scene show one state. Draws and shows the
-    /// result.
+    /// Runs a pass, and another if the first changed something, so that panels and scene show one state. Draws and shows
+    /// the result.
     pub fn frame(&mut self, input: egui::RawInput, screen: &mut impl Screen) -> Frame {
         let start = Instant::now();
         self.take_finished();

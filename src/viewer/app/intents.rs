@@ -1,4 +1,4 @@
-//! Asks before anything that would drop edits.
+//! Asks the user before anything that would drop edits.
 
 use super::program::{App, Purpose};
 use crate::viewer::ui::{Intent, Reply};

@@ -66,7 +66,7 @@ impl Numbers {
     }
 }
 
-/// The mesh's triangle under a pick, and the file to ask about it; `None` if it has no file, or that was asked already.
+/// The mesh's triangle under a pick, and the file to ask about it; `None` if there is no file, or it was asked already.
 pub(super) fn file_of(state: &State, hit: &Pick) -> Option<(u32, MeshFile)> {
     let object = state.scene().objects().get(hit.id - 1)?;
     let Shape::Mesh { mesh, .. } = &object.shape else {

@@ -46,7 +46,7 @@ impl Drop for App {
     }
 }
 
-/// A pick as a line on stdout. Who reads it may be gone: that is no reason to stop showing.
+/// Prints a pick as a line on stdout. If the program that reads it is gone, the window goes on all the same.
 fn print(line: &PickLine) {
     if let Ok(json) = json::text(line) {
         let mut out = std::io::stdout().lock();

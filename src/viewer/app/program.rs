@@ -1,4 +1,4 @@
-//! The program behind the window: all that outlives frames, devices and windows. Its messages and its title.
+//! The program behind the window: all that outlives frames, devices and windows, with its messages and its title.
 
 use super::{
     memory::Memory,
@@ -39,7 +39,7 @@ pub(super) enum Purpose {
     Open,
     /// To read the files on screen again: view, selection and visibility stay.
     Reload,
-    /// The same, because the files have changed.
+    /// The same as [`Self::Reload`], because the files have changed.
     Follow,
     /// To add to what is shown.
     Add,
@@ -69,16 +69,16 @@ pub(in crate::viewer) struct Shot {
 pub(in crate::viewer) struct Screenshots {
     /// What the next frame is saved as.
     pub wanted: Option<Shot>,
-    /// Where they go: the folder that the program runs in, at first.
+    /// The folder that they are written to; at first, the one that the program runs in.
     pub folder: PathBuf,
 }
 
 /// Who shows the program.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::viewer) enum Host {
-    /// A window: it opens the system's dialogs, and its status line tells times and the adapter.
+    /// A window. It opens the system's dialogs, and its status line shows times and the adapter.
     Window,
-    /// A picture: it opens no dialogs, and shows nothing that differs between machines.
+    /// A picture. It opens no dialogs, and its status line shows no times and no adapter, which differ between machines.
     Picture,
 }
 
@@ -108,7 +108,7 @@ pub(in crate::viewer) struct App {
     pub(super) question: Option<Intent>,
     /// The build of trees for the scene on screen.
     pub trees: Option<TreeBuild>,
-    /// Nothing was shown yet: the first scene takes the command line's camera.
+    /// Whether nothing was shown yet: the first scene takes the command line's camera.
     pub first: bool,
     pub notices: Notices,
     pub floating: Floating,
@@ -117,11 +117,11 @@ pub(in crate::viewer) struct App {
     pub docks: Docks,
     /// What is remembered from one run to the next.
     pub memory: Memory,
-    /// What writes that to its file.
+    /// Writes the memory to its file.
     pub(super) keeping: Keeping,
     /// Watches the files on screen for changes by others.
     pub(super) watching: Option<Watching>,
-    /// The search for system typefaces that have the characters which egui's lack.
+    /// The search for system typefaces with characters that egui's own lack.
     pub(super) typefaces: Typefaces,
     /// Glyphs of panels that are not open yet, rasterised ahead.
     pub letters: Letters,
@@ -139,14 +139,14 @@ pub(in crate::viewer) struct App {
     announced: u64,
     pub host: Host,
     pub statistics: Statistics,
-    /// What is to go on the clipboard.
+    /// The text that is to go on the clipboard.
     pub copied: Option<String>,
     /// A click that waits for trees, and its view.
     pub(super) waiting: Option<(Action, View)>,
     pub extent: Extent,
     /// How far the scene's picture has come.
     pub picture: Progress,
-    /// Whether it moves or rests.
+    /// Whether the scene's picture moves or rests.
     pub rest: Rest,
     /// The user has quit.
     pub quit: bool,
@@ -252,14 +252,14 @@ impl App {
         self.post(text, Kind::Warning);
     }
 
-    /// Shows a message, in place of one of the same text.
+    /// Shows a message, in place of one with the same text.
     fn post(&mut self, text: String, kind: Kind) {
         self.notices.retain(|notice| notice.text != text);
         self.notices.push(Notice::new(text, kind));
         self.context.request_repaint();
     }
 
-    /// Reports what was left out of files or mended: all of it in the log, the first few in the window.
+    /// Reports what was left out of files or mended: all of it in the log, the first few warnings in the window.
     pub fn warn(&mut self, warnings: &[Warning]) {
         const SHOWN: usize = 4;
         for warning in warnings {

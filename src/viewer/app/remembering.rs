@@ -56,7 +56,7 @@ mod tests {
     };
     use std::sync::Arc;
 
-    /// Where the window stood when it was closed is known when it opens again.
+    /// A window that opens again knows where it stood when it was closed.
     #[test]
     fn the_windows_place_is_kept_from_run_to_run() {
         let folder = tempfile::tempdir().expect("a folder");

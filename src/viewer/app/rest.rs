@@ -8,14 +8,14 @@ use crate::{
 /// A picture is at rest once nothing has moved in it for this many seconds.
 pub(in crate::viewer) const REST_S: f64 = 0.15;
 
-/// Since when nothing has moved.
+/// Tells since when nothing has moved.
 #[derive(Default)]
 pub(in crate::viewer) struct Rest {
-    /// What is to be shown, and since when, by egui's clock in seconds.
+    /// What is to be shown, and since when, in seconds of egui's clock.
     since_s: Option<((OnScreen, Vec<View>), f64)>,
-    /// It got there by moving, not by one jump.
+    /// Whether the last change was part of a movement, not one jump.
     moves: bool,
-    /// The last frame left nothing to do but smooth edges.
+    /// Whether the last frame left nothing to do but smooth edges.
     pub is_settled: bool,
 }
 

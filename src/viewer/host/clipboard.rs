@@ -1,5 +1,5 @@
-//! The system's clipboard, for text. egui-winit's own brings a library of image formats; without that it supports
-//! Wayland alone.
+//! The system's clipboard, for text. egui-winit's own clipboard needs a library of image formats; without that library it
+//! supports Wayland alone.
 
 use egui::{Event, OutputCommand, PointerButton};
 use winit::{
@@ -7,7 +7,7 @@ use winit::{
     window::Window,
 };
 
-/// What egui-winit pastes where it has no clipboard. If this were empty, it would send no paste event.
+/// What egui-winit pastes where it has no clipboard. It would send no paste event if this were empty.
 const STAND_IN: &str = "?";
 
 /// The clipboard of X11, Windows and macOS.

@@ -9,7 +9,7 @@ use egui::{
 /// A button, a field, a text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Control {
-    /// Its name; of a text, what it says. Empty if it has no name.
+    /// Its name; for a text, the text itself. Empty if it has no name.
     pub name: String,
     /// What it is.
     pub role: Role,

@@ -2,9 +2,9 @@
 
 use winit::window::{Icon, WindowAttributes};
 
-/// The name of its desktop entry, and of its icon there.
+/// The name of the program's desktop entry, and of its icon there.
 pub const APP_ID: &str = "sightline";
-/// Its icon as a PNG file: `assets/icon.svg`, 256 pixels wide.
+/// The program's icon as a PNG file: `assets/icon.svg`, 256 pixels wide.
 pub const ICON_PNG: &[u8] = include_bytes!("../../../assets/icon.png");
 
 /// Puts name and icon on a window. Wayland takes the icon from the desktop entry.

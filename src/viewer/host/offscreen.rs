@@ -1,5 +1,5 @@
 //! The whole window without a window system: egui's events in, pictures out. Panels, keys, mouse and drawing are the
-//! window's own; what is missing is winit.
+//! window's own. Only winit is missing.
 
 use super::{
     controls::{Control, controls},
@@ -26,7 +26,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-/// More passes than these for one event mean that the panels never come to rest.
+/// If one event takes more passes than this, the panels never come to rest.
 const MOST_PASSES: usize = 100;
 /// No job takes as long as this.
 const LONGEST_WAIT: Duration = Duration::from_mins(2);
@@ -61,8 +61,8 @@ pub struct Offscreen {
 }
 
 impl Offscreen {
-    /// A window of `size` physical pixels, `pixels_per_point` of them a point, with what `options` name loaded. It needs
-    /// no graphics until a picture is asked for.
+    /// A window of `size` physical pixels, with `pixels_per_point` pixels to a point. It loads what `options` name. It
+    /// needs no graphics until a picture is asked for.
     #[must_use]
     pub fn open(options: Options, size: Viewport, pixels_per_point: f32) -> Self {
         let start = |wake| App::start(options, wake, Host::Picture);
@@ -155,7 +155,8 @@ impl Offscreen {
         self.settle();
     }
 
-    /// Turns the accessibility tree on, as at first, or off: then [`Offscreen::controls`] stay as they were.
+    /// Turns the accessibility tree on or off. It is on at first. While it is off, [`Offscreen::controls`] stay as they
+    /// were.
     pub fn tell_controls(&mut self, tells: bool) {
         if tells {
             self.app.context.enable_accesskit();
@@ -191,7 +192,7 @@ impl Offscreen {
             .map(|Notice { text, .. }| text.as_str())
     }
 
-    /// Whether it is at rest after the last event: nothing is animated, and nothing is under way but smooth edges.
+    /// Whether the window is at rest after the last event: nothing is animated, and nothing is under way but smooth edges.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
         self.at_rest && self.app.picture.behind.is_none()
@@ -209,7 +210,7 @@ impl Offscreen {
         self.app.picture.drawn
     }
 
-    /// How many objects and triangles the last frame uploaded itself, not by a job.
+    /// How many objects and triangles the last frame itself uploaded. Those that a job uploaded do not count.
     #[must_use]
     pub fn uploaded_work(&self) -> usize {
         self.app.picture.uploaded
@@ -234,7 +235,7 @@ impl Offscreen {
         self.app.extent == Extent::Screen
     }
 
-    /// Whether the panels can write all of a text.
+    /// Whether the panels have a glyph for each character of a text.
     #[must_use]
     pub fn can_write(&self, text: &str) -> bool {
         let font = egui::FontId::default();
@@ -331,7 +332,7 @@ impl Offscreen {
         Ok(())
     }
 
-    /// Destroys the device, as a driver does that restarts.
+    /// Destroys the device, as a driver that restarts does.
     pub fn lose_device(&mut self) {
         if let Some(canvas) = &self.page.canvas {
             canvas.gpu.device.destroy();
@@ -383,7 +384,7 @@ impl Offscreen {
         let start = Instant::now();
         for _ in 0..MOST_PASSES {
             while self.app.is_busy() && start.elapsed() < LONGEST_WAIT {
-                // Nothing else is to be taken: tests set the theme themselves.
+                // Nothing else is taken: tests set the theme themselves.
                 let wake = self.wakes.recv_timeout(Duration::from_millis(5));
                 if let Ok(Wake::Answered(answer)) = wake {
                     self.app.answered(answer);

@@ -17,7 +17,7 @@ pub(super) struct Page {
     /// The device, once there was something to draw.
     pub canvas: Option<Canvas>,
     pub size: Viewport,
-    /// The last frame looks different from the one before.
+    /// Whether the last frame looks different from the one before.
     pub is_another: bool,
 }
 

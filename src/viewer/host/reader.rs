@@ -1,4 +1,4 @@
-//! Screen readers: the system's side of egui's tree of controls.
+//! Screen readers: hands egui's tree of controls to the system, and tells the program what screen readers do.
 
 use super::shell::Shell;
 use crate::viewer::app::{Reader, Wake, Waker};

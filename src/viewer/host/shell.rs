@@ -22,8 +22,8 @@ pub(super) struct Shell {
 }
 
 impl Shell {
-    /// Opens the window with its surface; from inside the event loop. With screen readers, it is to be shown to them
-    /// before it shows.
+    /// Opens the window with its surface, from inside the event loop. With the feature `screen-readers` the window opens
+    /// hidden: `reader::show` shows its controls to screen readers first, and then the window.
     pub fn open(
         event_loop: &ActiveEventLoop,
         options: &Options,
@@ -78,7 +78,7 @@ impl Shell {
         self.egui.handle_platform_output(&self.window, asked);
     }
 
-    /// The window's size and place, to be remembered. While it fills the screen, those `before`.
+    /// The window's size and place, to be remembered. While it fills the screen, these are the ones `before`.
     pub fn place(&self, before: Option<WindowPlace>) -> Option<WindowPlace> {
         let maximised = self.window.is_maximized();
         if maximised || self.window.fullscreen().is_some() {
@@ -105,8 +105,8 @@ impl Shell {
     }
 }
 
-/// Restores the size and place that the window had when it was closed last. The place only if one of the screens, each with
-/// its corner and size, is still there.
+/// Restores the size and place that the window had when it was closed last. The place is restored only if it is on one of
+/// `screens`, each given by its corner and size.
 fn restored(
     attributes: WindowAttributes,
     remembered: Option<WindowPlace>,
@@ -139,8 +139,8 @@ mod tests {
     use super::*;
     use winit::dpi::{Position, Size};
 
-    /// What a window asks for: size, place, and whether it is maximised. The first of these screens are there: two side
-    /// by side.
+    /// What a window asks for: size, place, and whether it is maximised. There are two screens side by side, or only the
+    /// first `screens` of them.
     fn asked(
         remembered: Option<WindowPlace>,
         screens: usize,
@@ -155,7 +155,7 @@ mod tests {
         )
     }
 
-    /// A window opens as large as it was closed, and where it was closed if that is on a screen.
+    /// A window opens as large as it was when it was closed, and in the same place if that is on a screen.
     #[test]
     fn a_window_opens_where_it_was_closed_unless_no_screen_is_there() {
         let size = |width: f64, height: f64| Some(Size::from(LogicalSize::new(width, height)));
@@ -173,7 +173,7 @@ mod tests {
             (own, None, true),
             "its screen is gone"
         );
-        // Just off the screens at each side, so far that its title bar could not be grasped, and of no known place.
+        // Just off the screens at two sides, too far right for its title bar to be grasped, and without a known place.
         for corner_px in [Some([-1, 100]), Some([100, -1]), Some([3800, 100]), None] {
             let place = WindowPlace { corner_px, ..place };
             assert_eq!(asked(Some(place), 2), (own, None, true), "{corner_px:?}");

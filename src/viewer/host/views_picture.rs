@@ -14,9 +14,9 @@ use crate::{
 };
 use glam::DVec2;
 
-/// A picture of `size` pixels of a loaded scene, with the views and files that `options` name, as a window shows it
-/// without panels: stages have their labels. If `pick` is given, that pixel of the camera's own picture, of the same
-/// size, is clicked first.
+/// A picture of a loaded scene, `size` pixels large, with the views and files that `options` name. It looks as a window
+/// without panels does, so stages have their labels. If `pick` is given, that pixel of the camera's own picture, which
+/// has the same size, is clicked first.
 ///
 /// # Errors
 /// When there is no graphics adapter, or it fails.

@@ -33,7 +33,7 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
         .map_err(|error| ViewerError::no_display(&error))?;
     event_loop.set_control_flow(ControlFlow::Wait);
     let proxy = event_loop.create_proxy();
-    // The loop is gone when the window is: then nobody is to be woken.
+    // The loop ends with the window: then nobody is to be woken.
     let wake: Waker = Arc::new(move |wake| drop(proxy.send_event(wake)));
     let app = App::start(options, Arc::clone(&wake), Host::Window);
     app.context.set_request_repaint_callback(move |info| {
@@ -52,7 +52,7 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
     host.failed.map_or(Ok(()), Err)
 }
 
-/// Whether there is a display for it.
+/// Checks that there is a display to open a window on.
 ///
 /// # Errors
 /// When there is none. Not to be called in a process that has a window.
@@ -68,9 +68,9 @@ struct Program {
     app: App,
     /// The window, once the event loop runs.
     shell: Option<Shell>,
-    /// The program itself has requested a redraw.
+    /// Whether the program itself has requested a redraw.
     asked: bool,
-    /// Why it could not be opened, for the caller of [`run`].
+    /// Why the window could not be opened, for the caller of [`run`].
     failed: Option<ViewerError>,
 }
 
@@ -188,7 +188,7 @@ impl ApplicationHandler<Wake> for Program {
                 return self.request_redraw();
             }
             WindowEvent::RedrawRequested => {
-                // The program did not ask, so the system did: the window was covered.
+                // The program did not ask, so the system did: what the window showed may be lost.
                 if !mem::take(&mut self.asked) {
                     shell.surface.expose();
                 }
@@ -199,7 +199,7 @@ impl ApplicationHandler<Wake> for Program {
                 shell.surface.resize(*width, *height);
                 self.app.memory.window = shell.place(self.app.memory.window);
             }
-            // Whoever changes the desktop's theme does so in another window.
+            // The user changes the desktop's theme in another window, so it may be another when this one gets the focus.
             WindowEvent::Focused(true) if shell.window.theme().is_none() => {
                 let wake = Arc::clone(&self.app.wake);
                 ask_darkness(move |is_dark| wake(Wake::Desktop { is_dark }));

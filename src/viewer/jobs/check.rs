@@ -1,4 +1,4 @@
-//! Verify in the window: the picture on screen against what a click on each of its pixels would pick.
+//! `verify` in the window: compares each pixel of the picture on screen with what a click there would pick.
 
 use crate::{
     image::{Id, Image},
@@ -17,7 +17,7 @@ use std::{
     thread,
 };
 
-/// Whether the window compares.
+/// Whether the window compares its picture with picks.
 #[derive(Default)]
 pub(in crate::viewer) enum Checking {
     #[default]
@@ -27,7 +27,7 @@ pub(in crate::viewer) enum Checking {
     On(Box<Check>),
 }
 
-/// A check under way or done. It is about what was on screen when it began, and goes when that changes.
+/// A check under way or done. It is about what was on screen when it began, and ends when that changes.
 pub(in crate::viewer) struct Check {
     of: OnScreen,
     /// The other method that picks; `None` for this program's own picks.
@@ -47,7 +47,8 @@ pub(in crate::viewer) struct Checked {
 }
 
 impl Check {
-    /// Begins to compare `drawn`, the ids on screen as this rasteriser drew them, with picks of the state's scene; calls `wake` when done.
+    /// Begins to compare `drawn`, the ids on screen as this rasteriser drew them, with picks of the state's scene. Calls
+    /// `wake` when done.
     pub fn start(
         state: &State,
         rasteriser: Rasteriser,
@@ -108,7 +109,7 @@ impl Check {
         (self.of, self.method) == (state.to_show(), state.method())
     }
 
-    /// Whose picks these are, where they are not this program's own.
+    /// The name of the method that picks; empty for this program's own picks.
     pub fn by(&self) -> String {
         let name = |method: Swap| format!(" by\n{}", method.info().name);
         self.method.map_or_else(String::new, name)

@@ -1,4 +1,4 @@
-//! Asks the settings portal whether the desktop is light or dark: on Linux, windows are not told.
+//! Asks the settings portal whether the desktop is light or dark, which Linux does not tell windows.
 //! (`org.freedesktop.portal.Settings`, version 1: `color-scheme` is 1 for dark, 2 for light, 0 for either.)
 
 use std::{
@@ -6,7 +6,7 @@ use std::{
     thread,
 };
 
-/// Programs that ask the portal; every such desktop has one of them.
+/// Programs that ask the portal; a desktop with the portal has one of them.
 const ASKERS: [&[&str]; 2] = [
     &[
         "busctl",

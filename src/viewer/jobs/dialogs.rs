@@ -6,7 +6,7 @@ use std::{
     time::Instant,
 };
 
-/// Nobody cancels a dialog faster than this, in seconds: this desktop shows none.
+/// Nobody cancels a dialog faster than this, in seconds. A faster answer means that this desktop shows no dialog.
 const FASTEST_ANSWER_S: f64 = 0.3;
 
 /// The answer of a file dialog.

@@ -16,13 +16,13 @@ pub(in crate::viewer) struct Keeping {
 }
 
 impl Keeping {
-    /// Writes it now, and makes its folder if there is none.
+    /// Writes the file now, and makes its folder if there is none.
     pub fn keep(&mut self, path: &Path, text: &str) {
         self.latest += 1;
         write_unless_later(&self.written, self.latest, path, text);
     }
 
-    /// Writes it in the background.
+    /// Writes the file in the background.
     pub fn keep_beside(&mut self, path: PathBuf, text: String) {
         self.latest += 1;
         let (written, number) = (Arc::clone(&self.written), self.latest);

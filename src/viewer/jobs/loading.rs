@@ -33,7 +33,7 @@ impl Loading {
         self.progress.fraction()
     }
 
-    /// The scene or why there is none, once there is either.
+    /// The scene, or why there is none, once the load is done.
     pub fn poll(&self) -> Option<Result<Loaded, LoadError>> {
         let result = self.job.poll()?;
         Some(result.unwrap_or_else(|_| Err(scene::Cancelled.into())))

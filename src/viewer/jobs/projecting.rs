@@ -16,7 +16,7 @@ pub(in crate::viewer) struct Projecting(Job<InNdc>);
 pub(in crate::viewer) struct InNdc {
     pub scene: Scene,
     pub of: ProjectedOf,
-    /// `None` without a device that works and has room for it.
+    /// `None` if there is no device, or if the upload failed.
     pub uploaded: Option<Uploaded>,
 }
 

@@ -1,4 +1,4 @@
-//! Snaps a click in the background: for that it reads files again, and sums the areas of large objects.
+//! Snaps a click to a point. This reads files again and sums the areas of large objects, so it runs in the background.
 
 use super::job::Job;
 use crate::{
@@ -23,7 +23,7 @@ pub(in crate::viewer) struct Snapping {
 }
 
 impl Snapping {
-    /// Begins with a position of a view; calls `wake` when done.
+    /// Begins to snap a click at a position of a view; calls `wake` when done.
     pub fn start(
         scene: Scene,
         view: View,

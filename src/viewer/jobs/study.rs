@@ -19,7 +19,7 @@ pub(in crate::viewer) struct Chart {
 }
 
 impl Chart {
-    /// Runs the study's family of a break, and the scene's own rays as `view` has them; calls `wake` when done.
+    /// Runs the study on a break's family of cases, and on the rays of `view` in the scene; calls `wake` when done.
     pub fn start(
         of: &'static Break,
         scene: Scene,

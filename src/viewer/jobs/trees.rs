@@ -9,7 +9,7 @@ use std::{
     thread,
 };
 
-/// A build of a scene's trees. Until they are there, picks try every triangle. Dropping it stops the work.
+/// A build of a scene's trees. Until the trees are there, picks try every triangle. Dropping the build stops it.
 pub(in crate::viewer) struct TreeBuild {
     stop: Arc<AtomicBool>,
 }

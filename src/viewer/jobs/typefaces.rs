@@ -12,14 +12,14 @@ use std::{
 pub(in crate::viewer) struct Missing(Arc<Mutex<BTreeSet<char>>>);
 
 impl Missing {
-    /// Adds one.
+    /// Adds a character.
     pub fn add(&self, character: char) {
         if let Ok(mut all) = self.0.lock() {
             all.insert(character);
         }
     }
 
-    /// Takes all of them.
+    /// Takes all characters.
     fn take(&self) -> BTreeSet<char> {
         self.0
             .lock()
@@ -88,8 +88,8 @@ fn search(wanted: BTreeSet<char>) -> Vec<Typeface> {
     choose(&system, wanted)
 }
 
-/// Typefaces that have these characters: each time the one with most of those left. Of equals, an upright, proportional
-/// one of regular weight.
+/// Typefaces that have these characters. Each time, takes the one that has most of the characters left; among equals, an
+/// upright, proportional one of regular weight.
 fn choose(system: &fontdb::Database, mut wanted: BTreeSet<char>) -> Vec<Typeface> {
     let faces: Vec<_> = system
         .faces()
@@ -142,7 +142,7 @@ mod tests {
     use fontdb::{Database, FaceInfo, ID, Source, Stretch, Style, Weight};
     use std::{collections::BTreeSet, sync::Arc};
 
-    /// The file of a typeface that has these characters: the table that says so, and no outlines.
+    /// The file of a typeface that has these characters. It holds only the table that says so, and no outlines.
     fn file(characters: &str) -> Vec<u8> {
         let characters: BTreeSet<char> = characters.chars().collect();
         let count = u32::try_from(characters.len()).expect("few");
@@ -155,8 +155,8 @@ mod tests {
         words.flat_map(u32::to_be_bytes).collect()
     }
 
-    /// Each script gets a typeface that has it, upright and of regular weight, and a character that none has ends the
-    /// search. The system's own typefaces are not asked.
+    /// Each script gets a typeface that has it, upright and of regular weight. A character that no typeface has ends the
+    /// search. The test does not use the system's own typefaces.
     #[test]
     fn every_script_gets_a_typeface_that_has_it() {
         let scripts = [

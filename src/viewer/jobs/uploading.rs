@@ -7,7 +7,7 @@ use crate::{
     viewer::model::Made,
 };
 
-/// What to upload, and how it is made.
+/// The scene to upload, and how it is made.
 pub(in crate::viewer) enum Making {
     /// A scene as it is.
     Scene(Scene),
@@ -36,14 +36,14 @@ impl Making {
     }
 }
 
-/// A scene with fewer objects and triangles is uploaded, or freed, as fast as a job is started.
+/// A scene with fewer objects and triangles than this is uploaded, or freed, as fast as a job is started.
 pub(in crate::viewer) const LITTLE: usize = 20_000;
 
 /// A scene in graphics memory.
 pub(in crate::viewer) struct Uploaded {
     pub key: SceneKey,
     pub buffers: SceneBuffers,
-    /// Its meshes and earlier ones.
+    /// The scene's meshes and earlier ones.
     pub meshes: MeshStore,
     /// The scene, if the job made it.
     pub made: Option<Made>,
@@ -53,7 +53,7 @@ impl Uploaded {
     /// Uploads a scene, but not the meshes that are there already.
     ///
     /// # Errors
-    /// When it does not fit.
+    /// When the scene does not fit.
     pub fn new(
         gpu: &Gpu,
         scene: &Scene,

@@ -10,10 +10,10 @@ use std::{
     time::{Duration, SystemTime},
 };
 
-/// A file that nothing has happened to for this long counts as completely written.
+/// Files that nothing has happened to for this long count as completely written.
 const QUIET: Duration = Duration::from_millis(300);
 
-/// When a file was changed last and how long it is; `None` while it is not there.
+/// When a file was changed last, and its length; `None` while it is not there.
 type Stamp = Option<(SystemTime, u64)>;
 
 /// Files that are watched.
@@ -39,15 +39,15 @@ impl Watching {
                 log::info!("{}: {error}: not watched", folder.display());
             }
         }
-        // As they are now, before the thread runs.
+        // Taken now, before the thread runs, so that no change is missed.
         let mut known = stamps(&files);
         let (sender, changed) = channel();
         thread::spawn(move || {
             while events.recv().is_ok() {
                 while events.recv_timeout(QUIET).is_ok() {}
                 let now = stamps(&files);
-                // A file that is gone may come back at once; one that was never there, perhaps an MTL file, is not
-                // waited for.
+                // A file that is gone may come back at once, so it is waited for. A file that was never there, perhaps an
+                // MTL file, is not.
                 let mut both = known.iter().zip(&now);
                 let is_whole = both.all(|(known, now)| known.is_none() || now.is_some());
                 if is_whole && now != known {

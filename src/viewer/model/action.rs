@@ -20,7 +20,7 @@ pub enum Action {
     BeginTurn(DVec2),
     /// The cursor moved by this while turning.
     Turn(DVec2),
-    /// The cursor moved by this while turning the scene's camera, wherever it is: also in one of the four views.
+    /// The cursor moved by this while turning the scene's camera. The cursor may be in any of the four views.
     Steer(DVec2),
     /// A pan begins: the point under the cursor will stay under it.
     BeginPan(DVec2),
@@ -33,7 +33,7 @@ pub enum Action {
     /// A double click: the point there becomes pivot and centre; on nothing, frame all. In one of the four views: enlarge
     /// that view, or show all four again.
     Recentre(DVec2),
-    /// The cursor is there; `None` once it has left.
+    /// The cursor is at this position; `None` once it has left the picture.
     Hover(Option<DVec2>),
     /// The cursor rests on the list's row of this object, by index. Sent in each pass while it does: every pass begins by
     /// clearing the highlight.
@@ -71,7 +71,7 @@ pub enum Action {
     },
     /// Show, mark and pick the face or vertex with this number in its file, even where something hides it.
     GoTo(Sought),
-    /// Take that mark away.
+    /// Remove the mark that [`Self::GoTo`] set.
     Unmark,
     /// Give an object this model matrix; does nothing when the matrix has no inverse.
     Place(usize, DAffine3),
@@ -91,7 +91,8 @@ pub enum Action {
     ToggleGrid,
     /// Show or hide an overlay.
     Toggle(Overlay),
-    /// Show the boxes of trees one level deeper, or less deep; beyond the first and the last level, none.
+    /// Show the boxes of the meshes' trees one level deeper, or one level higher. Past the first or the last level, show
+    /// none.
     TreeLevel {
         /// Away from the root.
         deeper: bool,
@@ -117,14 +118,14 @@ pub enum Action {
     Redo,
     /// A slide or drag is over: the next one is an undo step of its own.
     Release,
-    /// Back to what was open before the gallery, as it was; does nothing if nothing was.
+    /// Go back to what was open before the gallery, as it was; does nothing if nothing was open.
     LeaveGallery,
     /// Leave the present camera standing in the world, as lines, or take it away. Does nothing in the four views.
     ToggleFreeze,
 }
 
 impl Action {
-    /// Whether the view jumps, so that undo leads back to where it stood.
+    /// Whether it makes the view jump, so that undo restores the view.
     pub(super) fn jumps(&self) -> bool {
         matches!(
             self,
@@ -144,7 +145,7 @@ impl Action {
         )
     }
 
-    /// Whether a slide or drag may go on across it. Any other action ends the gesture.
+    /// Whether a slide or drag may go on after it. Any other action ends the gesture.
     pub(super) fn may_be_of_a_gesture(&self) -> bool {
         matches!(
             self,
@@ -159,7 +160,7 @@ impl Action {
         )
     }
 
-    /// Whether, in one of the four views, it affects that view alone.
+    /// Whether it is for one of the four views while the mouse is in that view, and not for the camera's picture.
     pub(super) fn is_of_a_pane(&self) -> bool {
         matches!(
             self,
@@ -178,16 +179,16 @@ impl Action {
     }
 }
 
-/// The lens as the panel holds it.
+/// The lens as the panel sets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LensControls {
     /// Vertical field of view in degrees.
     pub fov_deg: f64,
     /// Orthographic in place of perspective.
     pub orthographic: bool,
-    /// Near plane, or fitted to the scene.
+    /// Near plane; `None` fits it to the scene.
     pub near: Option<f64>,
-    /// Far plane, or fitted to the scene.
+    /// Far plane; `None` fits it to the scene.
     pub far: Option<f64>,
     /// What the depth buffer stores.
     pub depth: DepthMapping,

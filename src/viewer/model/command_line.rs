@@ -8,8 +8,8 @@ use crate::{
 use glam::{DVec2, DVec3};
 use std::fmt::Write;
 
-/// `sightline pick` in the view of a click: it answers as the click did. Where a surface behind the first is picked, it
-/// lists all of them.
+/// The `sightline pick` command that repeats a click in its view. Where a surface behind the first is picked, the command
+/// lists all surfaces.
 pub(in crate::viewer) fn pick_command(state: &State, ray: &RayHits) -> String {
     let command = pick_at(state, &ray.view, ray.px);
     if ray.at == 0 {
@@ -19,7 +19,7 @@ pub(in crate::viewer) fn pick_command(state: &State, ray: &RayHits) -> String {
     }
 }
 
-/// `sightline pick` that repeats the pick; without a pick, one in the middle of the camera's picture.
+/// The `sightline pick` command that repeats the pick; without a pick, it picks in the middle of the camera's picture.
 pub(in crate::viewer) fn view_command(state: &State) -> String {
     let view = state.view();
     state.pick_ray().map_or_else(
@@ -28,7 +28,7 @@ pub(in crate::viewer) fn view_command(state: &State) -> String {
     )
 }
 
-/// `sightline verify` with all that the window shows now.
+/// The `sightline verify` command for what the window shows now.
 pub(in crate::viewer) fn verify_command(state: &State) -> String {
     line(state, state.view(), "verify")
 }
@@ -37,7 +37,7 @@ fn pick_at(state: &State, view: &View, at_px: DVec2) -> String {
     format!("{} --at {},{}", line(state, view, "pick"), at_px.x, at_px.y)
 }
 
-/// A command about the scene in a view.
+/// The command line of `command`, for the scene in a view.
 fn line(state: &State, view: &View, command: &str) -> String {
     let camera = &view.camera;
     let lens = camera.lens();
@@ -60,7 +60,7 @@ fn line(state: &State, view: &View, command: &str) -> String {
         fov_y: set_deg.to_radians(),
     };
     match lens.projection {
-        // The panel's own number, unless it is about another view.
+        // The panel's own number, if this view has it.
         projection if projection == set => flag("fov", set_deg.to_string()),
         Projection::Perspective { fov_y } => flag("fov", degrees(fov_y).to_string()),
         Projection::Orthographic { height } => flag("ortho", height.to_string()),

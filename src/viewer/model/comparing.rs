@@ -1,4 +1,4 @@
-//! Clicks by a method of the study, in the gallery.
+//! Clicks in the gallery that a method of the study picks.
 
 use super::{
     showing::Compared,
@@ -29,7 +29,8 @@ impl State {
         self.clicked_s = None;
     }
 
-    /// A click by the method that is set: the object it names is selected, right or wrong, but not as a pick of Sightline.
+    /// A click by the method that is set. The object that it finds is selected, right or wrong, but not as a pick of
+    /// Sightline's.
     pub(super) fn compare(&mut self, px: DVec2) {
         let Some(method) = self.method() else { return };
         let compared = Compared::at(&self.scene, &self.view, &method, px);

@@ -72,7 +72,7 @@ impl State {
         self.record(None, step);
     }
 
-    /// Shows what was hidden of these, and hides what was shown.
+    /// Shows those of these objects that are hidden, and hides the others.
     pub(super) fn toggle(&mut self, objects: &[usize]) {
         self.scene.toggle(objects);
         self.rearranged();

@@ -10,19 +10,19 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// Every surface on the ray of a click, and which of them is picked. It keeps the view of the click, whatever is on screen
-/// by now, but follows the scene: the surfaces are those that a click at `px` of `view` would find now.
+/// Every surface on the ray of a click, and which of them is picked. The view is that of the click, whatever is on screen
+/// by now. The surfaces follow the scene: they are those that a click at `px` of `view` would find now.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RayHits {
     /// The view that the click was in.
     pub view: View,
-    /// Where: the centre of a pixel.
+    /// Where the click was: the centre of a pixel.
     pub px: DVec2,
     /// The surfaces, from front to back.
     pub picks: Vec<Pick>,
     /// The surfaces that drawing cannot tell from the first.
     pub in_one_place: Option<InOnePlace>,
-    /// Which one is picked; meaningless when there are none.
+    /// The index of the surface that is picked; meaningless when there are none.
     pub at: usize,
 }
 
@@ -31,9 +31,9 @@ pub struct RayHits {
 pub enum PickView {
     /// It was made in this view.
     Own,
-    /// It was made in an earlier one; this one may show something else at its pixel, or in front of its point.
+    /// It was made in an earlier view. The view on screen may show something else at its pixel, or in front of its point.
     Earlier,
-    /// It was made in an earlier one, and this one's near, far, culling or section leave its point out.
+    /// It was made in an earlier view. In the view on screen, near, far, culling or the section leaves its point out.
     LeftOut,
 }
 
@@ -49,11 +49,11 @@ pub struct Landmark {
 /// How fine the depth buffer is at a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthSteps {
-    /// Its smallest step there under each mapping, in world units along F.
+    /// The buffer's smallest step there under each mapping, in world units along F.
     pub steps: [(DepthMapping, f64); 2],
     /// The mapping in use.
     pub in_use: DepthMapping,
-    /// The way to the next surface on the ray, along F.
+    /// How far behind it the next surface on the ray is, along F.
     pub next_surface: Option<f64>,
 }
 
@@ -105,7 +105,7 @@ impl RayHits {
 }
 
 impl DepthSteps {
-    /// At a pick through a lens.
+    /// The steps at a pick that is seen through `lens`.
     #[must_use]
     pub fn at(lens: &Lens, pick: &Pick) -> Self {
         let step = |depth| (depth, Lens { depth, ..*lens }.depth_step(pick.depth));

@@ -1,4 +1,4 @@
-//! Scenes made from the one on show and from loaded files: on another thread, where that takes long.
+//! Makes a scene from the one on show and from loaded files. For large scenes, a background job does this.
 
 use crate::scene::{Object, Scene, SceneKey};
 use std::collections::HashMap;
@@ -8,12 +8,12 @@ pub(in crate::viewer) struct Made {
     of: SceneKey,
     /// The scene itself.
     pub scene: Scene,
-    /// For each of its objects the index in the other scene; [`Made::with`] leaves it empty.
+    /// For each of its objects, the index in the scene that it was made from; [`Made::with`] leaves this empty.
     was: Vec<Option<usize>>,
 }
 
 impl Made {
-    /// The objects of a scene, and after them those that were added.
+    /// A scene with the objects of `added` after its own.
     pub fn with(scene: &Scene, added: &Scene) -> Self {
         let objects = scene.objects().iter().chain(added.objects());
         Self {
@@ -23,8 +23,8 @@ impl Made {
         }
     }
 
-    /// What the files of a scene hold now. Hidden objects stay hidden, matched by name: an object stands for the old one at
-    /// the same index if that has its name, else for the first old one that has it.
+    /// What the files of a scene hold now. Objects keep their visibility, and are matched by name: an object takes the place
+    /// of the old one at the same index if that has the same name, else of the first old one that has it.
     pub fn again(scene: &Scene, mut now: Scene) -> Self {
         let old = scene.objects();
         let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())
@@ -54,7 +54,7 @@ impl Made {
         self.of.is_of(scene)
     }
 
-    /// The index here of an object of the other scene.
+    /// The index that an object of the scene before has now.
     pub fn became(&self, object: usize) -> Option<usize> {
         self.was.iter().position(|was| *was == Some(object))
     }

@@ -15,7 +15,7 @@ pub struct Matrices {
     pub projection: DMat4,
 }
 
-/// One of the three.
+/// One of the three matrices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Matrix {
     /// M.
@@ -26,7 +26,7 @@ pub enum Matrix {
     Projection,
 }
 
-/// A row of one of them, counted from 0: it makes one coordinate of the result.
+/// A row of a matrix, counted from 0. It makes one coordinate of the result.
 pub type Row = (Matrix, usize);
 
 /// A point in every space that it passes through.
@@ -44,12 +44,12 @@ pub struct Steps {
     pub ndc: DVec3,
     /// NDC as a position in the picture, y down.
     pub px: DVec2,
-    /// Back: the ray through that position.
+    /// The way back: the ray through that position.
     pub ray: Ray,
 }
 
 impl Matrices {
-    /// The matrices in use for an object; the identity stands for M where there is none.
+    /// The matrices in use for an object; without one, M is the identity.
     #[must_use]
     pub fn of(view: &View, object: Option<&Object>) -> Self {
         Self {

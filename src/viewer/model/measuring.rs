@@ -45,9 +45,9 @@ impl What {
 pub struct Entry {
     /// What was measured.
     pub what: &'static str,
-    /// Of what.
+    /// The points, edge, face or object that was measured.
     pub of: String,
-    /// In world units, and how far it may be off.
+    /// The value in world units, and how far it may be off.
     #[serde(flatten)]
     pub measured: Measured,
     /// The scene has changed since: a file was read again, or something was moved.
@@ -55,7 +55,7 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// What the list adds to it.
+    /// What the list adds after the value.
     #[must_use]
     pub fn remark(&self) -> &'static str {
         if self.outdated {
@@ -66,7 +66,7 @@ impl Entry {
     }
 }
 
-/// What was measured, and what can be.
+/// The list of measures, and the points that can be measured next.
 #[derive(Clone, Debug, Default)]
 pub struct Measuring {
     /// Whether clicks snap to vertices and edges.
@@ -80,7 +80,7 @@ pub struct Measuring {
 }
 
 impl Measuring {
-    /// Clicks snap to a vertex or an edge within so many pixels.
+    /// Clicks snap to a vertex or an edge within this many pixels.
     pub const RADIUS_PX: f64 = 8.0;
 
     /// The measure of the last points; `None` where they do not give it.
@@ -162,7 +162,7 @@ impl Snap {
     }
 }
 
-/// Something that is done to the list. All but the first can be undone.
+/// A change to the list of measures, or to whether clicks snap. All but [`Self::Toggle`] can be undone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeasureAction {
     /// Snap clicks to vertices and edges, or stop that.

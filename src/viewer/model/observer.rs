@@ -12,9 +12,9 @@ const FOV_Y: f64 = 0.6;
 pub(super) const TURN_PER_PX: f64 = 0.008;
 /// The share of a view that framed points fill: labels need the rest.
 const FILLED: f64 = 0.8;
-/// Framing approaches that share in so many steps.
+/// Framing comes close to that share in this many steps.
 const STEPS: u32 = 5;
-/// Points that are framed.
+/// The points that a view frames.
 pub(super) type Points = [DVec3; 17];
 
 /// An observer, in the right-handed space that its stage is drawn in.
@@ -84,7 +84,7 @@ impl Observer {
         self.framed.is_some()
     }
 
-    /// Looks along an axis: from a direction in the space itself.
+    /// Looks from a direction that is given in the stage's own space, such as that of an axis.
     pub fn look_from(&mut self, to_eye: DVec3) {
         let direction = self.up_axis.frame().transpose() * to_eye;
         self.orbit.look_from(self.up_axis, direction);
@@ -127,8 +127,8 @@ impl Observer {
         self.orbit.camera(LENS).ok()
     }
 
-    /// The view in the space of the scene that is drawn, where `to_scene`, a rotation and a translation, leads. Near and far
-    /// are fitted to `bounds` there. `None` where the eye is too far away to tell it from its target.
+    /// The view in the space of the scene that is drawn. `to_scene`, a rotation and a translation, leads to that space. Near
+    /// and far are fitted to `bounds` there. `None` where rounding puts the eye on its target.
     pub fn view(&self, to_scene: &DAffine3, bounds: &Aabb, sides: Sides) -> Option<View> {
         let camera = self.camera()?;
         let [eye, target] = [camera.eye(), camera.target()].map(|at| to_scene.transform_point3(at));

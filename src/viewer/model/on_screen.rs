@@ -1,8 +1,8 @@
-//! What decides the ids that a picture shows.
+//! What decides which objects and triangles a picture shows.
 
 use crate::camera::View;
 
-/// All that object and triangle at each pixel depend on.
+/// All that the object and the triangle at each pixel depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::viewer) struct OnScreen {
     pub view: View,

@@ -19,8 +19,8 @@ use crate::{
 use std::{mem, path::PathBuf};
 
 impl State {
-    /// Shows a scene in a rectangle of this size. What `choice` leaves open of the camera is the scene's own, or else frames
-    /// the scene. An invalid section is left out.
+    /// Shows a scene in a rectangle of this size. What `choice` leaves open, the scene's own camera decides; what both leave
+    /// open is chosen so that the scene is in view. An invalid section is left out.
     ///
     /// # Errors
     /// When the choices make no valid camera.
@@ -87,8 +87,8 @@ impl State {
         })
     }
 
-    /// Shows another scene, loaded from these files; the window's settings stay. A scene of the gallery can be undone, back
-    /// to what was open; any other begins a new history.
+    /// Shows another scene, loaded from these files; the window's settings stay. Undo leads back from a scene of the gallery
+    /// to what was open; any other scene begins a new history.
     ///
     /// # Errors
     /// When the scene's own camera is invalid; then everything stays as it was.
@@ -110,7 +110,7 @@ impl State {
             let mut before = before;
             let fresh = self.timeline.fresh();
             before.timeline = mem::replace(&mut self.timeline, fresh);
-            // What was never drawn, or is empty, is nothing to go back to.
+            // If the scene before was never drawn, the one before that is kept. An empty scene is not kept.
             let drawn = before.replaced.take().unwrap_or(before);
             self.replaced = Some(drawn).filter(|drawn| !drawn.scene.objects().is_empty());
         }
@@ -120,8 +120,8 @@ impl State {
         Ok(())
     }
 
-    /// Gives the picture this size. While view and scene are as they were opened, the opening view is made anew for it: all
-    /// of the scene is in view, whatever size the window turns out to have.
+    /// Gives the picture this size. While view and scene are as they were opened, the opening view is computed again for this
+    /// size: so all of the scene is in view, whatever size the window turns out to have.
     pub(super) fn resize(&mut self, viewport: Viewport) {
         let is_as_opened = self.opened_at == Some(self.viewpoint()) && self.edits == self.filed;
         if mem::replace(&mut self.view.viewport, viewport) == viewport {
@@ -131,7 +131,7 @@ impl State {
             self.view_as_opened();
         }
         if self.frozen.is_some() {
-            // Near holds what the picture shows of it.
+            // Near depends on which of its corners the picture shows.
             self.fit();
         }
         if is_as_opened {
@@ -153,7 +153,7 @@ impl State {
         }
     }
 
-    /// The scene is drawn: gives up the one before it.
+    /// The scene was drawn: gives up the one before it.
     pub(in crate::viewer) fn accepted(&mut self) {
         let before = self.replaced.take();
         self.unused.extend(before.map(|before| before.scene));
@@ -164,7 +164,7 @@ impl State {
         mem::take(&mut self.unused)
     }
 
-    /// The scene cannot be drawn: goes back to what was shown before. Returns whether there was something.
+    /// The scene cannot be drawn: goes back to what was shown before. Returns whether there was anything.
     pub(in crate::viewer) fn refused(&mut self) -> bool {
         if let Some(mut before) = self.replaced.take() {
             let timeline = mem::take(&mut before.timeline);
@@ -184,7 +184,7 @@ impl State {
         self.reload_as(loaded, None);
     }
 
-    /// The same; `made` is the resulting scene, where another thread has made it.
+    /// Does what [`Self::reload`] does. `made` is the resulting scene, if another thread has made it.
     pub(in crate::viewer) fn reload_as(&mut self, loaded: Loaded, made: Option<Made>) {
         if self.showing().map(|showing| showing.exhibit) != loaded.exhibit {
             self.showing = loaded.exhibit.map(Showing::new);
@@ -239,7 +239,7 @@ impl State {
         }
     }
 
-    /// A snapshot was saved: its scene, on show or left for the gallery, belongs to these files from now on.
+    /// A snapshot was saved: from now on its scene, which is on show or was left for the gallery, belongs to these files.
     pub(in crate::viewer) fn saved(&mut self, snapshot: &Snapshot, source: Source) {
         let steps = self.timeline.all_mut();
         let left = steps.filter_map(|step| match step {

@@ -2,8 +2,8 @@
 
 use crate::camera::{CameraChoice, Orbit};
 
-/// How high the orthographic picture is: `height` world units where the orbit's distance is `distance`, exactly, and in
-/// proportion at others.
+/// How high the orthographic picture is: exactly `height` world units where the orbit's distance is `distance`, and in
+/// proportion at other distances.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct OrthoHeight {
     height: f64,
@@ -11,7 +11,7 @@ pub(super) struct OrthoHeight {
 }
 
 impl OrthoHeight {
-    /// As high as perspective shows what lies at the target.
+    /// As high as a perspective picture is at the target.
     pub fn of_perspective(fov_deg: f64) -> Self {
         Self {
             height: 2.0 * (0.5 * fov_deg.to_radians()).tan(),

@@ -65,9 +65,9 @@ impl Overlay {
 /// Which overlays show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Overlays {
-    /// A bit for each.
+    /// A bit for each [`Overlay`].
     shown: u32,
-    /// Boxes of the meshes' trees, so many levels below the root.
+    /// The level below the root whose boxes of the meshes' trees show.
     pub tree_level: Option<u32>,
 }
 
@@ -94,7 +94,7 @@ impl Overlays {
         self
     }
 
-    /// The same with the tree level after, or before.
+    /// The same with the next tree level, or with the one before.
     pub(super) fn next_tree_level(self, deeper: bool) -> Self {
         let tree_level = match (self.tree_level, deeper) {
             (None, true) => Some(0),
@@ -105,7 +105,7 @@ impl Overlays {
         Self { tree_level, ..self }
     }
 
-    /// Whether one of them is drawn with the scene.
+    /// Whether any overlay that shows is drawn with the scene.
     pub(in crate::viewer) fn in_scene(self) -> bool {
         let mut all = Overlay::ALL.into_iter();
         all.any(|overlay| self.shows(overlay) && overlay.is_in_scene()) || self.tree_level.is_some()

@@ -12,8 +12,8 @@ use crate::{
 use glam::DVec2;
 
 impl State {
-    /// Selects what lies at a pixel: the nearest surface, or for a click on the same pixel of the same picture the next one
-    /// behind. The second click of a double click selects the nearest again.
+    /// Selects what lies at a pixel: the nearest surface, or, for another click on the same pixel of the same picture, the
+    /// next one behind. The second click of a double click selects the nearest again.
     pub(super) fn click(&mut self, px: DVec2, time_s: f64) -> Option<PickLine> {
         let px = pixel_centre(px);
         let view = self.seen_view();

@@ -1,9 +1,9 @@
-//! What the window remembers about sections beside the one that the view holds.
+//! What the window remembers about sections, besides the one in the view.
 
 use crate::geometry::Section;
 use glam::DVec3;
 
-/// What turns a section on again, and what one by three points waits for.
+/// The section to turn on again, and the picks so far for a section by three points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct SectionMemory {
     /// The section that was turned off last.

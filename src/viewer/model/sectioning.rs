@@ -1,4 +1,4 @@
-//! The section in the window: where it can be laid, and how it is turned on again. The view holds it.
+//! The section in the window: where it can be laid, and how it is turned off and on. The view holds it.
 
 use super::state::State;
 use crate::{

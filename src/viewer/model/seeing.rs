@@ -26,8 +26,8 @@ impl State {
         self.seen = seen;
     }
 
-    /// The view of the picture on screen, which the user points into; the present view where that picture still shows other
-    /// objects, or objects in other places, which cannot be picked any more.
+    /// The view of the picture on screen, which the user points into. If that picture still shows objects that are gone or
+    /// have moved, nobody can pick them any more: then it is the present view.
     pub(super) fn seen_view(&self) -> View {
         let now = self.to_show();
         let is_of_these = |seen: &OnScreen| {

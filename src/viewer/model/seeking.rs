@@ -7,7 +7,8 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// In `f64` a ray at a vertex may miss all of its triangles. So it is tried at these shares of the way to the middle of one.
+/// In `f64`, a ray at a vertex may miss all of its triangles. So rays are tried at these shares of the way from the vertex
+/// to the middle of one triangle.
 const ASIDE: [f64; 3] = [0.0, 1.0 / 16_777_216.0, 1.0 / 4096.0];
 
 impl State {
@@ -97,7 +98,7 @@ impl State {
         (view.viewport.contains(at.px) && is_between).then_some(at.px)
     }
 
-    /// The hits on a ray at the point, or next to it, that meets the sought triangle, which is picked.
+    /// The hits on a ray at the point, or next to it, that meets the sought triangle. That triangle is the picked one.
     fn pick_of(&self, sought: &Sought, point_world: DVec3) -> Option<RayHits> {
         let at = self.in_picture(point_world)?;
         let object = &self.scene.objects()[sought.object];

@@ -26,7 +26,7 @@ pub struct Showing {
 pub struct Compared {
     /// The view that the click was in.
     pub view: View,
-    /// Where: the centre of a pixel.
+    /// Where the click was: the centre of a pixel.
     pub px: DVec2,
     /// What the method picks.
     pub theirs: Option<Found>,
@@ -54,7 +54,7 @@ pub struct Distance {
     pub px: f64,
     /// Between the points, in world units.
     pub world: f64,
-    /// The same over the distance from the eye.
+    /// The same, divided by the distance from the eye.
     pub relative: f64,
     /// Between the outward normals, in degrees.
     pub normal_deg: f64,
@@ -69,7 +69,7 @@ impl Fault {
 }
 
 impl Distance {
-    /// Whether anybody would see it: half a pixel, a degree, a ten-thousandth of the distance.
+    /// Whether anybody would see it: half a pixel, a degree or a ten-thousandth of the distance is enough.
     #[must_use]
     pub fn shows(&self) -> bool {
         // NaN counts as visible.
@@ -101,7 +101,7 @@ impl Showing {
         swaps.get((now.unwrap_or(own) + step) % (own + 1)).copied()
     }
 
-    /// The entry for the present method among what breaks here: its own, else one of its step, else the first.
+    /// Which of the breaks on this scene to show: the present method's own, else one of the same step, else the first.
     #[must_use]
     pub fn subject(&self) -> Option<&'static Break> {
         let breaks = || gallery::breaks_on(self.exhibit.name);

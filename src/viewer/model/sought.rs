@@ -12,7 +12,7 @@ pub enum Numbered {
 }
 
 impl Numbered {
-    /// As panels and marks write it.
+    /// Its name in panels and marks.
     #[must_use]
     pub fn name(self) -> String {
         match self {
@@ -29,7 +29,7 @@ pub struct Sought {
     pub of: Numbered,
     /// The index of the object that it is on.
     pub object: usize,
-    /// One of the object's triangles that has it.
+    /// One of the object's triangles that contain it.
     pub triangle: u32,
     /// The vertex, or a point inside the face.
     pub point: PlacedPoint,

@@ -1,4 +1,4 @@
-//! The stages of the pipeline, and the scene at its last one: after P V M and the division by w.
+//! The stages of the pipeline, and the scene at the last stage: after P V M and the division by w.
 
 use crate::{
     camera::{DepthMapping, Lens, View},
@@ -46,13 +46,13 @@ impl Stage {
 const RINGS: u32 = 24;
 /// The same where there are very many.
 const LEAST_RINGS: u32 = 4;
-/// Between these, all spheres of a scene together have about twice so many quadrilaterals.
+/// Between these limits, all spheres of a scene together have about twice this many quadrilaterals.
 const SPHERE_QUADS: usize = 500_000;
 /// Edges of a projected shape that bend by more than this stay sharp. Radians.
 const CREASE: f32 = 0.5;
 
-/// The scene in NDC as it is drawn, see `ndc_drawn`: the same objects in the same order as parts of one mesh, clipped at the
-/// near plane. An object of which nothing is left is hidden.
+/// The scene in NDC as it is drawn, see `ndc_drawn`: the same objects in the same order as parts of one mesh, clipped by the
+/// section and at the near plane. An object of which nothing is left is hidden.
 #[must_use]
 pub fn projected(scene: &Scene, view: &View) -> Scene {
     let mut data = MeshData::default();
@@ -84,13 +84,13 @@ pub fn projected(scene: &Scene, view: &View) -> Scene {
     Scene::new(objects.collect())
 }
 
-/// Where a view space point is drawn in NDC: at x, y and minus z of standard depth, whatever the lens stores. So the near
-/// face is towards the viewer and nothing is mirrored: view space is left-handed, the space drawn in is right-handed.
+/// Where a view space point is drawn in NDC: at x, y and minus the z of standard depth, whatever depth the lens stores. So
+/// the near face is towards the viewer. Nothing is mirrored: view space is left-handed, the space drawn in is right-handed.
 pub(super) fn ndc_drawn(p_view: DVec3, half: DVec2, lens: &Lens) -> DVec3 {
     (p_view.truncate() / (half * lens.w(p_view.z))).extend(-lens.ndc_depth(p_view.z))
 }
 
-/// The view space point that is drawn there: the inverse of [`ndc_drawn`].
+/// The view space point that is drawn at `at`: the inverse of [`ndc_drawn`].
 pub(super) fn view_of_ndc_drawn(at: DVec3, half: DVec2, lens: &Lens) -> DVec3 {
     let (a, b) = lens.depth_row();
     let depth = if lens.is_orthographic() {
@@ -161,7 +161,7 @@ fn project(object: &Object, view: &View, rings: u32, data: &mut MeshData) -> Opt
     Some(data.parts.len() - 1)
 }
 
-/// The vertex at a position, added where it is new: shared, so that shading stays smooth.
+/// The index of the vertex at a position, which is added if it is new. Triangles share it, so that shading stays smooth.
 fn vertex(
     positions: &mut Vec<[f32; 3]>,
     known: &mut HashMap<[u32; 3], u32>,
@@ -173,7 +173,7 @@ fn vertex(
     })
 }
 
-/// The triangles of an object in its own space, each with its colour. A sphere has so many rings.
+/// The triangles of an object in its own space, each with its colour. A sphere gets `rings` rings.
 fn surface(object: &Object, rings: u32) -> Vec<([DVec3; 3], Srgb)> {
     let own = object.colour.unwrap_or(Srgb::NEUTRAL);
     let quads = |quads: Vec<[DVec3; 4]>| {

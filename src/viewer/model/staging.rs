@@ -39,7 +39,7 @@ impl State {
         }
     }
 
-    /// One of the four views large, or, where one is, all four again.
+    /// This one of the four views large, or, if one is large, all four again.
     pub(in crate::viewer) fn views_with_other_size(&self, stage: Stage) -> Views {
         match self.views() {
             Views::One(_) => Views::Four,
@@ -198,8 +198,8 @@ impl State {
         with_frustum(self.scene.visible_bounds(), self.view)
     }
 
-    /// How a stage is seen, in the space of the scene that it shows: for the view stage that is the world's. `None` while
-    /// the views are closed.
+    /// The view of a stage's observer, in the space of the scene that the stage shows. The view stage shows the scene in the
+    /// world. `None` while the views are closed.
     #[must_use]
     pub fn pane_view(&self, stage: Stage) -> Option<View> {
         let panes = self.panes.as_ref()?;
@@ -211,7 +211,7 @@ impl State {
         };
         let observer = &panes.observers[stage as usize];
         let view = observer.view(&self.drawn_to_scene(stage), &bounds, self.view.sides)?;
-        // A lone object is shown whole, and NDC was cut as it was made.
+        // A lone object is shown whole. NDC was cut when it was made.
         let section = match stage {
             Stage::World | Stage::View => self.view.section,
             Stage::Object => None,
@@ -225,7 +225,7 @@ impl State {
     }
 
     /// From the right-handed space that a stage is drawn in to that of its scene. View space is left-handed, (right, up,
-    /// forward), and is drawn as (right, up, backward): the same places by other coordinates.
+    /// forward), and is drawn as (right, up, backward): the same places in other coordinates.
     pub(super) fn drawn_to_scene(&self, stage: Stage) -> DAffine3 {
         let camera = &self.view.camera;
         match stage {
@@ -288,7 +288,7 @@ impl State {
     }
 }
 
-/// The corners of a box with room for axes about it.
+/// The corners of a box, grown to leave room for axes.
 fn with_axes(bounds: &Aabb) -> Points {
     let room = DVec3::splat(0.25 * bounds.radius());
     corners_of(&Aabb {

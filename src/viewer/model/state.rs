@@ -85,11 +85,11 @@ pub(super) struct Cleared {
 /// Which edits a scene has. Each edit sets a new number: equal numbers mean an equal scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Edits {
-    /// Of model matrices.
+    /// The number of the last edit of a model matrix.
     pub matrices: u64,
-    /// Of what is hidden.
+    /// The number of the last change of what is hidden.
     pub visibility: u64,
-    /// Of which objects there are.
+    /// The number of the last change of which objects there are.
     pub objects: u64,
 }
 
@@ -102,13 +102,13 @@ pub(super) enum Step {
         edits: Edits,
         chosen: Chosen,
     },
-    /// These objects were the other way, hidden or shown.
+    /// These objects were hidden if they are shown now, and shown if they are hidden now.
     Shown {
         objects: Vec<usize>,
         edits: Edits,
         chosen: Chosen,
     },
-    /// There were these objects.
+    /// The scene had these objects.
     Composed {
         scene: Scene,
         source: Source,
@@ -117,7 +117,7 @@ pub(super) enum Step {
     },
     /// The view was there.
     Viewpoint(Viewpoint),
-    /// This was measured.
+    /// The list of measures was this.
     Measured(Vec<Entry>),
     /// Another scene was open, with all of its state.
     Open(Box<State>),
@@ -148,7 +148,7 @@ pub struct State {
     /// What was shown before, until this scene is known to be drawn.
     pub(super) replaced: Option<Box<State>>,
     pub(super) orbit: Orbit,
-    /// The world's.
+    /// Which of the world's axes points up.
     pub(super) up_axis: UpAxis,
     pub(super) controls: LensControls,
     pub(super) ortho: OrthoHeight,
@@ -185,7 +185,7 @@ pub struct State {
     pub(super) panes: Option<Box<Panes>>,
     /// The row of a matrix that the cursor rests on.
     pub(super) row: Option<Row>,
-    /// The gallery's scene that this is.
+    /// The scene of the gallery, if this is one.
     pub(super) showing: Option<Showing>,
     /// Scenes that were given up, to be freed elsewhere: freeing large ones takes long.
     pub(super) unused: Vec<Scene>,
@@ -246,20 +246,21 @@ impl State {
         Some(self.selection.as_ref()?.object)
     }
 
-    /// The hit that is picked, of the selected object.
+    /// The picked hit on the selected object.
     #[must_use]
     pub fn picked(&self) -> Option<&Pick> {
         self.selection.as_ref()?.pick.as_ref()?.hit.as_ref()
     }
 
-    /// Whether the scene differs from its files by more than what is hidden: by a model matrix, or by an object that is from
-    /// none of them.
+    /// Whether the scene differs from its files in a model matrix, or has an object that is in none of them. What is hidden
+    /// does not count.
     #[must_use]
     pub fn edited(&self) -> bool {
         self.edits.matrices != self.filed.matrices
     }
 
-    /// The scenes with edits that closing the window would lose: those left for the gallery, in that order, then this one.
+    /// The scenes with edits that closing the window would lose: first those left for the gallery, oldest first, then this
+    /// one.
     pub(in crate::viewer) fn unsaved_scenes(&self) -> Vec<&Self> {
         let left = self.timeline.past().iter().filter_map(|step| match step {
             Step::Open(state) => Some(&**state),
@@ -294,7 +295,7 @@ impl State {
         &self.source
     }
 
-    /// The highlighted object: the one whose row in the list is under the cursor, else the one under the cursor.
+    /// The highlighted object: the one whose row in the list is under the cursor, else the one under the cursor in the picture.
     #[must_use]
     pub fn hover(&self) -> Option<usize> {
         let under_cursor = || self.cursor?.hit.map(|(object, _)| object);
@@ -328,13 +329,13 @@ impl State {
         self.frozen.as_ref()
     }
 
-    /// The gallery's scene that this is, and by which method it is picked from.
+    /// The scene of the gallery, if this is one, and the method that picks in it.
     #[must_use]
     pub fn showing(&self) -> Option<&Showing> {
         self.showing.as_ref()
     }
 
-    /// The study's method that picks now; `None` for Sightline's own, which alone picks in the four views.
+    /// The study's method that picks now; `None` for Sightline's own. In the four views only Sightline's own picks.
     #[must_use]
     pub fn method(&self) -> Option<Swap> {
         let showing = self.showing.as_ref().filter(|_| self.panes.is_none());

@@ -19,7 +19,7 @@ pub(in crate::viewer) struct Subject<'a> {
     pub revision: u64,
     /// Changes whenever objects are shown, hidden or moved.
     pub visibility: u64,
-    /// Of the scene.
+    /// The view that the scene is drawn through.
     pub view: View,
     /// Indices of its objects: what is selected, and what is lit.
     pub selection: Option<usize>,
@@ -28,11 +28,11 @@ pub(in crate::viewer) struct Subject<'a> {
     /// The up axis of the grid, where it shows.
     pub grid: Option<UpAxis>,
     pub frozen: Option<Frozen>,
-    /// Which of the four views it is.
+    /// What one of the four views adds; `None` for the camera's picture.
     pub lesson: Option<Lesson>,
 }
 
-/// A stage, and what stands there beside the scene.
+/// What is drawn at a stage besides the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(
     clippy::large_enum_variant,

@@ -1,6 +1,6 @@
 //! The history: steps that can be undone, and steps that can be redone.
 
-/// Steps beyond these are forgotten, the oldest first.
+/// The history keeps this many steps; older ones are forgotten first.
 const MOST: usize = 256;
 
 /// A slide or a drag: all its changes are one step.
@@ -14,7 +14,7 @@ pub(super) enum Gesture {
     Place(usize),
 }
 
-/// A step `S` takes one change back, and taking it leaves a step that makes the change again.
+/// The history. A step `S` takes one change back, and taking it leaves a step that makes the change again.
 pub(super) struct Timeline<S> {
     past: Vec<S>,
     future: Vec<S>,
@@ -40,8 +40,8 @@ impl<S> Timeline<S> {
         self.marks
     }
 
-    /// Adds the step that takes back what was just done; of a gesture, only that of its first change. Steps for which `stays`
-    /// holds are never forgotten.
+    /// Adds the step that takes back what was just done. Within a gesture, only the first change adds a step. Steps for which
+    /// `stays` holds are never forgotten.
     pub fn push(&mut self, gesture: Option<Gesture>, step: S, stays: impl Fn(&S) -> bool) {
         if gesture.is_some() && self.gesture == gesture {
             return;
@@ -107,7 +107,7 @@ impl<S> Timeline<S> {
         self.gesture = None;
     }
 
-    /// One without steps, whose marks go on counting.
+    /// A history without steps, whose marks go on counting.
     pub fn fresh(&self) -> Self {
         Self {
             marks: self.marks,

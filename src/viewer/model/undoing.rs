@@ -14,25 +14,25 @@ impl Step {
 }
 
 impl State {
-    /// Keeps the step that takes back what was just done; of a gesture, only that of its first change.
+    /// Keeps the step that takes back what was just done. Within a gesture, only the first change leaves a step.
     pub(super) fn record(&mut self, gesture: Option<Gesture>, step: Step) {
         self.timeline.push(gesture, step, Step::leads_out);
     }
 
-    /// Keeps where the view stood, if it has moved.
+    /// Keeps a step back to where the view stood, if it has moved.
     pub(super) fn record_viewpoint(&mut self, gesture: Option<Gesture>, was: &Viewpoint) {
         if *was != self.viewpoint() {
             self.record(gesture, Step::Viewpoint(*was));
         }
     }
 
-    /// The scene was read again: forgets its own steps, and keeps those back out of the gallery.
+    /// The scene was read again: forgets its own steps, and keeps those that lead to scenes before it.
     pub(super) fn forget_own_steps(&mut self) {
         self.timeline
             .forget_after(|step| matches!(step, Step::Open(_)));
     }
 
-    /// Takes back the last change, or makes again the last that was taken back. Returns whether there was one.
+    /// Takes back the last change, or makes the change again that was taken back last. Returns whether there was one.
     pub(super) fn step_in_time(&mut self, back: bool) -> bool {
         let Some(step) = self.timeline.take(back) else {
             return false;
@@ -138,7 +138,7 @@ impl State {
         other
     }
 
-    /// Numbers an edit that is not in the file; returns the numbers before it.
+    /// Gives an edit a number that the file does not have; returns the numbers before the edit.
     pub(super) fn edit(&mut self, which: impl FnOnce(&mut Edits) -> &mut u64) -> Edits {
         let before = self.edits;
         let mark = self.timeline.mark();

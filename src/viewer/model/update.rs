@@ -12,7 +12,7 @@ use crate::{
 };
 
 impl State {
-    /// Does what the user asks for. An action that picks returns its pick; one that is impossible changes nothing; one that
+    /// Does what the user asks for. An action that picks returns its pick. An impossible action changes nothing. An action that
     /// can be undone leaves a step that takes it back.
     pub fn apply(&mut self, action: Action) -> Option<PickLine> {
         if !action.may_be_of_a_gesture() {

@@ -37,7 +37,7 @@ fn corners(view: &View) -> impl Iterator<Item = DVec3> {
     frustum.chain([view.camera.eye()])
 }
 
-/// Whether two views have the same picture, near and far planes apart.
+/// Whether two views have the same picture, apart from near and far planes.
 fn looks_alike(a: &View, b: &View) -> bool {
     let [a_lens, b_lens] = [a, b].map(|view| *view.camera.lens());
     a_lens.projection == b_lens.projection
@@ -117,10 +117,10 @@ impl State {
         camera.with_lens(lens)
     }
 
-    /// Near and far for a view's pose, projection and picture. They hold the visible scene and, of a frozen frustum,
-    /// far holds every corner and near those that the picture shows: if near held all, it would lie as close as the
-    /// frozen eye. So near may cut edges that leave the picture. A view that is the frozen one sees its own frustum
-    /// end on, along the picture's rim: freezing changes neither plane.
+    /// Near and far for a view's pose, projection and picture. The visible scene lies between them. Far lies behind every
+    /// corner of a frozen frustum, near only in front of the corners that the picture shows: in front of all corners, it
+    /// would be as close as the frozen eye. So near may cut edges that leave the picture. A view like the frozen one sees
+    /// that frustum end on, along the picture's rim, and ignores it: freezing changes neither plane.
     pub(super) fn planes(&self, view: &View, controls: &LensControls) -> (f64, f64) {
         let (bounds, camera) = (self.scene.visible_bounds(), &view.camera);
         let (mut near, mut far) = fit_near_far(camera, &bounds, controls.near, controls.far);
@@ -160,7 +160,7 @@ impl State {
         };
         self.up_axis = choice.up_axis.unwrap_or(self.up_axis);
         self.controls = LensControls {
-            // An orthographic camera has none.
+            // An orthographic camera has no field of view.
             fov_deg: choice.fov.unwrap_or(self.controls.fov_deg),
             ..LensControls::of(&choice)
         };
@@ -235,7 +235,7 @@ impl State {
         Some(ray.at(self.quick_hit(&ray)?.hit.t))
     }
 
-    /// The world point that zoom and pan keep at a position: on the surface there, else as deep as the pivot.
+    /// The world point that zoom and pan keep at a position of the picture: on the surface there, else as deep as the pivot.
     pub(super) fn point_at(&self, px: DVec2) -> DVec3 {
         if let Some(point_world) = self.surface_at(px) {
             return point_world;
@@ -251,7 +251,7 @@ impl State {
         ray.at(depth / ray.direction.dot(self.view.camera.forward()))
     }
 
-    /// Near and far that were set by hand follow the scene again where they would leave nothing of a box in view.
+    /// If near and far were set by hand and would leave nothing of a box in view, they are fitted to the scene again.
     pub(super) fn free_planes_for(&mut self, bounds_world: &Aabb) {
         let is_set = self.controls.near.is_some() || self.controls.far.is_some();
         if is_set && !bounds_world.is_empty() && !self.view.may_see(bounds_world) {

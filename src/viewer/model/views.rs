@@ -26,20 +26,20 @@ pub const NDC_DRAWN: Aabb = Aabb {
 /// The four views.
 pub(super) struct Panes {
     pub large: Option<Stage>,
-    /// The view that the mouse actions that follow are in.
+    /// The view that the next mouse actions are in.
     pub entered: Option<Stage>,
     pub observers: [Observer; 4],
-    /// The document that they were framed for.
+    /// The document that the views were framed for.
     pub of: Option<u64>,
     /// The object whose space is shown.
     pub object: Option<usize>,
     pub alone: Staged,
     pub ndc: Staged,
-    /// When one of them was clicked last.
+    /// When one of the views was clicked last.
     pub clicked_s: Option<f64>,
-    /// Where, and how its view stood.
+    /// Which view was clicked last, where, and how that view stood.
     pub clicked_at: Option<(Stage, DVec2, View)>,
-    /// A point that was clicked where the scene's camera does not see it: its object, and the point in that object's space.
+    /// A clicked point that the scene's camera does not see: its object, and the point in that object's space.
     pub point: Option<(usize, DVec3)>,
 }
 
@@ -52,21 +52,21 @@ pub(super) struct Staged {
     pub revision: u64,
 }
 
-/// What such a scene is made from.
+/// What a [`Staged`] scene is made from.
 #[derive(Clone, Copy, PartialEq)]
 #[expect(
     clippy::large_enum_variant,
     reason = "one at a time, and a view is most of one"
 )]
 pub(in crate::viewer) enum Source {
-    /// An object of a scene, of which only colour and shape count.
+    /// A scene's revision, and the index of one object. Only the object's colour and shape count.
     Alone(u64, usize),
-    /// A scene through a view.
+    /// A scene's two revisions, and the view that it is seen through.
     Through([u64; 2], View),
 }
 
 impl Staged {
-    /// Takes another, and gives up the one before.
+    /// Takes another scene, and gives up the one before.
     pub fn take(&mut self, scene: Scene, of: &Source, unused: &mut Vec<Scene>) {
         unused.push(mem::replace(&mut self.scene, scene));
         self.of = Some(*of);

@@ -1,4 +1,4 @@
-//! What is begun: a picture of the scene, by rays or in pieces; the mask of a selection; smooth edges.
+//! Begins what is drawn next: a picture of the scene, by rays or in pieces; the mask of a selection; or smooth edges.
 
 use super::{
     brush::Brush,
@@ -46,7 +46,7 @@ impl ScenePicture {
     }
 
     /// Begins the mask of a selected object, which the picture on screen lacks. If rays find the mask in time, it is
-    /// shown at once. They are tried for each click: one that is late costs little beside drawing such a mask.
+    /// shown at once. Rays are tried for each click: late rays cost little beside drawing such a mask.
     fn begin_mask(
         &mut self,
         brush: &mut Brush,
@@ -85,8 +85,8 @@ impl ScenePicture {
         begun
     }
 
-    /// Begins a new picture of the scene, or shows it if it moves and rays find it. `refines`: it is of what the picture
-    /// on screen shows.
+    /// Begins a new picture of the scene, or shows it at once if it moves and rays find it in time. `refines`: the picture
+    /// on screen shows the same.
     fn begin_scene(
         &mut self,
         brush: &mut Brush,
@@ -201,7 +201,7 @@ impl ScenePicture {
         found.map_or_else(|| Targets::new(gpu, size, gpu.smooth_samples()), Ok)
     }
 
-    /// Begins to draw the picture on screen with smooth edges, where it has none.
+    /// Begins to draw the picture on screen with smooth edges, if it has none.
     pub(super) fn begin_to_smooth(&mut self, subject: &Subject, wanted: &Drawn) {
         let shown = (self.shown.as_ref())
             .filter(|shown| shown.of == *wanted && shown.finish == Finish::Rough);

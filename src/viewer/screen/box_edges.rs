@@ -5,7 +5,7 @@ use crate::{colour::Srgb, geometry::Aabb, render::Line};
 /// The edges of a box; none of an empty one.
 pub(super) fn edges(bounds: &Aabb, colour: Srgb) -> impl Iterator<Item = Line> {
     let corners = bounds.corners();
-    // Corners that differ in one coordinate, from each pair once.
+    // Pairs of corners that differ in one coordinate, each pair once.
     let pairs = (0..8_usize).flat_map(|from| [1, 2, 4].map(move |bit| (from, from | bit)));
     let pairs = pairs.filter(|(from, to)| from != to);
     let is_there = !bounds.is_empty();

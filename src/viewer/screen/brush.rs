@@ -10,12 +10,12 @@ pub(super) struct Brush<'a> {
     pub renderer: &'a mut Renderer,
     /// Pixels of the window for one of its points.
     pub scale_factor: f32,
-    /// When the frame began: its pictures share a time for their rays.
+    /// When the frame began: all rays of its pictures share one deadline.
     pub began: Instant,
 }
 
 impl Brush<'_> {
-    /// Marks are as wide on the window whatever the finish.
+    /// Sets the scale for a finish, so that marks are equally wide on the window with any finish.
     pub fn scale_for(&mut self, finish: Finish) {
         #[expect(clippy::cast_precision_loss, reason = "a few pixels")]
         let coarseness = finish.coarseness() as f32;

@@ -1,5 +1,5 @@
-//! Pictures and masks by rays, where software draws: it transforms vertices on one core, and a ray costs little more in a
-//! large scene than in a small one.
+//! Finds pictures and masks by rays, for software adapters. These transform vertices on one core, while a ray costs little
+//! more in a large scene than in a small one.
 
 use crate::scene::Scene;
 use std::{
@@ -12,8 +12,8 @@ use std::{
 pub(super) const MUCH: u64 = 20_000;
 /// How long the rays of a frame's pictures may take together.
 const LONGEST: Duration = Duration::from_millis(80);
-/// After rays were late, so many pictures are drawn before rays are tried again, twice as many each time in a row, up
-/// to the most.
+/// After late rays, the first number of pictures is drawn before rays are tried again; then twice as many each time that
+/// rays are late again, up to the second number.
 const DRAWN_AFTER: [u32; 2] = [2, 64];
 
 /// Whether rays can be cast in a frame that began at `began`: the scene has its trees, and half of the time is left.
@@ -28,7 +28,7 @@ pub(super) fn cast<T: Send>(
     cast: impl FnOnce(&Scene, Instant) -> Option<T> + Send,
 ) -> Option<T> {
     let deadline = began + LONGEST;
-    // On other threads alone: the window's own, whose processor time is bounded, waits as for an adapter.
+    // Rays run on other threads only. The window's thread, whose processor time is bounded, waits as for an adapter.
     let cast = thread::scope(|scope| scope.spawn(|| cast(scene, deadline)).join());
     cast.unwrap_or_else(|panic| resume_unwind(panic))
 }
@@ -51,7 +51,7 @@ impl Patience {
         tries
     }
 
-    /// The picture rests: the next that moves tries rays.
+    /// The picture rests: the next moving picture tries rays.
     pub fn rest(&mut self) {
         self.to_draw = 0;
     }

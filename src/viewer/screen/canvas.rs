@@ -185,7 +185,7 @@ impl Canvas {
         }
         self.shown = looks;
         if self.gpu.is_software() {
-            // Else the frame time on display would be that of the submission only.
+            // Without this wait, the frame time on display would be that of the submission only.
             self.gpu.wait()?;
         }
         self.gpu.check()?;

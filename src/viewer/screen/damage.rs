@@ -6,11 +6,11 @@ use egui::{
     epaint::{Mesh, Primitive, Vertex},
 };
 
-/// Rectangles in points. Outside of them both frames paint the same. None if nothing differs; everything if that is not
-/// worth finding out. They may overlap.
+/// Rectangles in points that hold every difference between two frames. They may overlap. There is none if nothing differs,
+/// and one that holds everything if the differences are not worth finding.
 ///
 /// A primitive's triangles are compared in order, one by one if there are as many as before. If not, the triangles that
-/// both begin with and end with are left out, so that text of another length damages only itself.
+/// both lists begin and end with are left out, so that text of another length damages only itself.
 pub(super) fn damage(before: &[ClippedPrimitive], now: &[ClippedPrimitive]) -> Vec<Rect> {
     if before.len() != now.len() {
         return vec![Rect::EVERYTHING];
@@ -24,7 +24,7 @@ pub(super) fn damage(before: &[ClippedPrimitive], now: &[ClippedPrimitive]) -> V
 pub(super) fn disjoint(rects: impl IntoIterator<Item = PixelRect>) -> Vec<PixelRect> {
     let mut all: Vec<PixelRect> = Vec::new();
     for mut rect in rects {
-        // As it grows, it may overlap further ones.
+        // As the rectangle grows, it may overlap further ones.
         while let Some(at) = all.iter().position(|other| overlap(other, &rect)) {
             let other = all.swap_remove(at);
             for axis in 0..2 {
@@ -178,7 +178,7 @@ mod tests {
     fn what_overlaps_becomes_one() {
         let [a, b] = [[[0, 0], [2, 2]], [[4, 0], [6, 2]]];
         assert_eq!(disjoint([a, b]), [a, b]);
-        // Side by side is apart.
+        // Rectangles that only touch do not overlap.
         assert_eq!(disjoint([a, [[2, 0], [4, 2]]]).len(), 2);
         assert_eq!(disjoint([a, b, [[1, 1], [5, 3]]]), [[[0, 0], [6, 3]]]);
         assert_eq!(

@@ -5,7 +5,7 @@ use crate::{
     geometry::shares::cores,
 };
 
-/// Pixels of a moving picture for each core, which draws them, or casts their rays, in about a hundredth of a second.
+/// Pixels of a moving picture for each core. A core draws them, or casts their rays, in about a hundredth of a second.
 const PIXELS_A_CORE: u64 = 50_000;
 /// Pixels of the window, along each side, that a pixel of a moving picture covers at most.
 const COARSEST: u32 = 4;
@@ -13,11 +13,11 @@ const COARSEST: u32 = 4;
 /// How good a picture is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Finish {
-    /// Of lower resolution: each pixel covers this many of the window's along each side.
+    /// The resolution is lower: each pixel covers this many of the window's along each side.
     Coarse(u32),
-    /// Of the window's resolution, so its ids are exact.
+    /// The resolution is the window's, so the ids are exact.
     Rough,
-    /// Its edges are smooth, too.
+    /// The edges are smooth, too.
     Smooth,
 }
 

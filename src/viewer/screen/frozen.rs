@@ -10,7 +10,7 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// Cells of the pixel grid across the picture's longer side, at the most: single pixels would be too many lines.
+/// The most cells of the pixel grid across the picture's longer side: a cell for each pixel would be too many lines.
 const CELLS: u32 = 24;
 
 /// The frustum with its near and far planes, and the pixel grid on the near plane.
@@ -84,7 +84,7 @@ fn frustum(view: &View) -> Vec<Line> {
     lines
 }
 
-/// Lines between pixels on the near plane; where there are many, between blocks of them.
+/// Lines between pixels on the near plane; if there are many pixels, between blocks of them.
 pub(super) fn pixel_grid(viewport: Viewport, on_near: impl Fn(DVec2) -> DVec3) -> Vec<Line> {
     let (width, height) = (viewport.width(), viewport.height());
     let step = width.max(height).div_ceil(CELLS).max(1);

@@ -1,4 +1,4 @@
-//! Draws frames: the scene where it changed, lines about it, the panels over it. And the surface that shows them.
+//! Draws frames: the scene if it changed, the lines around it and the panels over it. The window's surface shows them.
 
 mod begin;
 mod box_edges;

@@ -9,7 +9,7 @@ use std::{
     time::Instant,
 };
 
-/// How long the drawing of a pass may take, in seconds; leaves time for what comes after it.
+/// How long the drawing of a pass may take, in seconds. It leaves time for what comes after the drawing.
 const LONGEST_S: f64 = 0.08;
 /// First guess of the work that fits, for slow adapters of each kind.
 const SOFTWARE_WORK: u64 = 120_000;
@@ -19,14 +19,14 @@ const LEAST_WORK: u64 = 10_000;
 
 /// Pixels of a band that is smoothed at once: a few hundredths of a second in software.
 const SMOOTH_PIXELS: u64 = 1 << 17;
-/// A smooth piece takes this many times the work of another.
+/// Smooth drawing of the same work takes this many times as long.
 const SMOOTH_COSTS: u64 = 4;
 
 /// Learns from the times of pieces how large they may be.
 #[derive(Debug)]
 pub(super) struct Pace {
     work: u64,
-    /// Every pass waits for what it draws: the time of completion is exact, not that of the next poll.
+    /// Every pass waits for what it draws. So the time of completion is exact; otherwise it is that of the next poll.
     is_waited_for: bool,
     under_way: Option<Piecework>,
 }
@@ -72,7 +72,7 @@ impl Pace {
         }
     }
 
-    /// In how many bands a picture is smoothed. Each band draws the whole scene; if that alone takes several pieces,
+    /// In how many bands a picture is smoothed. Each band draws the whole scene. If the scene alone takes several pieces,
     /// there is one band.
     pub fn bands(&self, viewport: Viewport, scene: Piece) -> u32 {
         let pixels = u64::from(viewport.width()) * u64::from(viewport.height());
@@ -81,7 +81,7 @@ impl Pace {
         u32::try_from(bands).unwrap_or(u32::MAX)
     }
 
-    /// Whether the adapter has drawn all pieces. If not, more would only queue up, and delay what is shown after them.
+    /// Whether the adapter has drawn all pieces. If not, more pieces would only queue up and delay what is shown after them.
     pub fn is_free(&mut self, gpu: &Gpu) -> bool {
         let Some(piece) = &mut self.under_way else {
             return true;

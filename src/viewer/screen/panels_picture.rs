@@ -34,12 +34,12 @@ struct Kept {
     size_px: [u32; 2],
     pixels_per_point: f32,
     primitives: Vec<ClippedPrimitive>,
-    /// Where it is not empty.
+    /// Where the picture is not empty.
     tiles: Tiles,
 }
 
 impl PanelsPicture {
-    /// For frames of this format, without conversion to sRGB.
+    /// A picture for frames of this format, without conversion to sRGB.
     pub fn new(gpu: &Gpu, format: TextureFormat) -> Self {
         let shader = shader_module(gpu, "panels");
         let pipeline = |fragment, blend| {
@@ -78,8 +78,8 @@ impl PanelsPicture {
         self.stale.extend(mem::take(&mut textures.free));
     }
 
-    /// Brings the picture up to date. Returns the rectangles of it that changed, each as its first pixel and the one past
-    /// its last.
+    /// Brings the picture up to date. Returns its rectangles that changed, each as its first pixel and the one past its
+    /// last.
     pub fn update(
         &mut self,
         gpu: &Gpu,

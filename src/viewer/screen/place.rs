@@ -1,10 +1,10 @@
-//! Where in the window the scene is: points of the window, pixels of the picture.
+//! Where in the window the scene is. Converts between points of the window and pixels of the picture.
 
 use crate::camera::Viewport;
 use egui::{Pos2, Rect};
 use glam::DVec2;
 
-/// Pixels of a window: the first, and the one past the last.
+/// A rectangle of a window's pixels: the first pixel, and the one past the last.
 pub(super) type PixelRect = [[u32; 2]; 2];
 
 /// The rectangle of the window that shows the scene.
@@ -39,7 +39,7 @@ impl SceneRect {
         })
     }
 
-    /// Whether it has pixels of a rectangle of the window.
+    /// Whether it shares pixels with a rectangle of the window.
     pub fn touches(self, [min, max]: PixelRect) -> bool {
         let size = [self.viewport.width(), self.viewport.height()];
         (0..2).all(|axis| {

@@ -13,7 +13,7 @@ pub(in crate::viewer) struct Progress {
     pub is_coming: bool,
     /// Whether the wanted picture is shown without smooth edges: at rest it needs another pass.
     pub rough: bool,
-    /// About so many triangles were drawn.
+    /// About how many triangles were drawn.
     pub drawn: u64,
     /// Objects and triangles that the pass itself uploaded.
     pub uploaded: usize,

@@ -32,7 +32,7 @@ pub(super) struct ScenePicture {
     pub(super) next: Option<UnderWay>,
     /// Targets of earlier pictures, to be used again.
     pub(super) spare: Vec<Targets>,
-    /// For coarse pictures, and for others.
+    /// One pace for coarse pictures, and one for others.
     pub(super) paces: [Pace; 2],
     /// Decides when a moving picture's rays are tried.
     pub(super) patience: Patience,
@@ -58,7 +58,7 @@ pub(super) struct Picture {
     pub finish: Finish,
 }
 
-/// What a scene's picture looks like: two of equal looks are the same to the eye.
+/// What a scene's picture looks like: two pictures with equal looks are the same to the eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Look {
     change: u64,
@@ -74,7 +74,7 @@ pub(super) struct UnderWay {
     /// Small enough for one pass.
     pub at_once: bool,
     pub finish: Finish,
-    /// It only improves the picture that is shown: nobody waits for it.
+    /// It only improves the picture that is shown, so nobody waits for it.
     pub refines: bool,
 }
 
@@ -105,9 +105,10 @@ impl ScenePicture {
         shown.map(|shown| shown.targets.read_ids(gpu)).transpose()
     }
 
-    /// Brings the picture nearer to what the state wants: all the way if that is little work, else by a piece. A
-    /// picture once begun is finished first, unless the scene has changed. A moving picture may be coarse. At rest it
-    /// gets exact, and then its edges get smooth; nothing waits for these.
+    /// Brings the picture nearer to what the state wants: all the way if that is little work, else by a piece. A picture
+    /// that was begun is finished first, unless it is of another scene, too slow for a moving picture, or only an
+    /// improvement that is not wanted now. A moving picture may be coarse. At rest it gets exact, and then its edges get
+    /// smooth; nobody waits for either.
     pub fn advance(
         &mut self,
         brush: &mut Brush,
@@ -120,7 +121,7 @@ impl ScenePicture {
         let unwanted = self.next.take_if(|next| {
             let is_of_another = next.of.revision != revision;
             let moves = motion != Motion::Rests;
-            // Software begins what moves anew, coarse and maybe by rays: an exact picture could take it seconds.
+            // A software adapter begins a moving picture anew, coarse and maybe by rays: an exact one could take seconds.
             let is_slow = gpu.is_software()
                 && motion == Motion::Goes
                 && next.finish.is_exact()
@@ -176,7 +177,7 @@ impl ScenePicture {
             let piece = if next.at_once {
                 Piece::WHOLE
             } else if is_smooth {
-                // One a pass: nobody waits for it, but it delays everything else.
+                // One such piece a pass: nobody waits for it, but it delays everything else.
                 if mem::replace(&mut smooths, true) || !is_free {
                     break;
                 }

@@ -10,7 +10,7 @@ use crate::{
     },
 };
 
-/// Earlier scenes that are kept: one of the gallery, and what was open before it.
+/// How many earlier scenes are kept: enough for one of the gallery, and for what was open before it.
 const MOST_BEFORE: usize = 2;
 
 /// A scene on the GPU and which one it is.
@@ -31,16 +31,16 @@ struct Coming {
 /// The scenes of one picture in graphics memory.
 #[derive(Default)]
 pub(super) struct ScenesOnGpu {
-    /// The scene on screen, once it was uploaded.
+    /// The scene on screen; `None` before the first upload.
     pub now: Option<OnGpu>,
     /// An upload that was done ahead.
     ready: Option<Uploaded>,
     coming: Option<Coming>,
-    /// Scenes before this one, as long as they may come back; the latest first.
+    /// Scenes before this one that may still come back; the latest first.
     before: Vec<OnGpu>,
     /// The meshes of all pictures.
     pub meshes: MeshStore,
-    /// The revision of a scene that does not fit, and why: it is not tried again.
+    /// The revision of a scene that does not fit, and why. It is not tried again.
     unfit: Option<(u64, GpuError)>,
 }
 
@@ -64,7 +64,7 @@ impl ScenesOnGpu {
     /// `None` while the upload is under way.
     ///
     /// # Errors
-    /// When it does not fit.
+    /// When the scene does not fit.
     pub fn upload(&mut self, gpu: &Gpu, subject: &Subject) -> Result<Option<usize>, GpuError> {
         let mut taken = 0;
         let (revision, visibility) = (subject.revision, subject.visibility);
@@ -125,7 +125,7 @@ impl ScenesOnGpu {
         }))
     }
 
-    /// The work of drawing all of them once.
+    /// The work of drawing all of these scenes once.
     pub fn work(&self) -> usize {
         work(self.now.iter().chain(&self.before))
     }

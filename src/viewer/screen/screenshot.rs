@@ -1,4 +1,4 @@
-//! What is on screen as a PNG file.
+//! Writes a screenshot as a PNG file.
 
 use crate::image::{Image, Rgb};
 use std::path::{Path, PathBuf};

@@ -57,7 +57,7 @@ impl Surface {
         self.expose();
     }
 
-    /// The next texture to draw on; `None` when there is none to be had now, as while minimised.
+    /// The next texture to draw on; `None` when there is none now, such as while the window is minimised.
     fn acquire(&mut self) -> Result<Option<SurfaceTexture>, GpuError> {
         for _ in 0..2 {
             if self.config.width == 0 || self.config.height == 0 {

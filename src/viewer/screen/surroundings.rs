@@ -119,7 +119,7 @@ mod tests {
         }
     }
 
-    /// Lines of an axis's colour, and the least and the greatest coordinates of all.
+    /// The lines that have an axis's colour, and the least and the greatest coordinates of all lines.
     fn grid(bounds: &Aabb, up_axis: UpAxis) -> (Vec<Line>, Aabb) {
         let lines = floor(bounds, up_axis, DVec3::splat(1e9));
         let ends = lines.iter().flat_map(|line| [line.from, line.to]);
@@ -134,13 +134,13 @@ mod tests {
             let at_first = about(DVec3::new(1.0, 2.0, -0.5), 2.0);
             let (axes, extent) = grid(&at_first, up_axis);
             assert_eq!(axes.len(), 2);
-            // Through the origin, but for what keeps it behind floors.
+            // Through the origin, apart from the small offset that keeps the grid behind floors.
             for line in axes {
                 let nearest = 0.5 * (line.from + line.to);
                 assert!(nearest.length() < 0.03, "{nearest}");
             }
             assert!(extent.center().length() < 0.03);
-            // A little more of a scene, or less: the grid is where it was.
+            // If the scene grows or shrinks a little, the grid stays where it was.
             for other in [
                 about(DVec3::new(0.7, 2.2, 0.0), 1.8),
                 about(DVec3::ONE, 2.2),

@@ -1,4 +1,4 @@
-//! Which tiles of the window have panels: only these are drawn over the picture.
+//! Which tiles of the window have panels. Only these tiles are drawn over the picture.
 
 use super::place::SceneRect;
 use egui::{ClippedPrimitive, Color32, Rect, epaint::Primitive};

@@ -66,7 +66,7 @@ impl Drawn {
         }
     }
 
-    /// Whose edges are drawn.
+    /// Which objects' edges are drawn.
     pub fn wireframe(&self) -> Option<Wireframe> {
         let (overlays, selection, _) = self.overlays?;
         let of = selection.map_or(Wireframe::OfAll, Wireframe::Of);

@@ -1,10 +1,10 @@
-//! Where keys go. A text that is being edited takes all of them; another focused control takes those that operate it; the
+//! Where keys go. A text that is being edited takes all keys. Another focused control takes the keys that operate it. The
 //! rest are shortcuts.
 
 use egui::{Context, Id};
 use std::mem;
 
-/// What had the focus when the keys of a pass were pressed: egui drops it before we see the key that made it do so.
+/// What had the focus when the keys of a pass were pressed. egui drops the focus before we see the key that dropped it.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Focus {
     /// A text was being edited.
@@ -14,7 +14,7 @@ pub(super) struct Focus {
 }
 
 impl Focus {
-    /// What has it now or had it when the last pass ended.
+    /// The focus of this pass: what has it now, or had it when the last pass ended.
     pub fn of_pass(ctx: &Context) -> Self {
         let now = Self {
             types: ctx.text_edit_focused(),

@@ -296,7 +296,7 @@ const fn look(to_eye: DVec3) -> Command {
 }
 
 /// The commands of the keys that were pressed: none while a text is edited, only Esc's while a question waits for an answer.
-/// A focused control has Enter, Esc and the arrows to itself. Without one, Esc gives up red texts first.
+/// A focused control gets Enter, Esc and the arrows. If none has the focus, Esc first gives up texts that are shown in red.
 pub(in crate::viewer) fn pressed(ctx: &egui::Context, has_question: bool) -> Vec<Command> {
     let focus = Focus::of_pass(ctx);
     if focus.types {
@@ -320,7 +320,7 @@ pub(in crate::viewer) fn pressed(ctx: &egui::Context, has_question: bool) -> Vec
         let mut asked = Vec::new();
         let shortcuts = BINDINGS.iter().flat_map(|binding| binding.shortcuts);
         for (modifiers, key, command) in shortcuts.filter(|(_, key, _)| !is_taken(*key)) {
-            // What was pressed twice within a slow frame is done twice.
+            // A key that was pressed twice within a slow frame acts twice.
             let times = input.count_and_consume_key(*modifiers, *key);
             asked.extend(iter::repeat_n(command.clone(), times));
         }

@@ -1,16 +1,16 @@
-//! Draws letters before text needs them. egui draws each when it is first laid out, and a panel that opens would bring more
-//! of them than a pass has time for.
+//! Draws letters before text needs them. egui draws each letter when it is first laid out, and a panel that opens may bring
+//! more new letters than a pass has time for.
 
 use egui::{
     Color32, Context, FontId,
     text::{LayoutJob, TextFormat},
 };
 
-/// So many are drawn in a step, which takes about a millisecond.
+/// How many are drawn in a step, which takes about a millisecond.
 const STEP: usize = 24;
 /// egui draws a letter anew for each quarter of a pixel that it may begin at.
 const QUARTERS: [f32; 4] = [0.0, 0.25, 0.5, 0.75];
-/// Sizes of text in points, and whether it is monospace.
+/// The panels' fonts: size in points, and whether it is monospace.
 const FONTS: [(f32, bool); 7] = [
     (13.0, false),
     (13.0, true),
@@ -25,12 +25,12 @@ const FONTS: [(f32, bool); 7] = [
 #[derive(Default)]
 pub(in crate::viewer) struct Letters {
     done: usize,
-    /// The scale that they are drawn for: at another one all are drawn anew.
+    /// The scale that they are drawn for. At another scale, all are drawn anew.
     pixels_per_point: f32,
 }
 
 impl Letters {
-    /// Draws some more, after the first pass. Returns whether any are left.
+    /// Draws some more; only after egui's first pass. Returns whether any are left.
     pub fn draw_some(&mut self, context: &Context) -> bool {
         let pixels_per_point = context.pixels_per_point();
         #[expect(clippy::float_cmp, reason = "the very same")]

@@ -52,7 +52,7 @@ pub(in crate::viewer) fn scene(
     let mut actions = vec![Action::Resize(place.viewport)];
     let (modifiers, time_s) = ui.input(|input| (input.modifiers, input.time));
 
-    // egui gives a widget also what happens slightly outside of it, where there is no picture.
+    // egui also gives a widget what happens slightly outside of it, where there is no picture.
     let within =
         |position: Pos2| Some(place.to_px(position)).filter(|at| place.viewport.contains(*at));
     if response.drag_started()

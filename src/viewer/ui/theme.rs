@@ -11,11 +11,11 @@ pub(in crate::viewer) const fn color32(Srgb([r, g, b]): Srgb) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// Which of the two looks panels have.
+/// Whether panels are dark or light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(in crate::viewer) enum Look {
-    /// As the desktop is; dark where that does not say.
+    /// As the desktop is; dark if the desktop does not say.
     #[default]
     Desktop,
     Light,
@@ -50,8 +50,8 @@ impl Look {
     }
 }
 
-/// egui as the viewer wants it: dark or light as the desktop is, with text that is readable on projectors too, which swallow
-/// dark greys. Warnings are yellow: orange is the selection.
+/// egui as the viewer wants it: dark or light as the desktop is, with text that is readable on projectors too, which do not
+/// show dark greys. Warnings are yellow: orange is the selection.
 pub(in crate::viewer) fn context() -> egui::Context {
     let context = egui::Context::default();
     mouse::options(&context);
@@ -86,7 +86,7 @@ mod tests {
     use super::*;
     use crate::look;
 
-    /// Where a colour is on the wheel, in degrees from red to yellow, which is at 60.
+    /// A colour's hue in degrees. Red is at 0, yellow at 60.
     fn hue_deg(colour: Color32) -> f32 {
         let [red, green, blue] = [colour.r(), colour.g(), colour.b()];
         assert!(red >= green && green >= blue && red > blue, "{colour:?}");

@@ -26,9 +26,9 @@ pub(in crate::viewer) struct Chapter {
 pub(in crate::viewer) struct Step {
     pub task: &'static str,
     pub why: &'static str,
-    /// A point of view space: the card says where in NDC the present lens puts it.
+    /// A point of view space. The card says where in NDC the present lens puts it.
     example: Option<[f64; 3]>,
-    /// It is done in the camera's picture, not in the four views.
+    /// The step is done in the camera's picture, not in the four views.
     is_in_picture: bool,
     is_done: fn(&Seen) -> bool,
 }
@@ -37,7 +37,7 @@ pub(in crate::viewer) struct Step {
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::viewer) struct Tour {
     at: usize,
-    /// The step was seen done.
+    /// Whether the step was seen to be done.
     pub is_done: bool,
 }
 
@@ -272,7 +272,7 @@ const CHAPTERS: [Chapter; 8] = [
     },
 ];
 
-/// The tour as README has it: a numbered list in Markdown, an entry a chapter.
+/// The tour as README has it: a numbered list in Markdown, with an entry for each chapter.
 #[must_use]
 pub fn tour_text() -> String {
     let entry = |(at, chapter): (usize, &Chapter)| {
@@ -294,7 +294,7 @@ impl Tour {
         CHAPTERS.iter().flat_map(|chapter| chapter.steps)
     }
 
-    /// The step, its chapter and that chapter's number from 1.
+    /// The chapter's number from 1, the chapter, and the step.
     pub fn step(self) -> (usize, &'static Chapter, &'static Step) {
         let steps = CHAPTERS.iter().enumerate().flat_map(|(at, chapter)| {
             let steps = chapter.steps.iter();
@@ -304,7 +304,7 @@ impl Tour {
         from_here.next().expect("a tour is at one of its steps")
     }
 
-    /// How many steps there are, and how many lie behind.
+    /// How many steps there are, and how many of them lie behind.
     pub fn progress(self) -> (usize, usize) {
         (Self::steps().count(), self.at)
     }

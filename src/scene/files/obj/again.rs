@@ -23,7 +23,7 @@ use std::{
     sync::Arc,
 };
 
-/// How many pieces are kept in memory: those that were read last.
+/// How many pieces are kept in memory: those that were used last.
 const REMEMBERED: usize = 16;
 
 /// Reads parts of a loaded file again.
@@ -157,7 +157,7 @@ impl<'a> Again<'a> {
             triangles: face.triangles.clone(),
             corners: faces.triangles[triangles].to_vec(),
         };
-        // What is stored is known to the bit.
+        // The mesh has these positions to the bit, unless the file has changed.
         let is_stored = (found.triangles.clone())
             .zip(&found.corners)
             .all(|(triangle, corners)| {
@@ -173,7 +173,7 @@ impl<'a> Again<'a> {
 
     /// The faces of a piece, and how many triangles each has in the mesh.
     fn faces(&mut self, piece: usize) -> Result<Arc<Faces>, AgainError> {
-        // Of a piece that is remembered, too.
+        // Also before a remembered piece is used.
         self.check()?;
         if let Some(at) = self.pieces.iter().position(|(known, _)| *known == piece) {
             let found = self.pieces.remove(at);

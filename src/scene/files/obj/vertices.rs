@@ -184,10 +184,10 @@ fn places(used: &[bool]) -> Vec<u32> {
     before.collect()
 }
 
-/// The origin of the `f32` positions. On an axis where the box's centre is no farther from 0 than the box is large, it
-/// is 0, because another origin would gain no precision. Otherwise it is the box's centre, rounded to a multiple of a
-/// power of two near a sixteenth of the box. So subtracting it is exact, and origin plus position has the digits of the
-/// file.
+/// The origin of the `f32` positions, axis by axis. It is 0 if the box's centre is no farther from 0 than the box's
+/// largest side, because another origin would gain no precision. Otherwise it is the box's centre, rounded to a
+/// multiple of a power of two near a sixteenth of that side. Subtracting the origin is then exact, and origin plus
+/// position has the digits of the file.
 fn origin(bounds: Aabb) -> DVec3 {
     let size = (bounds.max - bounds.min).max_element();
     let step = (size.log2().floor() - 4.0).exp2();

@@ -211,7 +211,7 @@ fn ids_latency(case: &PickCase, draws: bool) -> Option<f64> {
     let buffers = SceneBuffers::upload(gpu, &world.scene).ok()?;
     let mut renderer = Renderer::new(gpu, 1);
     let mut draw = || renderer.draw(gpu, &buffers, &targets, &world.view, &[]);
-    // The first compiles shaders.
+    // The first drawing compiles shaders.
     draw().and_then(|()| targets.read_ids(gpu)).ok()?;
     let mut once = || {
         let start = Instant::now();

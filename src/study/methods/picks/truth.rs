@@ -1,5 +1,5 @@
-//! The nearest surface on a pixel's ray in a whole scene, by exact arithmetic on the stored numbers of camera, placements and
-//! vertices.
+//! Finds the nearest surface on a pixel's ray in a whole scene, by exact arithmetic on the stored numbers of camera,
+//! placements and vertices.
 
 use super::Picked;
 use crate::{
@@ -11,19 +11,20 @@ use crate::{
 use glam::{DVec2, DVec3};
 use std::cmp::Ordering;
 
-/// A pixel's ray, times the picture's height: so no division rounds.
+/// A pixel's ray, multiplied by the picture's height, so that no division rounds.
 struct ExactRay {
     line: Line,
     height: Exact,
 }
 
-/// A ray in an object's space, times `det`: the model's determinant times the picture's height.
+/// A ray in an object's space, multiplied by `det`: the model's determinant times the picture's height.
 struct Local {
     line: Line,
     det: Exact,
 }
 
-/// The nearest hit within the ray's interval on a visible side; of equal ones the lower object, then the lower triangle.
+/// The nearest hit within the ray's interval on a visible side. Of equally near hits, the lower object counts, then the lower
+/// triangle.
 pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
     let exact_ray = ExactRay::new(view, px);
     let ray = exact_ray.rounded(view);
@@ -182,8 +183,8 @@ impl Local {
         (Exact::new(of) * &self.det).abs()
     }
 
-    /// The meeting with the side corrected: a negative determinant turns the ray about, so it sees the other side of a
-    /// surface whose corners give its normal.
+    /// The meeting with the side corrected. A negative determinant reverses the ray, so it meets the other side of a surface
+    /// whose corners give its normal.
     fn turned(&self, at: Meeting) -> Meeting {
         let front = at.front != (self.det.sign() == Ordering::Less);
         Meeting { front, ..at }

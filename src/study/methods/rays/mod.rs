@@ -1,5 +1,5 @@
-//! From a pixel to a ray: the answer is its start and direction. In perspective the start is the eye, and only the direction
-//! is judged. What all pixels of a picture share is computed beforehand.
+//! Makes a ray from a pixel. The answer is the ray's start and direction. In perspective the start is the eye, and only the
+//! direction is judged. What all pixels of a picture share is computed beforehand.
 
 mod unproject;
 mod workloads;
@@ -29,7 +29,8 @@ pub struct Picture<T> {
     pub length: T,
     /// Unit vectors R, U and F.
     pub axes: [V3<T>; 3],
-    /// Half the picture's height: in perspective at depth 1, tan(fov / 2); in world units where rays are parallel.
+    /// Half the picture's height. In perspective it is that at depth 1, tan(fov / 2); where rays are parallel, it is in world
+    /// units.
     pub tan: T,
     /// Whether all rays run along F, as in an orthographic picture.
     pub parallel: bool,
@@ -209,8 +210,8 @@ impl Case for PixelCase {
         scene.at.iter().map(case).collect()
     }
 
-    /// `F + sx aspect tan R + sy tan U`, times width and height, so that nothing is divided. Where rays are parallel, how far
-    /// aside they run: the same without F.
+    /// `F + sx aspect tan R + sy tan U`, times width and height, so that nothing is divided. Where rays are parallel, it is
+    /// the ray's offset from the eye: the same without F.
     fn truth(&self) -> Exact3 {
         let (pixel, px) = (&self.wide.picture, self.wide.px);
         let [right, up, forward] = self.exact_axes.map(Exact3::new);
@@ -272,7 +273,7 @@ impl<T: Real> Pixel<T> {
         [x - T::one(), T::one() - y]
     }
 
-    /// The ray from the eye through a point of the picture, or where rays are parallel from the point along F.
+    /// The ray from the eye through a point of the picture; where rays are parallel, the ray from the point along F.
     fn towards(&self, point: V3<T>) -> PixelRay {
         let Picture { eye, axes, .. } = self.picture;
         if self.picture.parallel {
@@ -282,14 +283,14 @@ impl<T: Real> Pixel<T> {
     }
 }
 
-/// By a point of the picture in the world, minus the eye.
+/// The ray by a point of the picture in the world, minus the eye.
 pub fn course<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let [sx, sy] = pixel.ndc();
     let [middle, right, up] = pixel.course;
     pixel.towards(middle + right * sx + up * sy)
 }
 
-/// By a sum of directions.
+/// The ray by a sum of directions.
 pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let [sx, sy] = pixel.ndc();
     let [right, up] = pixel.basis;

@@ -1,4 +1,4 @@
-//! From a pixel to a ray by unprojection: through the inverse of a projection matrix.
+//! Makes rays from pixels by unprojection: through the inverse of a projection matrix.
 
 use super::{Picture, Pixel, PixelRay};
 use crate::study::real::{Real, V3};
@@ -14,7 +14,7 @@ pub(super) struct Inverses<T> {
     projection_view: Matrix<T>,
     /// Inverse of P, whose depth goes from -1 to 1 as in OpenGL.
     projection: Matrix<T>,
-    /// Inverse of V, times that of P, whose depth is reversed and in perspective has no far plane.
+    /// Inverse of V, times that of P. This P has reversed depth and, in perspective, no far plane.
     composed: Matrix<T>,
 }
 
@@ -27,7 +27,8 @@ impl<T: Real> Pixel<T> {
     }
 }
 
-/// Along the line from the pixel's point on the near plane to that on the far plane; in perspective it starts at the eye.
+/// The ray along the line from the pixel's point on the near plane to that on the far plane. In perspective it starts at the
+/// eye.
 pub fn far_less_near<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let matrix = pixel.inverse.projection_view;
     let [near, far] = [T::zero(), T::one()].map(|z| pixel.unprojected(matrix, z));
@@ -35,12 +36,12 @@ pub fn far_less_near<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     PixelRay::new(if parallel { near } else { eye }, far - near)
 }
 
-/// Through the pixel's point on the near plane.
+/// The ray through the pixel's point on the near plane.
 pub fn near_less_eye<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     pixel.towards(pixel.unprojected(pixel.inverse.projection_view, T::zero()))
 }
 
-/// First into view space, then into the world; parallel rays start in the eye's plane.
+/// Unprojects the pixel into view space first, then transforms it into the world. Parallel rays start in the eye's plane.
 pub fn as_three<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let (picture, parallel) = (pixel.picture, pixel.picture.parallel);
     let (eye, [right, up, forward]) = (picture.eye, picture.axes);
@@ -57,7 +58,7 @@ pub fn as_three<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     PixelRay::new(eye, (world - eye).normalize())
 }
 
-/// From the near plane towards NDC depth `f32::EPSILON`, almost the far end.
+/// The ray from the near plane towards NDC depth `f32::EPSILON`, which is almost the far end.
 pub fn as_bevy<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let depths = [T::one(), T::of(f64::from(f32::EPSILON))];
     let [near, far] = depths.map(|z| pixel.unprojected(pixel.inverse.composed, z));

@@ -1,4 +1,4 @@
-//! Cameras and pixels.
+//! Workloads for rays from pixels: cameras and pixels.
 
 use super::{Picture, PixelCase};
 use crate::study::prelude::*;
@@ -25,7 +25,7 @@ const ORDINARY: Camera = Camera {
     height: 1080.0,
 };
 
-/// Degrees with tan(fov / 2), which machines may round differently.
+/// Fields of view in degrees, each with tan(fov / 2). It is a table because machines may round tangents differently.
 const TANGENTS: [(f64, f64); 9] = [
     (60.0, TAN_30),
     (90.0, 1.0),
@@ -87,8 +87,8 @@ fn make(random: &mut Random, camera: Camera) -> PixelCase {
     PixelCase::new(picture, px, exact_axes)
 }
 
-/// The axes of a random rotation, from a quaternion with whole coordinates up to `most`: whole vectors of equal length at right
-/// angles, so that truth has them exactly. Left-handed as view space is: R, U, F with R = F x U.
+/// The axes of a random rotation, from a quaternion with whole coordinates up to `most`. They are whole vectors of equal
+/// length at right angles, so that truth has them exactly. They are left-handed as view space is: R, U, F with R = F x U.
 pub(crate) fn turned(random: &mut Random, most: i32) -> [V3<f64>; 3] {
     let mut whole = || f64::from(random.integer(-most, most));
     let (a, b, c, d) = (whole(), whole(), whole(), whole());

@@ -1,4 +1,4 @@
-//! Rays against one triangle. The answer is the ray parameter t of the hit, or none.
+//! Tests rays against one triangle. The answer is the ray parameter t of the hit, or none.
 
 mod prepared;
 mod workloads;
@@ -195,7 +195,7 @@ impl Case for TriangleCase {
             let (Shape::Mesh { mesh, .. }, Some(at)) = (&object.shape, hit.hit.on_triangle) else {
                 continue;
             };
-            // As many as an index counts.
+            // A mesh has no more triangles than a `u32` can count.
             let count = u32::try_from(mesh.data().triangles.len()).unwrap_or(u32::MAX);
             let local = object.placement.ray_to_object(ray);
             let others = [
@@ -224,8 +224,8 @@ impl Case for TriangleCase {
     }
 }
 
-/// First the plane; then the point is inside when the areas of its three triangles with the corners, over the whole area, add
-/// up to 1, give or take `tolerance`.
+/// Intersects the plane first. The point is inside if the areas of its three triangles with the corners, divided by the whole
+/// area, add up to 1 within `tolerance`.
 pub fn areas<T: Real>(case: &RayTriangle<T>, tolerance: f64) -> Option<f64> {
     let [a, b, c] = case.corners;
     let normal = (b - a).cross(c - a);
@@ -239,8 +239,8 @@ pub fn areas<T: Real>(case: &RayTriangle<T>, tolerance: f64) -> Option<f64> {
     ahead(t)
 }
 
-/// Cramer's rule on `o + t d = a + u e1 + v e2`. Rays with a determinant below `epsilon` miss: an absolute number that ignores
-/// the scene's scale, studied because it is in use.
+/// Cramer's rule on `o + t d = a + u e1 + v e2`. Rays with a determinant smaller than `epsilon` miss. This is an absolute
+/// number that ignores the scene's scale; it is studied because it is in use.
 pub fn moeller_trumbore<T: Real>(case: &RayTriangle<T>, epsilon: f64) -> Option<f64> {
     let [a, b, c] = case.corners;
     let (e1, e2) = (b - a, c - a);
@@ -263,7 +263,7 @@ pub fn moeller_trumbore<T: Real>(case: &RayTriangle<T>, epsilon: f64) -> Option<
     ahead(e2.dot(q) * inverse)
 }
 
-/// The volumes of the tetrahedra between the ray and each edge have one sign inside.
+/// The ray hits if the volumes of the tetrahedra between the ray and each edge have one sign.
 pub fn signed_volumes<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
     let [a, b, c] = case.corners.map(|corner| corner - case.origin);
     let d = case.direction;
@@ -287,7 +287,7 @@ fn one_sign<T: Real>(case: &RayTriangle<T>, signs: [Option<Ordering>; 3]) -> Opt
     ahead(normal.dot(a - case.origin) / normal.dot(case.direction))
 }
 
-/// The volumes in pairs of `f64`.
+/// The signed volumes in double-double arithmetic.
 fn double_double(case: &TriangleCase) -> Option<f64> {
     let given = &case.wide;
     let [o, d] = [given.origin, given.direction].map(|v| v.map(DoubleDouble::from));
@@ -299,7 +299,7 @@ fn double_double(case: &TriangleCase) -> Option<f64> {
     one_sign(given, volumes.map(|v| v.partial_cmp(&0.0)))
 }
 
-/// The volumes' signs by adaptive arithmetic.
+/// The signs of the volumes by adaptive-precision arithmetic.
 pub(super) fn shewchuk(given: &RayTriangle<f64>) -> Option<f64> {
     let coord = |V3 { x, y, z }: V3<f64>| Coord3D { x, y, z };
     let [o, there] = [given.origin, given.origin + given.direction].map(coord);
@@ -327,7 +327,7 @@ pub fn pluecker<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
     ahead(a.dot(normal) / det)
 }
 
-/// `p x q`, which is `q x r`: each component from the one whose products are smaller.
+/// `p x q`, which equals `q x r`. Each component comes from the one of the two whose products are smaller.
 fn stable_normal<T: Real>(p: V3<T>, q: V3<T>, r: V3<T>) -> V3<T> {
     let component = |i: usize, j: usize| {
         let (first, second) = (p[j] * q[i], q[j] * r[i]);
@@ -340,7 +340,8 @@ fn stable_normal<T: Real>(p: V3<T>, q: V3<T>, r: V3<T>) -> V3<T> {
     V3::new(component(1, 2), component(2, 0), component(0, 1))
 }
 
-/// The segment's test for a ray: decides by the side on which the ray starts and the volumes with the third corner, undivided.
+/// The segment test, applied to a ray. It decides without dividing, by the side on which the ray starts and the volumes with
+/// the third corner.
 pub fn jimenez<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
     let [first, second, third] = case.corners;
     let (a, b, c) = (case.origin - third, first - third, second - third);

@@ -1,4 +1,4 @@
-//! Tests of a ray against a triangle that precompute: once for the ray, or once for the triangle.
+//! Ray-triangle tests that precompute numbers, once for each ray or once for each triangle.
 
 use super::{RayTriangle, ahead};
 use crate::study::real::{Real, V3};
@@ -10,7 +10,8 @@ pub struct Prepared<T> {
     given: RayTriangle<T>,
     shear: Shear<T>,
     map: BaldwinWeber<T>,
-    /// Havel & Herout's planes, each by normal and distance: the triangle's, and the two whose distances are its weights.
+    /// Havel & Herout's planes, each by normal and distance: the triangle's plane, and two planes whose distances are the
+    /// triangle's weights.
     planes: [(V3<T>, T); 3],
 }
 
@@ -62,7 +63,8 @@ impl<T: Real> Prepared<T> {
     }
 }
 
-/// Turns a ray into +z, computed once for the ray: the axis of its largest component becomes z, then a shear.
+/// The transform that turns a ray into +z, computed once for the ray. The axis of the largest component becomes z; then a
+/// shear follows.
 #[derive(Clone, Copy, Debug)]
 pub struct Shear<T> {
     axes: [usize; 3],
@@ -112,7 +114,7 @@ fn edge_wide<T: Real>(p: V3<T>, q: V3<T>) -> f64 {
 }
 
 impl<T: Real> Prepared<T> {
-    /// Decides by 2D edge functions; both triangles at an edge get the same number. Where a number is 0, all are computed
+    /// Decides by 2D edge functions. Both triangles at an edge get the same number. If a number is 0, all three are computed
     /// again in `f64`, as in the paper.
     pub fn woop(&self) -> Option<f64> {
         let [a, b, c] = self.shear.seen(self);
@@ -130,7 +132,8 @@ impl<T: Real> Prepared<T> {
         ahead((u * a.z + v * b.z + w * c.z) / det)
     }
 
-    /// Woop's with edge functions that round once or twice, and with a bound on the error of t: a t below the bound is no hit.
+    /// Woop's test, but edge functions round only once or twice, and the error of t has a bound: a t below the bound is no
+    /// hit.
     pub fn pbrt(&self) -> Option<f64> {
         let [a, b, c] = self.shear.seen(self);
         // Kahan's difference of products.

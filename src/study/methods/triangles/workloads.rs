@@ -1,4 +1,4 @@
-//! Rays and triangles.
+//! Workloads of rays and triangles.
 
 use super::{RayTriangle, TriangleCase};
 use crate::study::prelude::*;
@@ -86,7 +86,7 @@ fn through(
     TriangleCase::new(RayTriangle::new(origin, direction, corners), PX)
 }
 
-/// Mostly outside, as in practice a ray misses most triangles that it is tested against.
+/// Mostly outside: in practice, a ray misses most triangles that it is tested against.
 fn loose_weights(random: &mut Random) -> [f64; 3] {
     let (u, v) = (random.within(-0.5, 1.5), random.within(-0.5, 1.5));
     [u, v, 1.0 - u - v]
@@ -100,7 +100,7 @@ fn edge_weights(random: &mut Random) -> [f64; 3] {
     weights
 }
 
-/// Half of them anywhere in and about the triangle, half at an edge, a random power of ten from it.
+/// Half of them are anywhere in and about the triangle, and half are beside an edge, at a random power of ten from it.
 fn mixed_weights(random: &mut Random) -> [f64; 3] {
     if random.sign() < 0.0 {
         let (u, v) = (random.within(-0.2, 1.0), random.within(-0.2, 1.0));

@@ -24,7 +24,7 @@ const RADIUS: f32 = LENGTH + END + 3.0;
 
 /// One of the six ends.
 struct End {
-    /// The unit vector to it, in the space whose axes these are.
+    /// The unit vector to it, in the space that the axes belong to.
     to: DVec3,
     name: &'static str,
     colour: Color32,
@@ -39,7 +39,7 @@ impl End {
     }
 }
 
-/// In the lower left corner of the picture, with the step of the grid beside it.
+/// Shows the cross in the lower left corner of the picture, with the grid's step beside it.
 pub(super) fn show(ui: &mut Ui, rect: Rect, state: &State, commands: &mut Vec<Command>) {
     if let Some(to) = cross(ui, rect, &state.view().camera.rotation()) {
         // The action takes a direction in the front view's axes.
@@ -60,8 +60,8 @@ fn middle(rect: Rect) -> Pos2 {
     pos2(rect.left(), rect.bottom()) + vec2(RADIUS + 6.0, -RADIUS - 6.0)
 }
 
-/// The axes of a space in the lower left corner of a picture. Their unit vectors are the columns of `seen`, by components
-/// right, up and into the picture. Returns the end that was clicked.
+/// Shows the axes of a space in the lower left corner of a picture. The columns of `seen` are their unit vectors, with
+/// components right, up and into the picture. Returns the end that was clicked.
 pub(super) fn cross(ui: &mut Ui, rect: Rect, seen: &DMat3) -> Option<DVec3> {
     let middle = middle(rect);
     let painter = ui.painter().with_clip_rect(rect);

@@ -1,4 +1,4 @@
-//! The warning that another method than Sightline's picks: a bar over the picture and a frame around it, with what both
+//! The warning that a method other than Sightline's picks: a bar over the picture, a frame around it, and marks of what both
 //! methods found at the last click.
 
 use super::exhibit::{RIGHT, WRONG, step_and_name};
@@ -18,10 +18,10 @@ use egui::{
 
 /// The bar's height in points.
 pub(super) const HEIGHT: f32 = 50.0;
-/// The bar's colour, which marks in the picture hardly use.
+/// The bar's colour. Marks in the picture hardly use it.
 const BAR: Color32 = Color32::from_rgb(0xf0, 0xe4, 0x42);
 
-/// Over the scene's rectangle; nothing while this program's own method picks.
+/// Shown over the scene's rectangle; nothing while Sightline's own method picks.
 pub(super) fn show(
     ui: &mut Ui,
     rect: Rect,

@@ -129,8 +129,8 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
     ui.end_row();
 }
 
-/// Near and far: a slider over decades around the scene's size, which stay the same while it slides; a field; and a box that
-/// fits the plane to the scene again.
+/// Near and far: a slider, a field, and a box that fits the plane to the scene again. The sliders' range depends on the
+/// scene's size, so it stays the same while they slide.
 fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gesture) {
     let lens = state.view().camera.lens();
     for (name, hint, value, which) in [
@@ -195,7 +195,7 @@ fn depth(ui: &mut Ui, next: &mut LensControls) {
     ui.end_row();
 }
 
-/// Room in points for the longest name of [`POSE`].
+/// Room in points for the longest name in [`POSE`].
 const NAME: f32 = 42.0;
 const POSE: [(&str, &str); 3] = [
     ("eye", "where the camera stands, in the world"),

@@ -59,7 +59,7 @@ pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mu
     }
 }
 
-/// The newest messages: reports of what was done for a while, warnings and errors until they are dismissed.
+/// The newest messages. Reports of what was done go away by themselves; warnings and errors stay until they are dismissed.
 fn notices(ui: &mut Ui, notices: &mut Notices) {
     const SHOWN: usize = 5;
     let earlier = notices.len().saturating_sub(SHOWN);

@@ -13,7 +13,7 @@ use egui::{
     Align2, Area, Color32, Frame, Grid, Id, Rect, RichText, Sense, TextureId, Ui, Vec2, pos2,
 };
 
-/// Over the scene's rectangle; nothing where no check is under way or done.
+/// Shown over the scene's rectangle; nothing if no check is under way or done.
 pub(super) fn show(
     ui: &Ui,
     rect: Rect,
@@ -88,7 +88,7 @@ fn swatch(ui: &mut Ui, colour: Color32) {
     ui.painter().rect_filled(rect, 0.0, colour);
 }
 
-/// What to do where drawing cannot hold a view.
+/// What can be trusted, where the verdict tells that.
 fn advice(verdict: Verdict) -> Option<&'static str> {
     match verdict {
         Verdict::Agrees | Verdict::Unexplained(_) => None,

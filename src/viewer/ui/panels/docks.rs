@@ -22,7 +22,7 @@ impl Side {
     }
 }
 
-/// A panel. At each side they stand in this order.
+/// A panel. Each side shows its panels in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::viewer) enum Section {
     Gallery,
@@ -55,7 +55,7 @@ impl Section {
         }
     }
 
-    /// The least width in points that shows all of it.
+    /// The least width in points that shows the whole panel.
     fn least_width(self) -> f32 {
         match self {
             Self::Objects => 140.0,
@@ -67,7 +67,7 @@ impl Section {
 
 /// The least width in points for three numbers in a row beside their name.
 pub(super) const FIELDS: f32 = 272.0;
-/// The least for four.
+/// The same for four numbers.
 const MATRIX: f32 = 316.0;
 /// Narrower than this, in points, a side is folded.
 const NARROWEST: f32 = 100.0;
@@ -88,14 +88,14 @@ pub(in crate::viewer) struct Wing {
     pub width: f32,
 }
 
-/// Where all of them stand.
+/// Where all panels stand.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(in crate::viewer) struct Docks {
     places: [Place; Section::ALL.len()],
     wings: [Wing; 2],
-    /// Where there is no room for both sides, this one shows: the one that was opened last.
+    /// The side that was opened last. It shows where there is no room for both.
     first: Side,
-    /// Which sides there was room for when they were last shown.
+    /// Which sides showed in the last pass.
     #[serde(skip)]
     pub showing: [bool; 2],
 }
@@ -135,13 +135,13 @@ impl IndexMut<Section> for Docks {
 }
 
 impl Docks {
-    /// Opens a side, before the other where there is no room for both.
+    /// Opens a side. Where there is no room for both, it shows in place of the other.
     pub fn open(&mut self, side: Side) {
         self.wings[side as usize].open = true;
         self.first = side;
     }
 
-    /// Folds a side that shows, opens one that does not.
+    /// Folds a side that shows; opens a side that does not.
     pub fn toggle(&mut self, side: Side) {
         if self.showing[side as usize] {
             self.wings[side as usize].open = false;
@@ -150,7 +150,8 @@ impl Docks {
         }
     }
 
-    /// Shows the matrices, wherever their panel stands, or wants them gone where they show. Returns whether they are wanted.
+    /// Makes the matrices visible, wherever their panel stands. If they are visible already, they are no longer wanted. Returns
+    /// whether they are wanted.
     pub fn toggle_matrices(&mut self, are_wanted: bool) -> bool {
         let Place { side, folded } = self[Section::Pipeline];
         let show = are_wanted && !folded && self.showing[side as usize];
@@ -167,8 +168,8 @@ impl Docks {
         here.filter(|section| self[*section].side == side).collect()
     }
 
-    /// How wide each side is in points, both together at most `room`; `None` for one that is folded or has no panel. Both
-    /// show if there is room for the panels of both, else the one that was opened last.
+    /// How wide each side is in points, both together at most `room`; `None` for a side that does not show: it is folded, has
+    /// no panel or has no room. If there is no room for the panels of both sides, the one that was opened last shows.
     pub fn widths(&self, sections: &[Section], room: f32) -> [Option<f32>; 2] {
         let least = Side::BOTH.map(|side| {
             let widths = self.at(side, sections).into_iter();
@@ -195,7 +196,7 @@ impl Docks {
         }
     }
 
-    /// The edge of a side was dragged: the side is `width` points wide now, or folded where that is very little.
+    /// The edge of a side was dragged: the side is `width` points wide now, or folded if that is very little.
     pub fn drag(&mut self, side: Side, width: f32) {
         self.wings[side as usize] = Wing {
             width: width.max(NARROWEST),
@@ -204,8 +205,8 @@ impl Docks {
     }
 }
 
-/// How wide both sides may be together, in points, so that the picture keeps half of the window. `left` is what the panels
-/// above and below leave of the window.
+/// How wide both sides may be together, in points, so that the picture keeps half of the window's area. `left` is what the
+/// panels above and below leave of the window.
 pub(super) fn room(window: egui::Vec2, left: egui::Vec2) -> f32 {
     if left.y <= 0.0 {
         return 0.0;

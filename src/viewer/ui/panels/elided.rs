@@ -2,7 +2,7 @@
 
 use egui::{Color32, FontId, Ui};
 
-/// A name with its middle left out where it is too wide: names differ mostly at their ends.
+/// The name, with its middle left out if it is too wide: names differ mostly at their ends.
 pub(super) fn elided(ui: &Ui, name: &str, font: &FontId, room: f32) -> String {
     let width = |text: String| {
         let galley = ui

@@ -1,4 +1,4 @@
-//! A scene of the failure gallery: what breaks on it, by which method it is picked from, and what that gets wrong.
+//! The panel of a scene of the failure gallery: what breaks on the scene, which method picks, and what it gets wrong.
 
 use super::{
     field::{short, value_text},
@@ -24,9 +24,9 @@ use crate::{
 use egui::{Button, Color32, ComboBox, Grid, RichText, Ui};
 use glam::DVec3;
 
-/// What is not the default, and what is wrong: [`look::WRONG`].
+/// The colour of methods that are not the default, and of what is wrong: [`look::WRONG`].
 pub(super) const WRONG: Color32 = color32(look::WRONG);
-/// What is right.
+/// The colour of what is right.
 pub(super) const RIGHT: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
 
 /// The gallery's scenes, for the toolbar.
@@ -48,7 +48,7 @@ pub(super) fn menu(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     }
 }
 
-/// In place of the list of objects.
+/// Stands in place of the list of objects.
 pub(super) fn show(
     ui: &mut Ui,
     state: &State,
@@ -168,7 +168,7 @@ fn outcome(ui: &mut Ui, state: &State, showing: &Showing) {
     header.header_response.hint(hint);
 }
 
-/// What a column says of a hit.
+/// Writes what a row says about a method's hit.
 type Column = fn(&State, &Found) -> String;
 
 fn numbers(ui: &mut Ui, state: &State, compared: &Compared) {

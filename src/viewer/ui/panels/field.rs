@@ -6,7 +6,7 @@ use egui::{
     TextEdit, Ui, util::IdTypeMap, vec2,
 };
 
-/// Text that was typed and is not in force, or not yet. It is forgotten when its field shows something else, or is gone.
+/// Typed text whose number is not in force, or not yet. It is forgotten when its field is about something else, or is gone.
 #[derive(Clone, Default)]
 struct Typed {
     text: String,
@@ -46,15 +46,15 @@ pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 pub(super) struct Field<'a> {
     /// What it is called.
     pub name: &'a str,
-    /// Identifies what the number is of: text that was typed for one does not show for another.
+    /// Identifies what the number belongs to: text that was typed for one thing does not show for another.
     pub of: u64,
     /// What the number is, in a few words.
     pub hint: &'a str,
-    /// What is in force.
+    /// The number in force.
     pub value: f64,
-    /// In points.
+    /// The field's width in points.
     pub width: f32,
-    /// What an arrow key adds or takes away; with Shift ten times as much.
+    /// What an arrow key adds or subtracts; with Shift, ten times as much.
     pub step: f64,
 }
 
@@ -88,7 +88,7 @@ impl Field<'_> {
         let wrong = parsed.as_ref().err();
         let wrong = wrong.map(|reason| format!("{reason}; {shown} stays in force"));
         let was_typed = typed.is_some();
-        // Only below a field without the focus, so that nothing moves while one types.
+        // Only below a field without the focus, so that nothing moves while the user types.
         let still = wrong
             .as_ref()
             .filter(|_| !ui.memory(|memory| memory.has_focus(id)));
@@ -110,7 +110,7 @@ impl Field<'_> {
         }
         let given_up = ui.input(|input| input.key_pressed(Key::Escape))
             && (response.has_focus() || response.lost_focus());
-        // Refused text may be valid by now: it is dropped, not taken over.
+        // Refused text may be valid by now: it is dropped, and its number is not used.
         let is_left = was_typed && !response.has_focus() && parsed.is_ok();
         if given_up || is_left {
             forget(ui, id);
@@ -162,7 +162,7 @@ fn forget(ui: &Ui, id: Id) {
     ui.data_mut(|data| data.remove_temp::<Typed>(id));
 }
 
-/// The number in the field; `value` itself, with all its digits, while the text is as it was shown.
+/// The number in the field; `value` itself, with all its digits, while the text is unchanged.
 fn parse(text: &str, value: f64, shown: &str) -> Result<f64, String> {
     if text == shown {
         return Ok(value);
@@ -197,7 +197,7 @@ pub(super) fn short(value: f64) -> String {
     tries.next().unwrap_or_else(|| rounded(value, 1))
 }
 
-/// To so many significant digits.
+/// The number, rounded to this many significant digits.
 fn rounded(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".into();

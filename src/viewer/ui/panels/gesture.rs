@@ -11,7 +11,7 @@ pub(super) struct Gesture {
 }
 
 impl Gesture {
-    /// Notes what such a control did.
+    /// Notes what a control that can be slid or dragged did.
     pub fn note(&mut self, response: &Response) {
         self.goes_on |= response.dragged();
         self.ended |= response.drag_stopped();

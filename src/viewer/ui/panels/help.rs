@@ -10,7 +10,7 @@ use egui::{Align2, Context, Grid, ScrollArea, Ui, Vec2, Window, vec2};
 /// The space around the rows, and the width of a row that does not wrap, in points.
 const MARGIN: Vec2 = vec2(60.0, 90.0);
 const ROW: f32 = 620.0;
-/// Two columns stand side by side where each is at least so wide, in points.
+/// Two columns stand side by side if each can be at least this wide, in points.
 const NARROW: f32 = 500.0;
 
 pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {

@@ -94,7 +94,7 @@ pub(super) fn show(ui: &mut Ui, hit: &Pick) {
         .hint("the face's vertices with their numbers, as the file writes them");
 }
 
-/// Fields that go to an object, face or vertex by its number, and the outcome of the last.
+/// Fields that go to an object, face or vertex by its number, and the outcome of the last "go to".
 pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &mut Vec<Command>) {
     let mut wrong = None;
     ui.horizontal(|ui| {

@@ -1,5 +1,5 @@
-//! Which panel goes where. Panels show the state and return what the user asks for; all that they change themselves is their
-//! own layout.
+//! Which panel goes where. Panels show the state and return what the user asks for. All that they change themselves is
+//! their own: their layout, the typed search, and which messages still show.
 
 use super::{
     axis_cross, banner, corners, differences,
@@ -21,9 +21,9 @@ use egui::{CentralPanel, Panel, Rect, Ui};
 
 /// The result of a pass over the panels.
 pub(in crate::viewer) struct Asked {
-    /// The picture's rectangle, where there is room for it.
+    /// The picture's rectangle; `None` where there is no room for it.
     pub place: Option<SceneRect>,
-    /// Which stages show in it, and where.
+    /// Which stages show in that rectangle, and where.
     pub panes: Vec<(Stage, SceneRect)>,
     /// All that the user asks for.
     pub commands: Vec<Command>,
@@ -70,7 +70,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
             banner::show(ui, rect, place, shown.state, &mut commands);
             Vec::new()
         } else {
-            // The camera's picture, of which the views are, keeps the size of them all.
+            // The camera, which the views are about, has a picture as large as all of them together.
             commands.push(Command::Act(Action::Resize(place.viewport)));
             panes::show(ui, rect, shown.state, drag, &mut commands)
         };
@@ -100,7 +100,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     }
 }
 
-/// The panels that show: in the gallery its own in place of objects and measures.
+/// The panels that show. In the gallery, its own panel replaces objects and measures.
 fn sections(shown: &Shown) -> Vec<Section> {
     if shown.is_bare {
         return Vec::new();
@@ -115,8 +115,8 @@ fn sections(shown: &Shown) -> Vec<Section> {
     Section::ALL.into_iter().filter(is_there).collect()
 }
 
-/// Where the picture goes. In the gallery it is an odd number of pixels wide: then its middle column looks straight ahead,
-/// which one of the scenes is about.
+/// Where the picture goes. In the gallery it is an odd number of pixels wide, so that its middle column looks straight
+/// ahead: one of the scenes is about that column.
 fn picture_rect(ui: &Ui, shown: &Shown) -> Rect {
     let mut rect = ui.max_rect();
     let scale = ui.ctx().pixels_per_point();

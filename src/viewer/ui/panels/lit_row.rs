@@ -1,11 +1,11 @@
-//! What a row of a matrix does, shown in the four views while the cursor rests on the row: its planes, axis or length.
+//! Shows in the four views what a row of a matrix does, while the cursor rests on the row: its planes, axis or length.
 
 use super::pane_page::Page;
 use crate::viewer::model::{Matrix, NDC_DRAWN, Stage};
 use egui::Color32;
 use glam::DVec3;
 
-/// White: areas of no other colour are filled.
+/// White. No area of another colour is filled.
 const COLOUR: Color32 = Color32::from_rgb(255, 255, 255);
 /// Corners of the frustum that bound the two planes of each row of P: left and right, bottom and top, near and far.
 const PLANES: [[[usize; 4]; 2]; 3] = [
@@ -77,7 +77,7 @@ impl Page<'_> {
         }
     }
 
-    /// How far the followed point lies along an axis of the world; in object space the direction in which that grows.
+    /// How far the followed point lies along an axis of the world; in object space, the direction in which that length grows.
     fn along_world(&self, row: usize) {
         let Some(object) = self.state.pane_object() else {
             return;

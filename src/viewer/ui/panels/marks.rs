@@ -1,5 +1,5 @@
 //! Marks over the picture: the point that the pick's ray hits, the triangle there with its corners and barycentrics, the
-//! distance from the previous pick, snapped points, and what the user went to by its number.
+//! distance from the previous pick, snapped points, and the face or vertex that the user went to.
 
 use super::field::short;
 use crate::{
@@ -17,12 +17,12 @@ use glam::DVec3;
 
 /// Radius of the mark at a hit, in points.
 const MARK: f32 = 6.0;
-/// Side of the square around what the user went to, in points.
+/// Side of the square around the face or vertex that the user went to, in points.
 const SOUGHT: f32 = 18.0;
-/// Corners of triangles that are smaller in the picture, in points, are not named: their names would hide them.
+/// A triangle that is smaller than this in the picture, in points, has no names at its corners: they would hide it.
 const LEGIBLE: f32 = 36.0;
 
-/// Over the scene's rectangle; nothing where there is no pick.
+/// Shown over the scene's rectangle.
 pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
     let page = Page {
         painter: ui.painter().with_clip_rect(rect),
@@ -62,7 +62,7 @@ impl Page<'_> {
         Some(ends.map(|end| self.place.to_position(end)))
     }
 
-    /// A ring about the point that the ray hits, with a dot in it on a front and a cross on a back face.
+    /// A ring around the point that the ray hits, with a dot in it on a front face and a cross on a back face.
     fn hit(&self, pick: &Pick) {
         let Some(at) = self.at(pick.point_world) else {
             return;
@@ -82,14 +82,14 @@ impl Page<'_> {
         }
     }
 
-    /// What the user went to by its number: a square, dashed where that is not seen, with its name and what hides it.
+    /// A square around the face or vertex that the user went to, dashed if it is not seen, with its name and what hides it.
     fn sought(&self, state: &State) {
         let Some(sought) = state.sought() else { return };
         let Some(at) = self.at(sought.point.world()) else {
             return;
         };
         let is_seen = matches!(state.sight_of_sought(), Some(Sight::Seen(_)));
-        // On whole pixels its sides are sharp.
+        // On whole points its sides are sharp.
         let square = Rect::from_center_size(at.round(), vec2(SOUGHT, SOUGHT));
         let rim = [
             square.left_top(),
@@ -154,7 +154,7 @@ impl Page<'_> {
                     .line_segment(ends, Stroke::new(2.0, self.colour));
             }
         }
-        // From each corner to the point that it is a share of.
+        // From each corner to the picked point, of which it has a share.
         for corner in corners {
             if let Some(ends) = self.segment(corner, pick.point_world) {
                 let dashes = Shape::dashed_line(&ends, Stroke::new(1.0, self.colour), 4.0, 4.0);
@@ -208,7 +208,7 @@ impl Page<'_> {
             self.painter
                 .layout_no_wrap(text.to_owned(), FontId::proportional(15.0), colour);
         let rect = Align2::CENTER_CENTER.anchor_size(at, galley.size());
-        // Moved into the picture, where it fits.
+        // Moved sideways into the picture, if it fits there.
         let bounds = self.painter.clip_rect().shrink(4.0);
         let over = (rect.right() - bounds.right()).max(0.0);
         let rect = rect.translate(vec2((bounds.left() - rect.left()).max(-over), 0.0));

@@ -182,7 +182,7 @@ pub(super) fn rows(
     }
 }
 
-/// A row of numbers in columns of one width, after the coordinate that it makes. Tooltips have all digits.
+/// A row of numbers in columns of one width, after the name of the coordinate that it makes. Tooltips have all digits.
 pub(super) fn numbers(ui: &mut Ui, values: &[f64], makes: Option<(&str, &str)>) -> Response {
     let row = ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;

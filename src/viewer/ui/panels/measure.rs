@@ -89,7 +89,7 @@ fn copying(
     }
 }
 
-/// One of the last two points, or a dash where there is none: two lines in any case.
+/// One of the last two points, or a dash if there is none. It takes two lines in either case.
 fn point(ui: &mut Ui, name: &str, point: Option<&Snap>) {
     let (label, at) = match point {
         Some(point) => {

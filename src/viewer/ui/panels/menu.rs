@@ -15,7 +15,7 @@ struct Opened {
     px: DVec2,
 }
 
-/// On the picture: `px` is the cursor's pixel position now.
+/// The menu on the picture. `px` is where the cursor is now, in pixels.
 pub(super) fn of_picture(
     picture: &Response,
     state: &State,
@@ -23,7 +23,7 @@ pub(super) fn of_picture(
     commands: &mut Vec<Command>,
 ) {
     let id = Id::unique("under the cursor");
-    // While the button is down nothing is hovered.
+    // What is under the cursor is noted at the press: while the button is down, nothing counts as hovered.
     let button = PointerButton::Secondary;
     let pressed = picture
         .ctx
@@ -45,7 +45,7 @@ pub(super) fn of_picture(
     }
 }
 
-/// On an object: in the list, or at a pixel of the picture.
+/// The menu on an object, in the list or at a pixel of the picture.
 pub(super) fn of_object(
     on: &Response,
     state: &State,
@@ -67,7 +67,7 @@ pub(super) fn of_object(
             let centre = [Action::Recentre(px)];
             lines.add("Centre the view here", "double click", hint, &centre);
         }
-        // These act on the selection. So the object is selected, unless it is: then its picked point stays.
+        // These act on the selection, so they select the object first. If it is selected already, its picked point stays.
         let is_selected = state.selected() == Some(index);
         let select = (!is_selected).then_some(Action::Select(Some(index)));
         let mut selected = |name, key, hint, action| {
@@ -91,7 +91,7 @@ pub(super) fn of_object(
     });
 }
 
-/// On the background.
+/// The menu on the background.
 fn of_nothing(picture: &Response, state: &State, commands: &mut Vec<Command>) {
     Popup::context_menu(picture).show(|ui| {
         let mut lines = Lines { ui, commands };
@@ -136,7 +136,7 @@ impl Lines<'_> {
         }
     }
 
-    /// Where something is hidden.
+    /// Adds "Show all" if something is hidden.
     fn show_all(&mut self, state: &State) {
         if state.scene().hidden_count() > 0 {
             self.add("Show all", "U", "show what is hidden", &[Action::ShowAll]);

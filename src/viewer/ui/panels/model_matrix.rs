@@ -77,7 +77,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
         let mut next = parts;
         part.of(&mut next)[axis] = number;
         let model = match part {
-            // The rest stays to the bit.
+            // The rest of the matrix stays the same to the bit.
             Part::Translation => DAffine3 {
                 translation: next.translation,
                 ..model

@@ -1,4 +1,4 @@
-//! Names for controls that show none, and hints. Screen readers are told both, and tests find controls by name.
+//! Hints, and names for controls that show no name. Screen readers are told both, and tests find controls by name.
 
 use egui::{Response, accesskit};
 
@@ -14,7 +14,7 @@ pub(super) fn described(response: &Response, text: &str) {
     context.accesskit_node_builder(response.id, |node| node.set_description(text));
 }
 
-/// Tells screen readers where a control is that Tab skips: egui tells them of the others.
+/// Tells screen readers where a control is that Tab skips. For other controls, egui does that.
 pub(super) fn bounded(response: &Response) {
     let rect = response.rect;
     let [x0, y0, x1, y1] = [rect.min.x, rect.min.y, rect.max.x, rect.max.y].map(f64::from);
@@ -26,7 +26,7 @@ pub(super) fn bounded(response: &Response) {
 
 /// What a control or a word means: a tooltip, which screen readers are told too.
 pub(super) trait Hint {
-    /// Adds it.
+    /// Adds the hint.
     fn hint(self, text: impl AsRef<str>) -> Self;
 }
 

@@ -18,7 +18,7 @@ use egui::{
 #[derive(Default)]
 pub(in crate::viewer) struct Filter {
     text: String,
-    /// The scene and the text that the rows are for.
+    /// The scene's revision and the text that the rows are for.
     of: Option<(u64, String)>,
     /// Indices of the objects whose name holds the text, whatever its case; `None` for all of them.
     rows: Option<Vec<usize>>,
@@ -49,7 +49,8 @@ impl Filter {
         }
     }
 
-    /// The object in the row below another's, or above it; the first, or the last, where that one has no row.
+    /// The object in the row below `from`'s, or above it. If `from` has no row: the first object on the way down, the last on
+    /// the way up.
     pub fn next(&mut self, state: &State, from: Option<usize>, down: bool) -> Option<usize> {
         self.apply(state);
         let count = self
@@ -105,7 +106,7 @@ pub(super) fn show(
     });
 }
 
-/// How many there are, and buttons that hide and show.
+/// How many objects and triangles there are, and buttons that hide and show.
 fn above(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let scene = state.scene();
     let (objects, triangles) = (scene.objects().len(), scene.triangle_count());
@@ -142,7 +143,8 @@ fn above(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     });
 }
 
-/// A row of the list: all of it selects the object, and lights it while the cursor rests there.
+/// A row of the list. A click on it, beside the tick, selects or deselects the object; the object lights up while the
+/// cursor rests on the row.
 fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
     let object = &state.scene().objects()[index];
     let is_selected = state.selected() == Some(index);

@@ -1,5 +1,5 @@
-//! What is written and drawn over one of the four views: the ray of the followed point and its pixel, the camera's eye and
-//! planes, axes, corners, and what a row of a matrix does.
+//! Writes and draws over one of the four views: the followed point with its ray and pixel, the camera's eye and planes,
+//! axes, corners, and what a row of a matrix does.
 
 use super::{field::short, pane_page::Page};
 use crate::{
@@ -15,13 +15,13 @@ use crate::{
 use egui::{Align2, Color32, Rect, Ui, Vec2, vec2};
 use glam::{DVec2, DVec3};
 
-/// What stands in the corners of a view: its heading, and its axes.
+/// The corners of a view that names keep clear of, with their sizes: its heading, and its cross of axes.
 const CORNERS: [(Align2, Vec2); 2] = [
     (Align2::LEFT_TOP, vec2(10_000.0, 34.0)),
     (Align2::LEFT_BOTTOM, vec2(92.0, 92.0)),
 ];
 
-/// Over a view's rectangle; `seen` is how the stage is seen, in the picture at `place`.
+/// Shown over a view's rectangle. `seen` is the view that the picture at `place` is drawn through.
 pub(super) fn show(
     ui: &mut Ui,
     stage: Stage,
@@ -65,7 +65,7 @@ impl Page<'_> {
             followed.point_object,
         );
         if let Some(steps) = steps {
-            // Uncut: a section decides what is hit, not where the pixel is.
+            // Uncut: a section decides what is hit, but not where the pixel is.
             let ray = state.view().uncut().ray(steps.px);
             let begin = if self.stage == Stage::Ndc {
                 ray.at(ray.t_min)
@@ -108,7 +108,7 @@ impl Page<'_> {
         self.name(at, format!("({x}, {y}, {z})"), colour, hint);
     }
 
-    /// The name of what the user went to, and whether the scene's camera sees it.
+    /// The name of the face or vertex that the user went to, and whether the scene's camera sees it.
     fn sought(&mut self) {
         let Some(sought) = self.state.sought() else {
             return;
@@ -131,7 +131,7 @@ impl Page<'_> {
         self.name(at, text, colour, hint);
     }
 
-    /// The object's own axes, from its origin where that is near it.
+    /// The object's own axes. They start at its origin, or at a corner of its box if the origin is far from it.
     fn object_axes(&mut self) {
         let Some(object) = self.state.pane_object() else {
             return;

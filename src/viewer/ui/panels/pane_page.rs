@@ -18,10 +18,10 @@ use glam::DVec3;
 const SMALL: f32 = 230.0;
 /// Size of names in points: in the smallest views, and in large ones.
 const TEXT: [f32; 2] = [11.0, 14.0];
-/// How far names are from their points, in points: the first that has room.
+/// Distances of a name from its point, in points of the window. The first one with room is used.
 const BESIDE: [f32; 3] = [10.0, 24.0, 40.0];
 
-/// What is to be written beside a point, and what it means.
+/// A text to be written beside a point, and what it means.
 pub(super) struct Name {
     at: Pos2,
     text: String,
@@ -29,12 +29,12 @@ pub(super) struct Name {
     hint: &'static str,
 }
 
-/// Over a view's rectangle.
+/// What is drawn over a view's rectangle.
 pub(super) struct Page<'a> {
     pub ui: &'a mut Ui,
     pub rect: Rect,
     pub place: SceneRect,
-    /// How the stage is seen, in the picture at that place.
+    /// The view that the picture at that place is drawn through.
     pub seen: &'a View,
     pub stage: Stage,
     pub state: &'a State,
@@ -78,7 +78,7 @@ impl Page<'_> {
         }
     }
 
-    /// The same with a head at its end.
+    /// A line with an arrowhead at its end.
     pub fn arrow(&self, from: DVec3, to: DVec3, colour: Color32) {
         self.line(from, to, 2.0, colour);
         let Some([from, to]) = self.segment(from, to) else {
@@ -93,7 +93,7 @@ impl Page<'_> {
         }
     }
 
-    /// The area within these corners of a plane.
+    /// An area of a plane, by its corners.
     pub fn area(&self, corners: &[DVec3], colour: Color32) {
         let lens = self.seen.camera.lens();
         let past_near = |p: &DVec3| self.seen.camera.to_view(*p).z - lens.near;
@@ -134,7 +134,7 @@ impl Page<'_> {
 
     /// Writes the names over all lines, each clear of `taken` and of the other names.
     pub fn write(self, mut taken: Vec<Rect>) {
-        // Names do not cover the named points either.
+        // Names do not cover named points either.
         let at = self.names.iter().map(|name| name.at);
         taken.extend(at.map(|at| Rect::from_center_size(at, Vec2::splat(9.0))));
         let painter = self.painter();

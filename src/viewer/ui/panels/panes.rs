@@ -1,4 +1,4 @@
-//! The four views side by side, or one of them large: what each is called, what the mouse does in it, and its axes.
+//! The four views side by side, or one of them large, each with its heading, its mouse actions and its axes.
 
 use super::{
     axis_cross,
@@ -21,14 +21,14 @@ use egui::{
 };
 use glam::{DMat3, DVec3};
 
-/// Between two views, in points.
+/// The gap between two views, in points.
 const GAP: f32 = 2.0;
 /// Height of a view's heading in points.
 const HEADING: f32 = 34.0;
 /// Smaller than this, in points, a view has no room for a cross of axes.
 const ROOM_FOR_CROSS: f32 = 190.0;
 
-/// All of them within the scene's rectangle; returns where each is.
+/// Shows the views within the scene's rectangle. Returns where each is.
 pub(super) fn show(
     ui: &mut Ui,
     rect: Rect,
@@ -68,7 +68,7 @@ pub(super) fn show(
     places
 }
 
-/// Object and world above view and NDC.
+/// The rectangle of the view at an index: object and world stand above view and NDC.
 fn quarter(rect: Rect, at: usize) -> Rect {
     let (middle, half) = (rect.center().round(), 0.5 * GAP);
     let (left, right) = if at.is_multiple_of(2) {
@@ -84,7 +84,7 @@ fn quarter(rect: Rect, at: usize) -> Rect {
     Rect::from_min_max(pos2(left, top), pos2(right, bottom))
 }
 
-/// One of them; returns whether the cursor is in it.
+/// Shows one view. Returns whether the cursor is in it.
 fn pane(
     ui: &mut Ui,
     stage: Stage,
@@ -117,7 +117,7 @@ fn pane(
         let axes = axes(state, stage);
         ui.push_id(stage.name(), |ui| {
             if let Some(to) = axis_cross::cross(ui, rect, &(view.camera.rotation() * axes)) {
-                // In the space that the stage is drawn in z may run the other way.
+                // In the space that the stage is drawn in, z may run the other way.
                 let drawn = drawn_axes(state, stage) * to;
                 commands.push(Command::Act(Action::LookFrom(drawn)));
             }
@@ -188,7 +188,7 @@ fn about(state: &State, stage: Stage) -> (String, &'static str) {
     }
 }
 
-/// Its name, what it shows, and the buttons that enlarge it and frame it again.
+/// A view's name, what it shows, and the buttons that enlarge it and frame it again.
 fn heading(ui: &mut Ui, stage: Stage, rect: Rect, state: &State, commands: &mut Vec<Command>) {
     let name = stage.name();
     let strip = Rect::from_min_size(rect.min, vec2(rect.width(), HEADING.min(rect.height())));

@@ -15,7 +15,7 @@ use crate::{
 };
 use egui::{Align, FontId, Label, Layout, RichText, Role, Ui, WidgetInfo};
 
-/// `going_to` is the outcome of the last field that went to something by its number.
+/// `going_to` is the outcome of the last "go to".
 pub(super) fn show(
     ui: &mut Ui,
     state: &State,
@@ -52,7 +52,7 @@ pub(super) fn show(
         });
     });
     in_file::go_to(ui, state, going_to, commands);
-    // First, so that it stays in place while edits change the rest.
+    // It comes first, so that it stays in place while edits change the rest.
     model_matrix::show(ui, state, selection.object, commands);
     let digits = Digits::of(&state.scene().bounds());
     let Some(hit) = state.picked() else {
@@ -229,7 +229,7 @@ fn certainty(hit: &Pick, digits: Digits) -> [Row; 4] {
     ]
 }
 
-/// Tells that the pick was made in another view than the one on screen.
+/// Says so if the pick was made in another view than the one on screen.
 fn whose_view(ui: &mut Ui, state: &State) {
     let text = match state.pick_view() {
         Some(PickView::Earlier) => "Picked in an earlier view. Copies repeat it there.",

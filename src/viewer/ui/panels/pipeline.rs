@@ -36,7 +36,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let (scene, view) = (state.scene(), state.view());
     let followed = state.followed();
     let of_point = followed.map(|followed| &scene.objects()[followed.object]);
-    // The object view's, so that M is of what that view shows.
+    // The object view's object comes first, so that M is the matrix of what that view shows.
     let object = (state.pane_object())
         .or(followed.map(|followed| followed.object))
         .or(state.selected())
@@ -242,7 +242,7 @@ fn background(view: &View, px: DVec2) -> Values {
     ]
 }
 
-/// As large with numbers as without, so that the panel does not jump while it follows the cursor.
+/// The rows. They are as high without numbers as with them, so that the panel does not jump while it follows the cursor.
 fn table(ui: &mut Ui, values: &Values) {
     let colour = if ui.visuals().dark_mode {
         color32(look::SELECTION)
@@ -276,7 +276,7 @@ fn table(ui: &mut Ui, values: &Values) {
 /// The most characters of a number where four stand beside their name.
 const NARROW: usize = 7;
 
-/// With three decimals, or as many as there is room for; as a power of ten where there is none.
+/// A number with three decimals, or as many as there is room for; as a power of ten if it has no room otherwise.
 fn narrow(value: f64) -> String {
     let fixed = (0..=3).rev().map(|decimals| format!("{value:.decimals$}"));
     let powers = (1..=3).rev().map(|decimals| format!("{value:.decimals$e}"));

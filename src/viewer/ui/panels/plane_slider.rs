@@ -4,7 +4,7 @@ use super::names::{Hint, named};
 use crate::viewer::model::State;
 use egui::{Response, Slider, Ui};
 
-/// With Shift, each point that the cursor moves changes a plane's depth by this share.
+/// With Shift, a plane's depth changes by this share for each point that the cursor moves.
 const FINE: f64 = 0.005;
 
 /// Adds a hint, but not while the slider is dragged: the tooltip would cover the numbers that change.
@@ -16,7 +16,7 @@ pub(super) fn hint_at_rest(slider: Response, hint: impl AsRef<str>) -> Response 
     }
 }
 
-/// How large the visible scene is: the sliders cover ten decades around that.
+/// How large the visible scene is. The sliders cover ten decades around that.
 pub(super) fn size(state: &State) -> f64 {
     let bounds = state.scene().visible_bounds();
     if bounds.is_empty() {
@@ -42,7 +42,7 @@ pub(super) fn show(
         .show_value(false);
     let slider = ui.add(slider);
     let (has_shift, by) = ui.input(|input| (input.modifiers.shift, input.pointer.delta().x));
-    // A drag that was fine once stays so until its end, or the plane would jump to the cursor.
+    // A drag that was fine once stays fine until its end. Else the plane would jump to the cursor.
     let is_fine = ui.data_mut(|data| {
         let is_fine: &mut bool = data.get_temp_mut_or_default(slider.id);
         *is_fine = has_shift || (*is_fine && !slider.drag_started());

@@ -106,7 +106,7 @@ impl Page<'_> {
                 upwards,
                 text,
             } => {
-                // The charts' own typeface is this one, in which a size is a line's height.
+                // The charts have this typeface too, but there a size is the height of a line.
                 let font = FontId::proportional(0.86 * *size as f32 * self.scale);
                 let align = match anchor {
                     Anchor::Left => Align2::LEFT_CENTER,

@@ -7,7 +7,7 @@ use crate::viewer::{
 };
 use egui::{Context, Id, Modal};
 
-/// In the middle of the window, over everything else.
+/// Shown in the middle of the window, over everything else.
 pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut Vec<Command>) {
     let (what, go_on) = match intent {
         Intent::Open(_) => ("opens other files", "Open, drop the edits"),

@@ -1,17 +1,17 @@
-//! Names and numbers, a row each.
+//! Tables with a name and a value in each row, and how their numbers are written.
 
 use super::{field::value_text, names::Hint};
 use crate::geometry::Aabb;
 use egui::{Grid, Label, Ui};
 use glam::DVec3;
 
-/// Decimal places of what has no unit, and of pixels.
+/// Decimal places of numbers that have no unit.
 pub(super) const PLACES: usize = 6;
 
-/// Characters of three numbers that fit beside their name.
+/// The most characters of three numbers that fit beside their name.
 const LINE: usize = 29;
 
-/// How numbers of a kind are written: all equally wide, so that columns align.
+/// How numbers of one kind are written: all equally wide, so that columns align.
 #[derive(Clone, Copy)]
 pub(super) struct Digits {
     places: usize,
@@ -19,13 +19,13 @@ pub(super) struct Digits {
 }
 
 impl Digits {
-    /// Of what lies in [-1, 1].
+    /// For numbers in [-1, 1].
     pub const UNIT: Self = Self {
         places: PLACES,
         width: PLACES + 3,
     };
 
-    /// Of lengths in a scene: as many places as its coordinates have, in a width that all of them fit.
+    /// For lengths in a scene: with as many places as its coordinates have, in a width that fits them all.
     pub fn of(bounds: &Aabb) -> Self {
         let places = bounds.decimal_places();
         let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
@@ -48,7 +48,7 @@ impl Digits {
         }
     }
 
-    /// Components side by side, or one below the other where this scene's would not fit.
+    /// Components side by side, or one below the other if numbers of this width would not fit.
     pub fn vector(self, v: DVec3) -> String {
         let Self { places, width } = self;
         let components = v

@@ -15,7 +15,7 @@ use crate::{
 use egui::{Grid, Slider, Ui};
 use glam::DVec3;
 
-/// Nothing in the gallery, which takes no sections.
+/// Shows nothing in the gallery, which takes no sections.
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     if !state.takes_sections() {
         return;
@@ -35,7 +35,7 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     if on.hint(hint).changed() {
         commands.push(Command::Act(Action::ToggleSection));
     }
-    // A section is looked for when its button is clicked: along a mesh's face that takes all its triangles.
+    // A section is computed only when its button is clicked: along a mesh's face, that takes all of the mesh's triangles.
     let mut button =
         |word: &str, name: &str, hint: &str, can: bool, to: &dyn Fn() -> Option<Action>| {
             let button = ui.add_enabled(can, egui::Button::new(word).small());

@@ -14,14 +14,14 @@ use crate::{
 use egui::{Color32, CursorIcon, Painter, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 
-/// Length of the arrow over the radius of what is visible.
+/// Length of the arrow, as a share of the radius of what is visible.
 const LENGTH: f64 = 0.25;
 /// The arrow is at least this long in the picture, in points, so that it can be grabbed.
 const SHORTEST: f32 = 28.0;
-/// It can be grabbed so far from its head, in points.
+/// The arrow can be grabbed this far from its head, in points.
 const REACH: f32 = 11.0;
 
-/// Over the scene's rectangle; nothing where nothing is cut.
+/// Shown over the scene's rectangle; nothing if there is no section.
 pub(super) fn show(
     ui: &mut Ui,
     rect: Rect,

@@ -16,7 +16,7 @@ pub(in crate::viewer) struct Floating {
     pub help: bool,
     /// Matrices.
     pub pipeline: bool,
-    /// Whether they were there before the four views.
+    /// Whether the matrices showed before the four views did.
     pub pipeline_was: bool,
 }
 
@@ -25,7 +25,7 @@ pub(in crate::viewer) struct Floating {
 pub(in crate::viewer) struct Underway {
     /// What is being done.
     pub what: &'static str,
-    /// How far it has come, where that is known.
+    /// How far it has come; `None` if that is not known.
     pub fraction: Option<f32>,
 }
 
@@ -41,9 +41,9 @@ pub(in crate::viewer) struct Shown<'a> {
     pub floating: Floating,
     /// Where in the tour the user is.
     pub tour: Option<Tour>,
-    /// Whether to offer it: the user has not answered yet.
+    /// Whether to offer the tour: the user has not answered yet.
     pub offers_tour: bool,
-    /// What would drop edits, while the question about it is open.
+    /// What would drop edits, while the question about that is open.
     pub question: Option<&'a Intent>,
     /// The study's chart of what breaks, in the gallery.
     pub chart: Option<&'a Chart>,
@@ -55,9 +55,9 @@ pub(in crate::viewer) struct Shown<'a> {
     pub statistics: &'a Statistics,
     /// Where the panels stand.
     pub docks: &'a mut Docks,
-    /// Which look the panels are asked to have.
+    /// The look that the user chose for the panels.
     pub look: Look,
-    /// The outcome of the last go to an object, a face or a vertex.
+    /// The outcome of the last "go to" of an object, a face or a vertex.
     pub going_to: Option<&'a str>,
     /// The files of scenes that were opened before, the last first.
     pub recent: &'a [Vec<PathBuf>],

@@ -1,4 +1,4 @@
-//! The line at the bottom: how fast, on what, and what is under the cursor.
+//! The line at the bottom: times, the adapter, the projection, and what is under the cursor.
 
 use super::names::Hint;
 use crate::viewer::model::State;
@@ -8,9 +8,10 @@ use std::time::Duration;
 /// What the status line knows of the machine.
 #[derive(Clone, Debug, Default)]
 pub(in crate::viewer) struct Statistics {
-    /// CPU time of the last frame that drew the scene, GPU included where it is software.
+    /// How long the last frame took that showed a new picture of the scene. The adapter's own time counts only if the adapter
+    /// is software.
     pub frame: Duration,
-    /// The last pick.
+    /// How long the last click took to pick.
     pub pick: Option<Duration>,
     /// The graphics adapter.
     pub adapter: String,

@@ -63,7 +63,7 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
             };
             commands.extend(show(ui, &mut shown, &mut None).commands);
         });
-        // egui complains where its textures are not taken.
+        // egui complains if its textures are not taken.
         output.textures_delta.clear();
         output.shapes
     };
@@ -178,7 +178,8 @@ fn short_numbers_read_as_the_number() {
     }
 }
 
-/// README's table, in which a key with Shift or Ctrl may stand as words beside the key alone.
+/// Compares README's table with the bindings. Where a key is bound alone too, README may describe its use with Shift or
+/// Ctrl in words, so only the key alone is compared.
 #[test]
 fn readme_names_every_key_and_no_other() {
     let readme = include_str!("../../../../README.md");

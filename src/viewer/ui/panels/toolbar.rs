@@ -1,4 +1,5 @@
-//! The row of buttons at the top, in groups. As it gets narrower names go first; then groups move into a menu at its end.
+//! The row of buttons at the top, in groups. As the row gets narrower, names go first; then groups move into a menu at its
+//! end.
 
 use super::{
     docks::{Section, Side},
@@ -74,7 +75,7 @@ pub(super) fn show(
     });
 }
 
-/// How much of each group shows in so many points. Groups whose icons say least stand last and keep their names longest.
+/// How much of each group shows in `room` points. Groups whose icons say least stand last and keep their names longest.
 fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> Vec<Shows> {
     let mut shows = vec![Shows::Names; groups.len()];
     let spacing = ui.spacing();
@@ -120,7 +121,7 @@ fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> Vec<Shows> {
     shows
 }
 
-/// An icon, as large beside a name as alone.
+/// An icon. It is as large beside a name as alone.
 fn icon(picture: &str) -> RichText {
     RichText::new(picture).font(FontId::monospace(14.0))
 }

@@ -21,13 +21,13 @@ pub(super) struct Tool {
     pub name: &'static str,
     /// What it does, and its key.
     pub hint: String,
-    /// Whether what it switches is on; `None` where it switches nothing.
+    /// Whether what it switches is on; `None` if it switches nothing.
     pub is_on: Option<bool>,
     pub enabled: bool,
     pub does: Does,
 }
 
-/// What a click on it does.
+/// What a click on a tool does.
 #[expect(
     clippy::large_enum_variant,
     reason = "few at a time, and a camera is most of one"
@@ -47,7 +47,7 @@ pub(super) enum Menu {
 }
 
 impl Tool {
-    /// The same as a switch that is on or off.
+    /// The same tool as a switch that is on or off.
     fn switched(self, on: bool) -> Self {
         Self {
             is_on: Some(on),
@@ -235,7 +235,7 @@ fn learning(shown: &Shown) -> Vec<Tool> {
     ]
 }
 
-/// What a menu holds.
+/// Shows what a menu holds.
 pub(super) fn open(ui: &mut Ui, shown: &Shown, menu: Menu, commands: &mut Vec<Command>) {
     let state = shown.state;
     match menu {

@@ -13,16 +13,16 @@ use egui::{
     TextStyle, Ui, vec2,
 };
 
-/// Between the offer and the picture's edge, in points.
+/// The gap between the offer and the picture's edge, in points.
 const MARGIN: f32 = 12.0;
-/// Between two paragraphs, in points.
+/// The gap between two paragraphs, in points.
 const GAP: f32 = 3.0;
 /// The strip takes no more than this share of the window's height: what is longer scrolls.
 const MOST: f32 = 0.4;
 /// Marks a step that is done.
 const TICK: &str = "\u{2714}";
 
-/// The present step. The strip is as high for all steps, so that the picture keeps its size.
+/// Shows the present step. The strip has the height of the longest step, so that the picture keeps its size.
 pub(super) fn strip(ui: &mut Ui, tour: Tour, state: &State, commands: &mut Vec<Command>) {
     let window = ui.ctx().content_rect().size();
     let style = ui.style();

@@ -16,7 +16,7 @@ use egui::{
 /// The least height of the list of objects in points, whatever stands above it.
 const LEAST_LIST: f32 = 165.0;
 
-/// Shows a side so many points wide; `None` while it is folded. Returns where its edge to the picture is.
+/// Shows a side, `width` points wide; with `None`, nothing shows. Returns the strip around its edge to the picture.
 pub(super) fn show(
     ui: &mut Ui,
     side: Side,
@@ -153,7 +153,7 @@ fn contents(ui: &mut Ui, section: Section, shown: &mut Shown, commands: &mut Vec
     }
 }
 
-/// The edge of a side: dragged, it makes the side wider or narrower, and folds it in the end.
+/// The edge of a side. Dragging it makes the side wider or narrower; close to the window's border it folds the side.
 pub(super) fn edge(ui: &mut Ui, side: Side, rect: Rect, shown: &mut Shown) {
     // Tab skips it: from the keyboard, the toolbar folds sides.
     let id = ui.scope_id().with(("edge", side as usize));

@@ -1,4 +1,4 @@
-//! What the user has just done, by which the tour notices that a step is done.
+//! What the user has just done. From this the tour notices that a step is done.
 
 use crate::{
     scene::{Object, Shape},
@@ -20,7 +20,7 @@ pub(in crate::viewer) struct Seen<'a> {
     pub checking: &'a Checking,
 }
 
-/// Whether the scene's camera turns, and not one of the four views.
+/// Whether the scene's camera turns, and not just one of the four views.
 pub(super) fn turns(seen: &Seen) -> bool {
     let in_picture = seen.state.views() == Views::Picture;
     seen.acts(|action| match action {
@@ -49,7 +49,7 @@ impl Seen<'_> {
         self.state.scene().objects().get(pick.id - 1)
     }
 
-    /// Whether near is set beyond all of an object, and not beyond all of the scene.
+    /// Whether near is set beyond all of an object, but leaves some of the scene in view.
     pub(super) fn near_is_past(&self, name: &str) -> bool {
         let (scene, view) = (self.state.scene(), self.state.view());
         let objects = scene.objects();

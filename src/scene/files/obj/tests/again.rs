@@ -1,4 +1,4 @@
-//! What is read again of a face equals the text of the file, according to a simple reader without pieces.
+//! Tests that a face read again equals the text of the file, as a simple reader without pieces finds it.
 
 use super::{
     super::{Again, AgainError, Stamp},
