@@ -1,7 +1,7 @@
 //! Clips convex polygons at a plane.
 
 /// The part of a convex polygon on one side of a plane, by corners in order (Sutherland & Hodgman, "Reentrant Polygon
-/// Clipping", 1974). Two corners stand for a segment: what is left of it are the first two of the result.
+/// Clipping", 1974). Two corners stand for a segment; the result's first two are what is left of it.
 ///
 /// `side` is linear, 0 on the plane and positive on the side that is kept. `cut(a, b, share)` makes the corner where
 /// `side` is 0, at `share` of the way from `a` to `b`.

@@ -47,7 +47,7 @@ pub(super) fn nearest(
     best
 }
 
-/// Whether a ray meets an object, if that is visible, whatever lies before it.
+/// Whether a ray meets a given object, if that is visible. What lies before it does not matter.
 pub(super) fn meets(beam: &Beam, ray: &WorldRay, sides: Sides, object: usize) -> bool {
     let scene = beam.scene();
     let mut found = false;

@@ -145,8 +145,8 @@ fn each_until<T: Copy + Default + Send, C: Fn(DVec2) -> T>(
     (!is_late.into_inner()).then(|| Image::new(view.viewport, pixels))
 }
 
-/// Calls `of_tile` with the corners of each tile, then the closure that it returns with each pixel centre of the tile.
-/// Where it returns none, the tile's pixels keep their default.
+/// Calls `of_tile` with the corners of each tile, and the closure that it returns for each pixel centre of the tile.
+/// Where `of_tile` returns `None`, the tile's pixels keep their default.
 fn each_in_tiles<T: Clone + Default + Send, C: Fn(DVec2) -> T>(
     view: &View,
     of_tile: impl Fn([DVec2; 2]) -> Option<C> + Sync,

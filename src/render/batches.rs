@@ -41,7 +41,7 @@ impl DrawnShape {
         }
     }
 
-    /// The end of the triangles, from `first` on, that one call can draw.
+    /// The end of the triangles that one call can draw from `first` on.
     pub fn end_of_call(&self, first: u32) -> u32 {
         match self {
             Self::Triangles { buffers, triangles } => buffers.end_of_call(first).min(triangles.end),
@@ -74,14 +74,14 @@ pub(super) struct Batch {
     pub twins: Option<u32>,
 }
 
-/// What a batch of triangles has, or a sphere.
+/// What is particular to a batch of triangles, or to a sphere.
 #[derive(Clone, Debug)]
 pub(super) enum Own {
     Triangles(TriangleBatch),
     Sphere { object: u32 },
 }
 
-/// What a batch of triangles has.
+/// What is particular to a batch of triangles.
 #[derive(Clone, Debug)]
 pub(super) struct TriangleBatch {
     /// The origin of vertex space, in object space.
@@ -93,7 +93,7 @@ pub(super) struct TriangleBatch {
     pub numbers_triangles: bool,
 }
 
-/// A row of one of the tables.
+/// A row of one of the GPU tables.
 pub(super) enum Row {
     Triangles(layout::Batch),
     Sphere(layout::Sphere),

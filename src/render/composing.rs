@@ -144,7 +144,7 @@ pub(super) struct Composer {
 }
 
 impl Composer {
-    /// At the first block.
+    /// A composer at the first block.
     pub fn new(view: &View, all: &ToDraw) -> Self {
         Self {
             space: ViewSpace::new(view),

@@ -17,7 +17,7 @@ const ASIDE_PX: f64 = 2.0;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frustum {
     eye: DVec3,
-    /// Each plane's inward normal, and how far inside the eye is, in units of the normal.
+    /// Each plane's inward normal, and how far inside the plane the eye is, in units of the normal's length.
     planes: [(DVec3, f64); 6],
 }
 

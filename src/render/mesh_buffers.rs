@@ -78,7 +78,7 @@ impl MeshBuffers {
         })
     }
 
-    /// The end of the triangles, from `first` on, that one call can draw.
+    /// The end of the triangles that one call can draw from `first` on.
     pub fn end_of_call(&self, first: u32) -> u32 {
         let chunk = self.chunk(first);
         chunk.map_or(self.triangles, |chunk| chunk.triangles.end)

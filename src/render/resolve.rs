@@ -1,6 +1,6 @@
 //! The multisample resolve as a shader, for software adapters: others have a circuit for it. Lavapipe (Mesa 22.3)
-//! compiles its built-in resolve anew in each process, which takes longer than drawing a small scene. Shaders it
-//! compiles once and keeps on disk.
+//! compiles its built-in resolve anew in each process, which takes longer than drawing a small scene. It compiles a
+//! shader once and keeps it on disk.
 
 use super::{
     bindings, flat,

@@ -1,5 +1,4 @@
-//! The section's test in the fragment shaders, which needs the pixel's position and one number q that each fragment
-//! has.
+//! The section's test in the fragment shaders: it needs the pixel's position and one number q of each fragment.
 //!
 //! A ray's point p at depth t has `n . p + c = S + t A`, where S belongs to the ray's start and A to its direction. In
 //! perspective S is the same for all rays, A is linear over the picture, and a fragment's w holds q = 1 / t: the sign

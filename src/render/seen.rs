@@ -130,7 +130,7 @@ enum News {
 }
 
 impl Seen {
-    /// Before the first view.
+    /// The state before the first view.
     pub fn new(tables: Tables) -> Self {
         Self {
             tables,

@@ -295,10 +295,10 @@ fn sums_exactly(terms: [f64; 4]) -> bool {
     lowest >= i64::from(f32::MIN_EXP - 1) && largest <= times_power_of_two(1.0 / U, lowest)
 }
 
-/// The point to subtract from vertices: `f32` is finest near it. The error relative to the depth counts. A pivot as
-/// near as the nearest vertex that may be seen is never bad; a pivot on what the camera looks at is best. So the pivot
-/// lies on the line of sight at the target's depth; in perspective this depth is at least that where the batch begins,
-/// and at most twice that. The point is then clamped into the batch.
+/// The point to subtract from vertices: `f32` is finest near it. What matters is the error relative to the depth. A
+/// pivot as near as the nearest vertex that may be seen is never bad; a pivot on what the camera looks at is best. So
+/// the pivot lies on the line of sight at the target's depth; in perspective this depth is clamped between the one
+/// where the batch begins in view and twice that. The point is then clamped into the batch.
 fn pivot(view: &View, placement: &Placement, origin: DVec3, bounds: &Aabb) -> DVec3 {
     if bounds.is_empty() {
         return DVec3::ZERO;

@@ -35,7 +35,7 @@ pub struct ViewPoint {
 }
 
 impl ViewSpace {
-    /// Of a view.
+    /// View space of a view.
     #[must_use]
     pub fn new(view: &View) -> Self {
         let camera = &view.camera;

@@ -54,6 +54,7 @@
 mod budget;
 pub mod chart;
 mod csv;
+mod effort;
 mod estimates;
 pub mod exact;
 pub mod gallery;
@@ -63,6 +64,7 @@ pub mod real;
 mod run;
 mod save;
 mod scene_rays;
+mod statistics;
 pub mod step;
 mod summary;
 pub mod swap;
@@ -72,8 +74,9 @@ pub mod truth;
 
 pub use budget::{budget, measured};
 pub use csv::{COLUMNS, SUMMARY_COLUMNS, csv, summary_csv};
+pub use effort::Effort;
 pub use estimates::{Estimate, estimates};
-pub use run::{Effort, Report, Row, SCENE, run};
+pub use run::{Report, Row, SCENE, run};
 pub use save::{SaveError, save, save_chart};
 pub use scene_rays::SceneRays;
 pub use table::table;
@@ -82,10 +85,11 @@ pub use timing::{Time, processor};
 /// What most files of the study import.
 mod prelude {
     pub use super::{
+        effort::Effort,
         exact::{self, Exact, Exact3},
         random::Random,
         real::{M3, Real, Ring, V3, narrow, narrow3},
-        run::{Effort, Report, Row, SCENE},
+        run::{Report, Row, SCENE},
         scene_rays::{PX, SceneRays, TAN_30},
         step::{
             About, Case, Family, Method, MethodInfo, Methods,

@@ -1,46 +1,16 @@
 //! Runs the study: every method of every step over every workload, compared with the truth and timed.
 
 use super::{
+    effort::Effort,
     methods::{Visitor, each_step, registry},
     random::Random,
     scene_rays::SceneRays,
+    statistics::{interval, quantile, rate},
     step::{Case, Family, Method, MethodInfo, Verdict},
-    summary::{interval, quantile, rate},
     timing::{self, Time},
 };
 use crate::geometry::shares::on_all_cores;
 use std::iter;
-
-/// How much is run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Effort {
-    /// Cases at each value of each family's parameter.
-    pub cases: usize,
-    /// The same for whole picks. They are fewer, because their truth tests every triangle.
-    pub picks: usize,
-    /// Rounds of timing; 0 for none.
-    pub rounds: usize,
-    /// The seed of the random numbers. The same seed gives the same verdicts on every machine.
-    pub seed: u64,
-}
-
-impl Effort {
-    /// Takes seconds.
-    pub const QUICK: Self = Self::new(500, 200, 11);
-    /// A scene's own rays only.
-    pub const SCENE_ONLY: Self = Self::new(0, 0, 11);
-    /// Takes minutes.
-    pub const FULL: Self = Self::new(8000, 4000, 41);
-
-    const fn new(cases: usize, picks: usize, rounds: usize) -> Self {
-        Self {
-            cases,
-            picks,
-            rounds,
-            seed: 1,
-        }
-    }
-}
 
 /// What a method did at one value of one family's parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! What a step of a pick consists of: its cases, methods, workloads, truth and verdicts.
 
-use super::{random::Random, run::Effort, scene_rays::SceneRays};
+use super::{effort::Effort, random::Random, scene_rays::SceneRays};
 
 /// The arithmetic that a method uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

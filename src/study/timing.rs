@@ -123,5 +123,5 @@ fn ns_each(seconds: f64, count: usize) -> f64 {
 
 fn quantile(values: &mut [f64], share: f64) -> f64 {
     values.sort_by(f64::total_cmp);
-    super::summary::quantile(values, share).max(LEAST_NS)
+    super::statistics::quantile(values, share).max(LEAST_NS)
 }

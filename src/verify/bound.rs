@@ -94,8 +94,9 @@ impl Outline {
 }
 
 impl Reason {
-    /// What the near plane explains for a surface at distance `gap` from it in depth, when the rasteriser's grid and
-    /// `f32` may change that depth by `grid` and by `f32`. `beyond_f32` says that the depth's bounds exceed a ceiling.
+    /// What the near plane explains for a surface at distance `gap` from it in depth. `grid` and `f32` are how much the
+    /// rasteriser's grid and `f32` arithmetic may change that depth. `beyond_f32` says that the depth's bounds exceed a
+    /// ceiling.
     pub fn at_near_plane(gap: f64, [grid, f32]: [f64; 2], beyond_f32: bool) -> Option<Self> {
         let class = if beyond_f32 {
             Class::BeyondF32

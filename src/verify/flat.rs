@@ -2,7 +2,7 @@
 //!
 //! An edge across which the surface continues is no outline: when drawing moves the edge, the neighbour shows, not what
 //! lies behind. So an id stands for all triangles that may show in its place, found edge by edge. It has an outline
-//! only at edges across which none of them continues.
+//! only at edges where the surface ends.
 
 use super::{
     OUTLINE_CEILING_PX,

@@ -23,9 +23,9 @@
 //!
 //! An edge across which the surface continues is no outline: a neighbour may show there, but not what lies behind.
 //!
-//! A bound that is infinite or NaN explains nothing. If nothing is drawn but something is picked, or the reverse, the
-//! comparison fails, whatever explains the single pixels. The exceptions are a speck smaller than a pixel, and a
-//! section through all of the pixels ([`Report::verdict`]).
+//! A bound that is infinite or NaN explains nothing: the pixel is then beyond f32. If nothing is drawn but something is
+//! picked, or the reverse, the comparison fails, whatever explains the single pixels. The exceptions are a speck
+//! smaller than a pixel, and a section through all of the pixels ([`Report::verdict`]).
 //!
 //! Where the bounds leave the order of two surfaces open, the surfaces lie *in one place* ([`Places`]), whether or not
 //! drawing and pick differ there.

@@ -5,8 +5,8 @@
 //! | folder | holds |
 //! |---|---|
 //! | [`model`] | what is shown and how it answers: data and state, no window |
-//! | `jobs` | what takes long: loading, trees, comparison, chart, dialogs, typefaces, watching files; a thread and a receiver each |
-//! | `screen` | what is drawn: the canvas, lines about the scene, the window's surface, screenshots |
+//! | `jobs` | what takes long: loading, trees, comparison, chart, dialogs, typefaces, watching files; each has a thread |
+//! | `screen` | what is drawn: the canvas, lines around the scene, the window's surface, screenshots |
 //! | `ui` | keys, mouse, panels, theme: they show the state and return commands |
 //! | `app` | the program: what commands do, and the one driver of a frame |
 //! | `host` | where it is shown: in a window, or in pictures of one |

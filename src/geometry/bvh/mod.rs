@@ -28,7 +28,7 @@ use simd::Instructions;
 use std::{ops::ControlFlow, sync::atomic::AtomicBool};
 use walk::Walk;
 
-/// Receives the triangles that a ray may hit. A closure will do, but is not compiled for a walk's instructions: that
+/// Receives the triangles that a ray may hit. A closure will do, but may not be compiled for a walk's instructions: that
 /// needs `#[inline(always)]`, which closures cannot have.
 pub trait Visit {
     /// Takes a triangle of the mesh and its exact corners. Returns the new end of the ray's interval.

@@ -1,4 +1,4 @@
-//! A ray prepared for a tree: in `f32`, with bounds on all rounding.
+//! Prepares a ray for a tree: in `f32`, with bounds on all rounding.
 //!
 //! # How far the filters may err
 //!
@@ -15,8 +15,8 @@
 //! An inexact ray ([`LocalRay`]) adds its origin's error to `far`, and its direction's error times the distance.
 //!
 //! From here on nothing that matters is farther from the origin than `D`: `|o| + M`, or `2 M` where the eye was moved.
-//! Then `far / u` is added to `D`, so that `u D` has room for `far`. A ray that is near, almost exact and of a usual size
-//! goes without: its `far` is below `2^-26 u D`, or below `2^-3 u D` with the ray's own errors.
+//! Then `far / u` is added to `D`, so that `u D` has room for `far`. A near and almost exact ray whose direction needs no
+//! scaling goes without: its `far` is below `2^-26 u D`, or below `2^-3 u D` with the ray's own errors.
 //!
 //! **Boxes.** Origin and direction are rounded to `f32`: `u |o|` and, through the direction, `u D`. Then
 //! `t = plane * inverse + offset` rounds `inverse` (`u D`), `offset` (`u |o|`, and again as the padding is added), the
@@ -61,7 +61,7 @@ pub(super) struct Frame {
     pub bounds: Aabb,
     /// `M`.
     pub most: f32,
-    /// A power of two: a length of the caller's times this is one in the tree's unit.
+    /// A power of two: the caller's lengths times this are in the tree's unit.
     pub scale: f64,
     /// Its reciprocal.
     pub unscale: f64,
@@ -74,9 +74,9 @@ pub(super) struct TreeRay {
     pub backwards: [usize; 3],
     /// 1 / direction.
     pub inverse: Vec3A,
-    /// - origin / direction`, earlier by the padding.
+    /// `-origin / direction`, earlier by the padding.
     pub entry_offset: Vec3A,
-    /// - origin / direction`, later by the padding.
+    /// `-origin / direction`, later by the padding.
     pub exit_offset: Vec3A,
     /// The start of the interval.
     pub start: f32,

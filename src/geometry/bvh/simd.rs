@@ -126,8 +126,7 @@ pub(super) trait Lanes: Copy {
     fn apart<W: Work>(self, work: W) -> W::Output;
 }
 
-/// Eight numbers in memory, aligned so that they never span two pages: a walk whose numbers on the stack do takes a third
-/// longer.
+/// Eight numbers in memory, aligned so that they never span two pages: spanning two makes a walk take a third longer.
 #[derive(Clone, Copy)]
 #[repr(align(32))]
 pub(super) struct Eight(pub [f32; 8]);

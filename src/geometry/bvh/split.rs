@@ -4,7 +4,7 @@
 //! To make a node, the range with the largest surface is cut in two, again and again, until there are eight.
 //!
 //! A library's builder was tried instead, under the same nodes. With the trees of obvhs 0.4 (PLOC, medium quality), rays
-//! took 2 to 35 % longer on the benchmark's meshes. Building took 1.2 to 2.5 times as long and twice the memory. The
+//! took 2 to 35 % longer on the benchmark's meshes. Building took 1.2 to 2.5 times as long, with twice the memory. The
 //! library's faster presets made rays slower still.
 
 use super::{

@@ -52,7 +52,7 @@ impl Enclosure {
         self.value.hi == 0.0 && self.error == 0.0
     }
 
-    /// `value`, computed from two pairs. Its error is `error`, which theirs cause, plus its own rounding.
+    /// `value`, computed from two pairs. Its error is `error`, from theirs, plus its own rounding.
     #[inline]
     fn of(value: DoubleDouble, made_of: [&Self; 2], error: f64) -> Self {
         let rounding = if made_of[0].is_short() && made_of[1].is_short() {

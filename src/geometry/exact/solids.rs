@@ -13,8 +13,8 @@ use std::cmp::Ordering;
 
 type Integers = LocalLine<BigInt>;
 
-/// Where a ray's line enters and leaves a shape; both are one place where it only touches. For a cube, also the normals
-/// of the faces met there.
+/// Where a ray's line enters and leaves a shape; both are one point where the line only touches it. For a cube, also the
+/// normals of the faces met there.
 struct Crossing {
     enter: (Root, DVec3),
     leave: (Root, DVec3),

@@ -40,7 +40,7 @@ pub struct MeshData {
 }
 
 impl MeshData {
-    /// Triangles of one part, without colours of their own and with one normal a face. `positions` are in object space,
+    /// Triangles of one part, without colours of their own and with one normal per face. `positions` are in object space,
     /// `triangles` index them, counter-clockwise seen from outside. [`Mesh::new`] checks all of it.
     #[must_use]
     pub fn of_triangles(
@@ -103,9 +103,9 @@ pub enum MeshError {
 ///
 /// # Memory
 /// A vertex takes 12 bytes, and 3 more where the file has colours; a triangle takes 12. Lists and single picks need no
-/// more. Drawing adds 12 bytes a normal, mostly one a vertex, and 12 a triangle to index them; these are kept, since
-/// saving and shading by rays need them again. A tree is added for many rays, and 48 bytes for 256 triangles where an
-/// object may be moved. Neither the file's text nor its numbers in `f64` are kept.
+/// more. Drawing adds 12 bytes per normal, mostly one per vertex, and 12 per triangle to index them; these are kept,
+/// since saving and shading by rays need them again. A tree is added for many rays, and 48 bytes per 256 triangles where
+/// an object may be moved. Neither the file's text nor its numbers in `f64` are kept.
 pub struct Mesh {
     data: Arc<MeshData>,
     bounds: Arc<[Aabb]>,

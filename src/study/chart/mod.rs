@@ -27,8 +27,9 @@ mod prelude {
         axis::{Axis, NEVER, Panel},
         labels::LabelPlaces,
         measure::Measure,
-        page::{ROWS_APART, WIDTH, count, page, places, small},
-        picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET, Shape, text_width},
+        page::{ROWS_APART, WIDTH, page, places, small},
+        picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET, count, text_width},
+        point_shapes::Shape,
         style::{Style, legend, styles},
     };
     pub use crate::study::prelude::*;

@@ -37,8 +37,3 @@ pub fn small([left, top]: [f64; 2], frame: [f64; 2], xs: &[f64], ys: &[f64]) -> 
     let top = top + 28.0;
     Panel::new([from, top], [to, top + PLOT_HEIGHT], xs, ys)
 }
-
-/// A count as a floating-point number.
-pub fn count(of: usize) -> f64 {
-    u32::try_from(of).map_or(0.0, f64::from)
-}

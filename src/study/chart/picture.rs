@@ -1,6 +1,6 @@
 //! A chart as a list of marks, drawn as SVG and pixels by `plotters`.
 
-use super::{page::count, point_shapes::outlines};
+use super::point_shapes::{Shape, outlines};
 use num_traits::ToPrimitive;
 use plotters::{
     coord::Shift,
@@ -35,25 +35,6 @@ pub const COLOURS: [Colour; 7] = [
 
 /// Lengths of a dashed line's dashes and gaps, in pixels.
 pub const DASH: [u32; 2] = [6, 5];
-
-/// The shape of a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shape {
-    /// Round.
-    Circle,
-    /// Four sides, upright.
-    Square,
-    /// On its side.
-    Triangle,
-    /// Four sides, on a corner.
-    Diamond,
-    /// On its tip.
-    Wedge,
-    /// Two crossing bars.
-    Cross,
-    /// Five points: Sightline's.
-    Star,
-}
 
 /// The shapes of methods other than Sightline's, in the order of their use.
 pub const SHAPES: [Shape; 6] = [
@@ -369,4 +350,9 @@ fn draw_mark<B: DrawingBackend>(
             area.draw(&Text::new(text.as_str(), px(*at), style))
         }
     }
+}
+
+/// A count as a floating-point number.
+pub fn count(of: usize) -> f64 {
+    u32::try_from(of).map_or(0.0, f64::from)
 }

@@ -1,6 +1,23 @@
 //! The outlines of data points.
 
-use super::picture::Shape;
+/// The shape of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// Round.
+    Circle,
+    /// Four sides, upright.
+    Square,
+    /// On its side.
+    Triangle,
+    /// Four sides, on a corner.
+    Diamond,
+    /// On its tip.
+    Wedge,
+    /// Two crossing bars.
+    Cross,
+    /// Five points: Sightline's.
+    Star,
+}
 
 /// The closed outlines of a point about a middle; `r` is half its width.
 #[must_use]

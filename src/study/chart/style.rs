@@ -1,7 +1,10 @@
 //! How methods look. Each formula has a colour and a shape, hollow in `f32` and filled otherwise. Sightline's is a black
 //! star.
 
-use super::picture::{Anchor, COLOURS, Colour, INK, Picture, SHAPES, Shape};
+use super::{
+    picture::{Anchor, COLOURS, Colour, INK, Picture, SHAPES},
+    point_shapes::Shape,
+};
 use crate::study::{
     run::Row,
     step::{MethodInfo, Precision},

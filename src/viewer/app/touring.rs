@@ -4,7 +4,7 @@ use super::program::App;
 use crate::viewer::ui::{Command, Intent, Seen, TourMove};
 
 impl App {
-    /// Moves through the tour. To begin the tour opens the demo.
+    /// Moves through the tour. The tour begins by opening the demo.
     pub(super) fn go_on_tour(&mut self, to: TourMove) {
         self.memory.toured = true;
         self.tour = self.tour.unwrap_or_default().after(to);

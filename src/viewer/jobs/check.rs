@@ -22,12 +22,12 @@ use std::{
 pub(in crate::viewer) enum Checking {
     #[default]
     Off,
-    /// Asked for. The check begins once its frame has been drawn.
+    /// Asked for. The comparison begins once its frame has been drawn.
     Wanted,
     On(Box<Check>),
 }
 
-/// A check under way or done. It is about what was on screen when it began, and ends when that changes.
+/// A comparison under way or done. It is about what was on screen when it began, and ends when that changes.
 pub(in crate::viewer) struct Check {
     of: OnScreen,
     /// The other method that picks; `None` for this program's own picks.
@@ -38,7 +38,7 @@ pub(in crate::viewer) struct Check {
     pub found: Option<Checked>,
 }
 
-/// The result of a check.
+/// The result of a comparison.
 pub(in crate::viewer) struct Checked {
     /// What differs.
     pub report: Report,

@@ -1,4 +1,5 @@
-//! What takes long. Each job is a thread and a receiver. It knows no window, and wakes its caller when it is done.
+//! What takes long. Each job has a thread of its own and knows no window. When it is done, it wakes its caller, who polls for
+//! the result, or it hands the result to a function that the caller gave.
 
 mod check;
 mod desktop;

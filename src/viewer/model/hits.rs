@@ -53,7 +53,7 @@ pub struct DepthSteps {
     pub steps: [(DepthMapping, f64); 2],
     /// The mapping in use.
     pub in_use: DepthMapping,
-    /// How far behind it the next surface on the ray is, along F.
+    /// How far behind this surface the next one on the ray is, along F.
     pub next_surface: Option<f64>,
 }
 

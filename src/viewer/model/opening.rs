@@ -131,7 +131,7 @@ impl State {
             self.view_as_opened();
         }
         if self.frozen.is_some() {
-            // Near depends on which of its corners the picture shows.
+            // Near depends on which corners of the frozen frustum the picture shows.
             self.fit();
         }
         if is_as_opened {

@@ -7,7 +7,7 @@ use crate::{
     pick::{self, SceneHit},
 };
 
-/// Testing so many triangles without a tree takes half a millisecond.
+/// Testing this many triangles without a tree takes half a millisecond.
 const MOST_WITHOUT_TREE: usize = 30_000;
 
 impl State {

@@ -138,7 +138,7 @@ impl State {
         is_wanted.then(|| (self.scene.clone(), self.view, of))
     }
 
-    /// Takes NDC as another thread made it, unless the scene is another by now.
+    /// Takes the scene in NDC that another thread made, unless it was made from an earlier scene.
     pub(in crate::viewer) fn take_projected(&mut self, scene: Scene, of: &Source) {
         let is_of_now =
             matches!(of, Source::Through([revision, _], _) if *revision == self.scene_revision);
@@ -265,7 +265,7 @@ impl State {
         Observer::new(up_axis, from, &points, viewport)
     }
 
-    /// The camera's picture has another shape: views that the user has not moved show all of its frustum again.
+    /// The camera's picture has a new shape: views that the user has not moved show all of the camera's frustum again.
     pub(super) fn frame_untouched(&mut self) {
         for (stage, _) in Stage::ALL {
             let observer = self

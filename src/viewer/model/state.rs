@@ -222,7 +222,7 @@ impl State {
         &self.view
     }
 
-    /// The lens as the panel holds it.
+    /// The lens as the panel sets it.
     #[must_use]
     pub fn controls(&self) -> LensControls {
         self.controls

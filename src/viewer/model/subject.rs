@@ -43,7 +43,7 @@ pub(in crate::viewer) enum Lesson {
     Object,
     /// The scene's camera.
     Camera(View),
-    /// The box that its frustum becomes, in a picture of so many pixels.
+    /// The box that the camera's frustum becomes, with the size of the camera's picture.
     Ndc(crate::camera::Viewport),
 }
 

@@ -42,7 +42,7 @@ impl State {
         true
     }
 
-    /// Back to what was open before the gallery; does nothing if nothing was.
+    /// Goes back to what was open before the gallery; does nothing if nothing was open.
     pub(super) fn leave_gallery(&mut self) {
         if self.showing.is_some() && self.has_outside() {
             while self.showing.is_some() && self.step_in_time(true) {}

@@ -237,7 +237,7 @@ impl Canvas {
         }
     }
 
-    /// The frame that was drawn last, with smooth edges.
+    /// A picture of the frame, drawn until its edges are smooth.
     ///
     /// # Errors
     /// When memory runs out, or the device fails.
@@ -249,7 +249,7 @@ impl Canvas {
         self.smooth_picture(self.size, state, &rested)
     }
 
-    /// The scene's picture that was drawn last, without panels.
+    /// The scene's picture without panels, drawn until its edges are smooth.
     ///
     /// # Errors
     /// When memory runs out, or the device fails.
@@ -285,7 +285,7 @@ impl Canvas {
         self.read()
     }
 
-    /// The page.
+    /// Reads the page.
     ///
     /// # Errors
     /// When memory runs out, or the device fails.

@@ -209,7 +209,7 @@ impl ScenePicture {
             if is_whole {
                 anew |= self.finish();
             } else if progress == 0 && piece != Piece::WHOLE {
-                // The rows to be drawn are still being composed.
+                // A background thread still composes the rows to be drawn.
                 break;
             }
         }

@@ -8,7 +8,7 @@ use std::iter;
 
 /// Keys that belong together, in a row of the help.
 pub(in crate::viewer) struct Binding {
-    /// As the help writes them.
+    /// The keys, as the help writes them.
     pub keys: &'static str,
     /// What they do, for the help.
     pub does: &'static str,

@@ -1,14 +1,14 @@
-//! Draws letters before text needs them. egui draws each letter when it is first laid out, and a panel that opens may bring
-//! more new letters than a pass has time for.
+//! Rasterises glyphs before text needs them. egui rasterises each glyph when it is first laid out, and a panel that opens
+//! may bring more new glyphs than a pass has time for.
 
 use egui::{
     Color32, Context, FontId,
     text::{LayoutJob, TextFormat},
 };
 
-/// How many are drawn in a step, which takes about a millisecond.
+/// How many are rasterised in a step, which takes about a millisecond.
 const STEP: usize = 24;
-/// egui draws a letter anew for each quarter of a pixel that it may begin at.
+/// egui rasterises a glyph anew for each quarter of a pixel that it may begin at.
 const QUARTERS: [f32; 4] = [0.0, 0.25, 0.5, 0.75];
 /// The panels' fonts: size in points, and whether it is monospace.
 const FONTS: [(f32, bool); 7] = [
@@ -21,16 +21,16 @@ const FONTS: [(f32, bool); 7] = [
     (18.0, false),
 ];
 
-/// How many are drawn.
+/// How many are rasterised.
 #[derive(Default)]
 pub(in crate::viewer) struct Letters {
     done: usize,
-    /// The scale that they are drawn for. At another scale, all are drawn anew.
+    /// The scale that they are rasterised for. At another scale, all are rasterised anew.
     pixels_per_point: f32,
 }
 
 impl Letters {
-    /// Draws some more; only after egui's first pass. Returns whether any are left.
+    /// Rasterises some more; only after egui's first pass. Returns whether any are left.
     pub fn draw_some(&mut self, context: &Context) -> bool {
         let pixels_per_point = context.pixels_per_point();
         #[expect(clippy::float_cmp, reason = "the very same")]

@@ -1,4 +1,5 @@
-//! What a check of the picture found: marks on the pixels that differ, and how many there are of each class.
+//! What a comparison of the picture with its picks found: marks on the pixels that differ, and how many there are of each
+//! class.
 
 use super::names::Hint;
 use crate::{
@@ -13,7 +14,7 @@ use egui::{
     Align2, Area, Color32, Frame, Grid, Id, Rect, RichText, Sense, TextureId, Ui, Vec2, pos2,
 };
 
-/// Shown over the scene's rectangle; nothing if no check is under way or done.
+/// Shown over the scene's rectangle; nothing if no comparison is under way or done.
 pub(super) fn show(
     ui: &Ui,
     rect: Rect,

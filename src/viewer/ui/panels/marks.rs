@@ -154,7 +154,7 @@ impl Page<'_> {
                     .line_segment(ends, Stroke::new(2.0, self.colour));
             }
         }
-        // From each corner to the picked point, of which it has a share.
+        // From each corner to the picked point, which is a weighted mean of the corners.
         for corner in corners {
             if let Some(ends) = self.segment(corner, pick.point_world) {
                 let dashes = Shape::dashed_line(&ends, Stroke::new(1.0, self.colour), 4.0, 4.0);
