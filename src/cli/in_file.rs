@@ -1,6 +1,6 @@
 //! `sightline pick --face` and `--vertex`: finds where a face or vertex of an OBJ file is in the picture.
 
-use super::{CliError, PickArgs};
+use super::CliError;
 use crate::{
     camera::View,
     json,
@@ -31,18 +31,25 @@ struct VertexLine {
     places: Vec<Whereabouts>,
 }
 
+/// What `--face`, `--vertex` and `--object` ask for.
+pub(super) struct Wanted<'a> {
+    pub faces: &'a [usize],
+    pub vertices: &'a [usize],
+    pub object: Option<usize>,
+}
+
 /// Prints where the requested faces and vertices are.
 pub(super) fn write(
     mut out: impl Write,
-    args: &PickArgs,
+    wanted: &Wanted<'_>,
     loaded: &Loaded,
     view: &View,
     files: &mut FilesAgain,
 ) -> Result<(), CliError> {
-    if args.face.is_empty() && args.vertex.is_empty() {
+    if wanted.faces.is_empty() && wanted.vertices.is_empty() {
         return Ok(());
     }
-    let file = file(args, loaded)?;
+    let file = file(wanted.object, loaded)?;
     let (scene, mesh) = (&loaded.scene, &file.mesh);
     let again = files.of(mesh).ok_or_else(no_file)?;
     let name = file.path.display().to_string();
@@ -50,7 +57,7 @@ pub(super) fn write(
         line.and_then(|line| writeln!(out, "{line}"))
             .map_err(CliError::stdout)
     };
-    for &number in &args.face {
+    for &number in wanted.faces {
         let found = again.face(number)?;
         print(json::text(&FaceLine {
             file: name.clone(),
@@ -62,7 +69,7 @@ pub(super) fn write(
             places: Whereabouts::of_face(scene, view, mesh, found.triangles),
         }))?;
     }
-    for &number in &args.vertex {
+    for &number in wanted.vertices {
         let vertex = again.vertex(number)?;
         let places = match vertex.value {
             Some(_) => Whereabouts::of_vertex(scene, view, mesh, vertex.position),
@@ -78,8 +85,8 @@ pub(super) fn write(
 }
 
 /// The file that `--face` and `--vertex` refer to.
-fn file<'a>(args: &PickArgs, loaded: &'a Loaded) -> Result<&'a MeshFile, CliError> {
-    let Some(id) = args.object else {
+fn file(object: Option<usize>, loaded: &Loaded) -> Result<&MeshFile, CliError> {
+    let Some(id) = object else {
         let mut files = loaded.meshes.iter().filter(|file| file.contents.is_some());
         return match (files.next(), files.next()) {
             (Some(only), None) => Ok(only),

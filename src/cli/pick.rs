@@ -1,6 +1,10 @@
 //! `sightline pick`: what is at a position of the picture.
 
-use super::{CliError, SceneArgs, ViewArgs, build_trees, in_file, load, stored, value};
+use super::{
+    CliError, SceneArgs, ViewArgs, build_trees,
+    in_file::{self, Wanted},
+    load, stored, value,
+};
 use crate::{
     camera::{View, Viewport},
     json,
@@ -138,7 +142,12 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
             At::Stdin => picker.pick_lines(BufReader::new(std::io::stdin().lock()))?,
         }
     }
-    in_file::write(&mut picker.out, args, &loaded, &view, &mut picker.files)?;
+    let wanted = Wanted {
+        faces: &args.face,
+        vertices: &args.vertex,
+        object: args.object,
+    };
+    in_file::write(&mut picker.out, &wanted, &loaded, &view, &mut picker.files)?;
     picker.flush()
 }
 

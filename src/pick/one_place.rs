@@ -1,6 +1,6 @@
 //! Names the surfaces at a position that drawing cannot tell apart, for people and for JSON.
 
-use super::{Pick, SceneHit};
+use super::SceneHit;
 use crate::scene::Scene;
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
@@ -54,15 +54,6 @@ impl InOnePlace {
                 .map(|hit| NamedSurface::of(scene, hit))
                 .collect(),
         })
-    }
-
-    /// Whether a pick at the position is one of them; also true if not all of them are named.
-    #[must_use]
-    pub fn may_hold(&self, pick: &Pick) -> bool {
-        let is_it = |of: &NamedSurface| {
-            (of.id, of.triangle, of.front) == (pick.id, pick.triangle, pick.front)
-        };
-        self.count > self.named.len() || self.named.iter().any(is_it)
     }
 
     /// A surface's name, with what tells it from the others named.

@@ -1,6 +1,6 @@
 //! All that is known about a pick, and its JSON.
 
-use super::{InOnePlace, SceneHit, edge, order};
+use super::{InOnePlace, NamedSurface, SceneHit, edge, order};
 use crate::{
     camera::View,
     geometry::{OnTriangle, Placement},
@@ -87,6 +87,15 @@ pub(super) struct At<'a> {
 }
 
 impl Pick {
+    /// Whether this may be one of the surfaces in one place; also true if not all of them are named.
+    #[must_use]
+    pub fn may_be_of(&self, all: &InOnePlace) -> bool {
+        let is_it = |of: &NamedSurface| {
+            (of.id, of.triangle, of.front) == (self.id, self.triangle, self.front)
+        };
+        all.count > all.named.len() || all.named.iter().any(is_it)
+    }
+
     /// The record of a hit on the ray through a position; `next` is the hit behind it.
     pub(super) fn of(
         at: &At,

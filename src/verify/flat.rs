@@ -8,7 +8,8 @@ use super::{
     OUTLINE_CEILING_PX,
     adjoining::Adjoining,
     bound::Reason,
-    polygon::{Corner, Polygon, outline, polygon, project},
+    polygon::{Corner, Polygon, outline, polygon},
+    projection::project,
     surface::{Source, Surface, with_cut_neighbours},
 };
 use crate::{

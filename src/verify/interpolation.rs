@@ -1,6 +1,6 @@
 //! Bounds the error of interpolating depth over the picture.
 
-use super::polygon::{project, w};
+use super::projection::{project, w};
 use crate::{
     camera::View,
     geometry::clip,

@@ -64,6 +64,7 @@ mod interpolation;
 mod one_place;
 mod paint;
 mod polygon;
+mod projection;
 mod report;
 mod section;
 mod sphere;

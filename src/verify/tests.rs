@@ -1,7 +1,7 @@
 //! Tests the terms of the bounds against `f32` computed step by step, as shader and hardware do: no error exceeds its
 //! bound, and some come so near that the bound would fail without the term.
 
-use super::{polygon::shift_px, surface::Depths};
+use super::{projection::shift_px, surface::Depths};
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
     geometry::{Aabb, Placement, Sides, random::Random},

@@ -1,11 +1,21 @@
-//! The part of a sphere's outline that a section keeps.
+//! Parts of a sphere's outline, and which of them a section keeps.
 
-use super::{picture_space::PictureSpace, sphere_outline::Part};
+use super::picture_space::PictureSpace;
 use crate::geometry::{
     Placement,
     dyadic::{Dyadic, DyadicVector},
 };
 use num_bigint::BigInt;
+
+/// A part of the circle's left or right half, given by a range of p: (1 - p^2, 2 p, 1 + p^2) is a multiple of (cosine,
+/// sine, 1) of the angle from the deepest point or, where `turned`, from its opposite.
+#[derive(Clone)]
+pub(super) struct Part {
+    pub turned: bool,
+    pub left: bool,
+    pub from: Dyadic,
+    pub to: Dyadic,
+}
 
 /// The outline is kept where `middle + sqrt(k q) (cos a + sin sqrt(g) b)` is not below 0. This is n . p + c times 4 g q,
 /// in the names of [`Circle`](super::sphere_outline::Circle).

@@ -3,7 +3,7 @@
 use super::{
     conic::Arcs,
     picture_space::{PictureSpace, Shown},
-    section::Kept,
+    section::{Kept, Part},
 };
 use crate::geometry::{
     Placement,
@@ -45,16 +45,6 @@ pub(super) struct Circle {
 
 /// Picture coordinates (u, v, w).
 type Vec3 = [Dyadic; 3];
-
-/// A part of the circle's left or right half, given by a range of p: (1 - p^2, 2 p, 1 + p^2) is a multiple of (cosine,
-/// sine, 1) of the angle from the deepest point or, where `turned`, from its opposite.
-#[derive(Clone)]
-pub(super) struct Part {
-    pub turned: bool,
-    pub left: bool,
-    pub from: Dyadic,
-    pub to: Dyadic,
-}
 
 /// Distance in pixels to the part of a sphere's outline at or behind the near plane that the section keeps; `None` when
 /// there is none.

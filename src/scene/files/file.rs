@@ -1,4 +1,4 @@
-//! Opens files named by the user. Refuses all that are not regular files or are too large.
+//! Opens files named by the user, and makes their paths absolute. Refuses what is not a regular file or is too large.
 
 use std::{
     fs::{self, File, Metadata},
@@ -55,4 +55,9 @@ pub(super) fn open(path: &Path, most: u64) -> Result<(File, u64), FileError> {
         source,
     })?;
     Ok((opened, bytes))
+}
+
+/// The path as an absolute one.
+pub(super) fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }

@@ -55,6 +55,7 @@ impl Exhibit {
         let known = GALLERY.iter().find(|exhibit| exhibit.name == name);
         known.map(Some).ok_or_else(|| LoadError::NoExhibit {
             name: name.to_owned(),
+            known: GALLERY.each_ref().map(|exhibit| exhibit.name).join(", "),
         })
     }
 
@@ -100,9 +101,4 @@ impl Exhibit {
         }
         Ok(meshes)
     }
-}
-
-/// The names of all scenes, for people.
-pub(super) fn names() -> String {
-    GALLERY.each_ref().map(|exhibit| exhibit.name).join(", ")
 }

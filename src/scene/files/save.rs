@@ -1,7 +1,7 @@
 //! Saves a scene as a scene file, and each mesh that has no file as an OBJ file beside it.
 
 use super::{
-    MeshFile, MeshFiles, Progress, SaveError, Scene, Shape, description::to_toml, load::absolute,
+    MeshFile, MeshFiles, Progress, SaveError, Scene, Shape, description::to_toml, file::absolute,
     obj::write,
 };
 use crate::{camera::CameraChoice, geometry::Mesh, replace::replace};

@@ -22,3 +22,21 @@ impl std::fmt::Display for Warning {
         write!(f, " {}", self.message)
     }
 }
+
+/// The most names that one warning lists.
+const NAMES_SHOWN: usize = 5;
+
+/// Lists the first few names, escaped and shortened to fit on a line, and says how many more there are.
+pub(super) fn list<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
+    let more = names.len().saturating_sub(NAMES_SHOWN);
+    let shown = names.take(NAMES_SHOWN);
+    let shown: Vec<String> = shown
+        .map(|name| name.escape_debug().take(80).collect())
+        .collect();
+    let shown = shown.join(", ");
+    if more > 0 {
+        format!("{shown} and {more} more")
+    } else {
+        shown
+    }
+}

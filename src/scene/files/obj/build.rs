@@ -6,7 +6,7 @@ use super::{
     contents::Contents,
     material::{self, Material, Materials},
     names::Names,
-    notes,
+    notes::{self, LeftOut},
     outline::Outline,
     polygon::{Splitter, has_area},
     vertices::Stored,
@@ -93,17 +93,6 @@ struct Triangles {
     /// For each cut, the number of triangles before it.
     before_cuts: Vec<u32>,
     left_out: LeftOut,
-}
-
-/// How much of the file is not in the mesh.
-#[derive(Default)]
-pub(super) struct LeftOut {
-    /// Triangles without area.
-    pub without_area: usize,
-    /// Faces with a corner that is not three finite numbers.
-    pub nowhere: usize,
-    /// Faces with too many corners, of which too many are the same.
-    pub repetitive: usize,
 }
 
 impl Triangles {

@@ -2,13 +2,13 @@
 //!
 //! `tobj` is not used for MTL files, because it panics on `Kd 0.5` and drops a whole file for one bad line.
 
-use super::{
-    lines::{Lines, decode},
-    notes::list,
-};
+use super::lines::{Lines, decode};
 use crate::{
     colour::Srgb,
-    scene::{Cancelled, Progress, Warning, files::load::absolute},
+    scene::{
+        Cancelled, Progress, Warning,
+        files::{file::absolute, warning::list},
+    },
 };
 use std::{
     collections::{HashMap, HashSet},

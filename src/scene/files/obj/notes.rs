@@ -1,16 +1,22 @@
 //! Writes the messages about a file: why it is refused, which parts of it are not shown, and what was repaired.
 
-use super::{
-    BadLine, ObjError, build::LeftOut, material::Material, names::Names, outline::Outline,
-};
-use crate::scene::Warning;
+use super::{BadLine, ObjError, material::Material, names::Names, outline::Outline};
+use crate::scene::{Warning, files::warning::list};
 use std::{
     collections::{HashMap, HashSet},
     path::Path,
 };
 
-/// The most names that one warning lists.
-const NAMES_SHOWN: usize = 5;
+/// How much of the file is not in the mesh.
+#[derive(Default)]
+pub(super) struct LeftOut {
+    /// Triangles without area.
+    pub without_area: usize,
+    /// Faces with a corner that is not three finite numbers.
+    pub nowhere: usize,
+    /// Faces with too many corners, of which too many are the same.
+    pub repetitive: usize,
+}
 
 /// The error for a file without a single triangle.
 pub(super) fn nothing(path: &Path, outline: &Outline, left_out: &LeftOut) -> ObjError {
@@ -150,19 +156,4 @@ pub(super) fn about_materials(
         warnings.push(about(path, message));
     }
     warnings
-}
-
-/// Lists the first few names, escaped and shortened to fit on a line, and says how many more there are.
-pub(super) fn list<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
-    let more = names.len().saturating_sub(NAMES_SHOWN);
-    let shown = names.take(NAMES_SHOWN);
-    let shown: Vec<String> = shown
-        .map(|name| name.escape_debug().take(80).collect())
-        .collect();
-    let shown = shown.join(", ");
-    if more > 0 {
-        format!("{shown} and {more} more")
-    } else {
-        shown
-    }
 }

@@ -96,7 +96,7 @@ pub(super) fn show(
         .pick
         .as_ref()
         .and_then(|line| line.in_one_place.as_ref());
-    if let Some(all) = in_one_place.filter(|all| all.may_hold(hit)) {
+    if let Some(all) = in_one_place.filter(|all| hit.may_be_of(all)) {
         ui.label(all.to_string()).hint(
             "They are closer together than drawing can tell apart. The picture may show any of them; the pick's order is exact.",
         );
