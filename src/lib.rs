@@ -195,7 +195,7 @@
 //! * **stored numbers**: those of camera, placements and vertices, which picks take as exact ([`pick`]).
 //! * **t**: the ray parameter; rays keep it when they change spaces. The direction of a pixel's ray is not normalised,
 //!   so its t is view depth. **distance** is from the eye; **depth** is along F; **measured depth** is depth as the GPU
-//!   counts it, from the plane where `f32` keeps most digits ([`render::transform::depth_origin`]).
+//!   counts it, from the plane where `f32` keeps most digits ([`render::view_units::depth_origin`]).
 //! * **near, far**: planes at a *depth*. They clip the picture and, as `t_min` and `t_max`, the ray.
 //! * **section**: a plane that cuts the world. What lies behind it is neither drawn nor hit ([`geometry::Section`]). It
 //!   bounds the ray exactly, as near and far do.

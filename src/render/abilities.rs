@@ -2,7 +2,7 @@
 
 use super::{
     SMOOTH_SAMPLES,
-    targets::{COLOUR, DEPTH, IDS, MARKS},
+    formats::{COLOUR, DEPTH, IDS, MARKS},
 };
 use wgpu::{DownlevelFlags, Features, TextureUsages};
 

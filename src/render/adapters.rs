@@ -2,8 +2,9 @@
 
 use super::{
     abilities::{Numbers, Restraint},
-    gpu::{Gpu, GpuError, best_adapter, instance},
-    probe::Rasteriser,
+    gpu::{Gpu, GpuError},
+    open::{best_adapter, instance},
+    rasteriser::Rasteriser,
 };
 
 /// An adapter that was found.

@@ -121,6 +121,30 @@ impl Drawing {
 }
 
 impl Renderer {
+    /// Draws colours and ids of the scene as `view` shows it. Lines are in the colours only. Needed when scene, view or
+    /// lines changed; [`Renderer::composite`] then puts the picture on screen. Draws all at once; [`Renderer::advance`]
+    /// draws in pieces.
+    ///
+    /// With one colour sample per pixel, one pass draws both.
+    ///
+    /// # Errors
+    /// When memory runs out.
+    ///
+    /// # Panics
+    /// When `targets` have another size than the view, or other samples than this renderer.
+    pub fn draw(
+        &mut self,
+        gpu: &Gpu,
+        scene: &SceneBuffers,
+        targets: &Targets,
+        view: &View,
+        lines: &[Line],
+    ) -> Result<(), GpuError> {
+        let mut drawing = Drawing::of_scene(targets.samples(), view, lines.to_vec());
+        while !self.advance(gpu, scene, targets, &mut drawing, Piece::WHOLE)? {}
+        Ok(())
+    }
+
     /// Draws the next piece of a picture. Returns whether the picture is finished.
     ///
     /// # Errors

@@ -1,16 +1,10 @@
-//! Opens the graphics device, with or without a window, and collects its errors.
+//! A graphics device: what it can do, its memory, and its errors.
 
-use super::{
-    abilities::{Numbers, Restraint, lacks},
-    probe::{Rasteriser, probe},
-};
+use super::{abilities::Numbers, rasteriser::Rasteriser};
 use crate::camera::Viewport;
-use std::{
-    sync::{
-        Arc, Mutex,
-        atomic::{AtomicBool, AtomicU64, Ordering},
-    },
-    time::Instant,
+use std::sync::{
+    Arc, Mutex,
+    atomic::{AtomicBool, AtomicU64, Ordering},
 };
 
 pub use super::gpu_error::GpuError;
@@ -31,9 +25,9 @@ pub struct Gpu {
     reports: Arc<Reports>,
     /// How many triangles of meshes were uploaded.
     triangles: Arc<AtomicU64>,
-    numbers: Numbers,
+    pub(super) numbers: Numbers,
     smooth_samples: u32,
-    rasteriser: Rasteriser,
+    pub(super) rasteriser: Rasteriser,
 }
 
 /// Errors that the driver reports outside of any call that could return them.
@@ -45,120 +39,25 @@ struct Reports {
 }
 
 impl Gpu {
-    /// A device that draws into textures only. `WGPU_BACKEND` narrows the choice, as everywhere in wgpu.
-    ///
-    /// # Errors
-    /// When there is no driver, or it cannot do what drawing needs.
-    pub fn headless() -> Result<Self, GpuError> {
-        Self::headless_within(&Restraint::default())
-    }
-
-    /// [`Gpu::headless`], restricted to what a lesser adapter can do.
-    ///
-    /// # Errors
-    /// As [`Gpu::headless`].
-    pub fn headless_within(restraint: &Restraint) -> Result<Self, GpuError> {
-        let adapter = pollster::block_on(best_adapter(&instance(), None))?;
-        Self::of(adapter, restraint)
-    }
-
-    /// A device that can draw on a window's surface.
-    ///
-    /// # Errors
-    /// When no driver can draw on it, or the driver cannot do what drawing needs.
-    pub fn for_surface(
-        instance: &wgpu::Instance,
-        surface: &wgpu::Surface<'_>,
-    ) -> Result<Self, GpuError> {
-        let adapter = pollster::block_on(best_adapter(instance, Some(surface)));
-        let adapter = adapter.map_err(|_| Self::no_window(instance))?;
-        Self::of(adapter, &Restraint::default())
-    }
-
-    /// Why a window's surface cannot be drawn on: there is no adapter, or it only draws into pictures.
-    #[must_use]
-    pub fn no_window(instance: &wgpu::Instance) -> GpuError {
-        match pollster::block_on(best_adapter(instance, None)) {
-            Err(error) => error,
-            Ok(adapter) => GpuError::Lacks {
-                adapter: adapter.get_info().name,
-                what: "support for windows (`sightline render` and `verify` work with it)".into(),
-            },
-        }
-    }
-
-    /// A device of an adapter.
-    pub(super) fn of(adapter: wgpu::Adapter, restraint: &Restraint) -> Result<Self, GpuError> {
-        let info = adapter.get_info();
-        let lacking = lacks(&adapter);
-        if !lacking.is_empty() {
-            return Err(GpuError::Lacks {
-                adapter: info.name,
-                what: lacking.join(", "),
-            });
-        }
-        let numbers = restraint.numbers_of(&adapter);
-        let index = match numbers {
-            Numbers::Primitives => wgpu::Features::PRIMITIVE_INDEX,
-            Numbers::Corners | Numbers::Objects => wgpu::Features::empty(),
-        };
-        // All that the adapter has: the user decides how large meshes and pictures are.
-        let limits = (restraint.limits.clone()).unwrap_or_else(|| adapter.limits());
-        let descriptor = wgpu::DeviceDescriptor {
-            label: Some("sightline"),
-            required_features: index | (adapter.features() & wgpu::Features::POLYGON_MODE_LINE),
-            required_limits: limits,
-            ..Default::default()
-        };
-        let (device, queue) =
-            pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| {
-                GpuError::Device {
-                    adapter: info.name.clone(),
-                    reason: one_line(&error),
-                }
-            })?;
+    /// A device whose rasteriser counts as the common one until it is measured.
+    pub(super) fn unmeasured(
+        adapter: wgpu::Adapter,
+        (device, queue): (wgpu::Device, wgpu::Queue),
+        numbers: Numbers,
+        smooth_samples: u32,
+    ) -> Self {
         let reports = Arc::default();
         report_to(&reports, &device);
-        let mut gpu = Self {
-            numbers,
-            smooth_samples: restraint.samples_of(&adapter),
-            rasteriser: Rasteriser::COMMON,
+        Self {
+            info: adapter.get_info(),
             adapter,
             device,
             queue,
-            info,
             reports,
             triangles: Arc::default(),
-        };
-        let start = Instant::now();
-        gpu.probe()?;
-        log::info!(
-            "{} has {} sub-pixel bits and numbers triangles by {:?}: found in {:.1?}",
-            gpu.info.name,
-            gpu.rasteriser.sub_pixel_bits(),
-            gpu.numbers,
-            start.elapsed()
-        );
-        Ok(gpu)
-    }
-
-    /// Measures the rasteriser. A numbering of triangles that does not work is replaced by the next one.
-    fn probe(&mut self) -> Result<(), GpuError> {
-        loop {
-            let found = probe(self)?;
-            let names_triangles = found.names_triangles && self.numbers != Numbers::Objects;
-            self.rasteriser = Rasteriser {
-                names_triangles,
-                ..found
-            };
-            self.numbers = match self.numbers {
-                numbers if names_triangles => numbers,
-                Numbers::Primitives => Numbers::Corners,
-                Numbers::Corners | Numbers::Objects => Numbers::Objects,
-            };
-            if names_triangles || self.numbers == Numbers::Objects {
-                return Ok(());
-            }
+            numbers,
+            smooth_samples,
+            rasteriser: Rasteriser::COMMON,
         }
     }
 
@@ -344,25 +243,6 @@ impl Gpu {
     }
 }
 
-/// The instance that finds adapters, without a window. `WGPU_BACKEND` narrows the choice, as everywhere in wgpu.
-pub(super) fn instance() -> wgpu::Instance {
-    wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env())
-}
-
-/// The adapter to draw with, on a window's surface if one is given.
-pub(super) async fn best_adapter(
-    instance: &wgpu::Instance,
-    compatible_surface: Option<&wgpu::Surface<'_>>,
-) -> Result<wgpu::Adapter, GpuError> {
-    let options = wgpu::RequestAdapterOptions {
-        power_preference: wgpu::PowerPreference::HighPerformance,
-        compatible_surface,
-        ..Default::default()
-    };
-    let adapter = instance.request_adapter(&options).await;
-    adapter.map_err(|_| GpuError::NoAdapter)
-}
-
 /// Keeps the errors that `device` reports. Without these handlers wgpu would panic.
 fn report_to(reports: &Arc<Reports>, device: &wgpu::Device) {
     let lost = Arc::clone(reports);
@@ -377,7 +257,8 @@ fn report_to(reports: &Arc<Reports>, device: &wgpu::Device) {
     }));
 }
 
-fn one_line(error: &impl std::fmt::Display) -> String {
+/// An error as text of one line.
+pub(super) fn one_line(error: &impl std::fmt::Display) -> String {
     let text = error.to_string();
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

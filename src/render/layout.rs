@@ -5,7 +5,7 @@ use bytemuck::{Pod, Zeroable};
 
 /// What all of a frame shares: projection, light, background and section.
 ///
-/// Lengths of view space are in *view units* ([`super::transform::view_unit`]). Depth is two numbers, each precise
+/// Lengths of view space are in *view units* ([`super::view_units::view_unit`]). Depth is two numbers, each precise
 /// where the other is not: *view depth*, from the eye, and *measured depth*, from the plane where the depth buffer
 /// stores 0. Measured depth makes clip z a single product.
 #[repr(C)]

@@ -2,7 +2,7 @@
 
 use super::{
     layout::LineVertex,
-    transform::{depth_origin, view_unit},
+    view_units::{depth_origin, view_unit},
 };
 use crate::{camera::View, colour::Srgb};
 use glam::DVec3;

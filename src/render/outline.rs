@@ -5,12 +5,13 @@ use super::{
     Renderer, bindings,
     drawing::Drawing,
     flat,
+    formats::MARKS,
     gpu::{Gpu, GpuError},
     layout,
     scene_buffers::{Place, SceneBuffers},
     shaders::shader_module,
     slices::Piece,
-    targets::{MARKS, Targets},
+    targets::Targets,
 };
 use crate::{camera::View, look};
 use glam::DVec2;

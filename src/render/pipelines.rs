@@ -4,10 +4,10 @@
 use super::{
     abilities::Numbers,
     bindings,
+    formats::{COLOUR, DEPTH, IDS, MARKS},
     gpu::Gpu,
     layout::{Batch, LineVertex, Vertex},
     shaders::shader_module,
-    targets::{COLOUR, DEPTH, IDS, MARKS},
 };
 use crate::camera::{DepthMapping, View};
 use std::{collections::HashMap, mem::offset_of};

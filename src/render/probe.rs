@@ -3,41 +3,16 @@
 use super::{
     abilities::Numbers,
     flat,
+    formats::IDS,
     gpu::{Gpu, GpuError},
+    rasteriser::{MOST_BITS, Rasteriser, grid_px},
     readback::read,
     shaders::shader_module,
-    targets::IDS,
 };
 
 /// Triangles in each of four groups. Each triangle has a column or row of the picture: see `shaders/probe.wgsl`.
-const LANES: u32 = 8;
+const LANES: u32 = MOST_BITS;
 const SIZE: [u32; 2] = [16, 8];
-
-/// What decides which pixels a triangle covers, and what its ids say.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rasteriser {
-    /// The step, in pixels, of the grid that corners are snapped to: they move by at most half of it along each axis. A
-    /// grid finer than the common one counts as the common one.
-    pub grid_px: f64,
-    /// Whether ids name triangles, and not objects alone.
-    pub names_triangles: bool,
-}
-
-impl Rasteriser {
-    /// The grid that Direct3D and Metal require, and most Vulkan devices have.
-    pub const COMMON: Self = Self {
-        grid_px: 1.0 / 256.0,
-        names_triangles: true,
-    };
-
-    /// Binary digits of a pixel in the grid: 8 in the common one.
-    #[must_use]
-    pub fn sub_pixel_bits(&self) -> u32 {
-        (1..LANES)
-            .find(|bits| self.grid_px >= grid_px(*bits))
-            .unwrap_or(LANES)
-    }
-}
 
 /// Measures the rasteriser, with the triangle numbering of `gpu`.
 ///
@@ -90,10 +65,6 @@ fn found(pixels: &[[u32; 2]]) -> Rasteriser {
         grid_px: grid_px(bits),
         names_triangles: each().all(|of| at(of.0, of.1, 1) == number(of)),
     }
-}
-
-fn grid_px(sub_pixel_bits: u32) -> f64 {
-    1.0 / f64::from(1_u32 << sub_pixel_bits)
 }
 
 #[cfg(test)]

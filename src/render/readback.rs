@@ -2,8 +2,9 @@
 
 use super::{
     Destination, Marks, Renderer, SceneBuffers, flat,
+    formats::{COLOUR, COLOUR_VALUES},
     gpu::{Gpu, GpuError},
-    targets::{COLOUR, COLOUR_VALUES, Targets},
+    targets::Targets,
 };
 use crate::{
     camera::{View, Viewport},

@@ -2,12 +2,7 @@
 //! compiles its built-in resolve anew in each process, which takes longer than drawing a small scene. It compiles a
 //! shader once and keeps it on disk.
 
-use super::{
-    bindings, flat,
-    gpu::Gpu,
-    shaders::shader_module,
-    targets::{COLOUR, Targets},
-};
+use super::{bindings, flat, formats::COLOUR, gpu::Gpu, shaders::shader_module, targets::Targets};
 
 /// The pass that resolves samples, where the adapter is software.
 #[derive(Debug)]

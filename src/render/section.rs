@@ -7,8 +7,9 @@
 //! picture on every plane, and serves meshes, spheres and edges alike.
 
 use super::{
-    transform::{U, depth_origin, narrow, view_unit},
+    rounding::{U, narrow},
     view_space::ViewSpace,
+    view_units::{depth_origin, view_unit},
 };
 use crate::{
     camera::View,

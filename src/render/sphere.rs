@@ -8,8 +8,10 @@
 
 use super::{
     layout::{Quadratic, Sphere as Row},
-    transform::{U, UNDERFLOW, depth_origin, narrow, normal_to_view},
+    rounding::{U, UNDERFLOW, narrow},
+    transform::normal_to_view,
     view_space::{ViewPoint, ViewSpace},
+    view_units::depth_origin,
 };
 use crate::{
     camera::{Projection, View, pixel_centre},

@@ -2,21 +2,11 @@
 
 use super::{
     flat,
+    formats::{COLOUR, COLOUR_VALUES, DEPTH, IDS, MARKS},
     gpu::{Gpu, GpuError},
 };
 use crate::camera::Viewport;
-use wgpu::{TextureFormat, TextureUsages};
-
-/// Colours: sRGB in memory, linear in shaders.
-pub(super) const COLOUR: TextureFormat = TextureFormat::Rgba8UnormSrgb;
-/// The same values, without conversion.
-pub(super) const COLOUR_VALUES: TextureFormat = TextureFormat::Rgba8Unorm;
-/// Object and triangle, each plus 1.
-pub(super) const IDS: TextureFormat = TextureFormat::Rg32Uint;
-/// Floating point, which reversed depth needs.
-pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
-/// How much of a pixel is selected, or is outline.
-pub(super) const MARKS: TextureFormat = TextureFormat::R8Unorm;
+use wgpu::TextureUsages;
 
 /// Colours, ids and selection of one picture. Made anew when the picture's size changes.
 #[derive(Debug)]

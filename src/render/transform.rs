@@ -4,51 +4,22 @@
 
 use super::{
     layout,
+    rounding::{U, UNDERFLOW, is_f32, larger, narrow},
     section::{KEPT_BEFORE, ScreenSection},
     view_space::ViewSpace,
+    view_units::view_unit,
 };
 use crate::{
-    camera::{DepthMapping, Projection, View},
+    camera::{Projection, View},
     geometry::{
         Aabb, Cuboid, Placement, Sides, Square,
-        binary::{power_of_two_below, split, times_power_of_two},
+        binary::{split, times_power_of_two},
     },
     look,
     scene::{Scene, Shape},
 };
 use glam::{DMat3, DVec2, DVec3, Mat3, Vec3};
 use std::ops::{Add, Mul, Range};
-
-/// The unit roundoff of `f32`, 2^-24: an upper bound on the relative error of one rounding.
-pub(crate) const U: f64 = 0.5 * f32::EPSILON as f64;
-
-/// The most that underflow takes from a result in `f32`.
-pub(crate) const UNDERFLOW: f64 = f32::MIN_POSITIVE as f64;
-
-/// View depth of the plane where the depth buffer stores 0, from which *measured depth* counts: the far plane in
-/// reversed mapping, the near plane in standard mapping. Clip z is measured depth times a factor, so that no digits
-/// cancel.
-#[must_use]
-pub fn depth_origin(view: &View) -> f64 {
-    let lens = view.camera.lens();
-    match lens.depth {
-        DepthMapping::Reversed => lens.far,
-        DepthMapping::Standard => lens.near,
-    }
-}
-
-/// View units per world unit, a power of two. It brings what the picture shows into `f32`'s range, however large or
-/// small the scene is.
-#[must_use]
-pub fn view_unit(view: &View) -> f64 {
-    let lens = view.camera.lens();
-    let size = match lens.projection {
-        Projection::Perspective { .. } => lens.far,
-        // The geometric mean of the picture's height and depth, which may be far apart.
-        Projection::Orthographic { height } => height.sqrt() * (lens.far - lens.near).sqrt(),
-    };
-    power_of_two_below(size).recip()
-}
 
 /// The numbers that all of a frame shares.
 #[must_use]
@@ -139,16 +110,6 @@ pub struct ViewError {
     pub depth: f64,
     /// In measured depth.
     pub measured: f64,
-}
-
-/// The larger of two bounds. NaN is no bound and counts as infinity.
-#[must_use]
-pub(crate) fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() {
-        f64::INFINITY
-    } else {
-        a.max(b)
-    }
 }
 
 impl ViewError {
@@ -275,11 +236,6 @@ impl VertexToView {
     }
 }
 
-/// Whether `f32` holds a number exactly.
-pub(crate) fn is_f32(value: f64) -> bool {
-    f64::from(narrow(value)).to_bits() == value.to_bits()
-}
-
 /// Whether `f32` sums these without rounding, in any order. All terms, and so their sums, are multiples of the lowest
 /// bit set in any of them. The sums are exact if they fit into 24 bits from there on.
 fn sums_exactly(terms: [f64; 4]) -> bool {
@@ -329,10 +285,4 @@ pub fn normal_to_view(view: &View, placement: &Placement) -> DMat3 {
         .into_iter()
         .fold(0.0, f64::max);
     normal * size.recip()
-}
-
-/// Rounds once, at the border to the GPU.
-#[expect(clippy::cast_possible_truncation, reason = "that is its purpose")]
-pub(super) fn narrow(value: f64) -> f32 {
-    value as f32
 }

@@ -1,6 +1,9 @@
 //! Transforms points of objects to view space, with all digits that `f32` may need.
 
-use super::transform::{U, depth_origin, view_unit};
+use super::{
+    rounding::U,
+    view_units::{depth_origin, view_unit},
+};
 use crate::{
     camera::View,
     geometry::{

@@ -4,7 +4,7 @@ use super::projection::{project, w};
 use crate::{
     camera::View,
     geometry::clip,
-    render::transform::{U, UNDERFLOW, larger},
+    render::rounding::{U, UNDERFLOW, larger},
 };
 use glam::{DVec2, DVec3};
 

@@ -12,8 +12,10 @@ use crate::{
     camera::{Projection, View},
     geometry::clip,
     render::{
-        transform::{U, ViewError, depth_origin, larger},
+        rounding::{U, larger},
+        transform::ViewError,
         view_space::ViewSpace,
+        view_units::depth_origin,
     },
 };
 use glam::{DVec2, DVec3};

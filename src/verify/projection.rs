@@ -2,7 +2,7 @@
 
 use crate::{
     camera::{Projection, View},
-    render::transform::{U, ViewError},
+    render::{rounding::U, transform::ViewError},
 };
 use glam::{DVec2, DVec3};
 

@@ -11,8 +11,9 @@ use super::{
     surface::Depths,
 };
 use crate::render::{
+    rounding::U,
     section::{ScreenSection, q},
-    transform::{U, ViewError},
+    transform::ViewError,
     view_space::ViewSpace,
 };
 use glam::DVec2;

@@ -8,7 +8,8 @@ use crate::{
     camera::{DepthMapping, Lens, Projection, View},
     geometry::{Placement, double_double::Vector},
     render::{
-        transform::{U, UNDERFLOW, VertexToView, ViewError, is_f32},
+        rounding::{U, UNDERFLOW, is_f32},
+        transform::{VertexToView, ViewError},
         view_space::ViewSpace,
     },
 };

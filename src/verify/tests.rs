@@ -6,8 +6,10 @@ use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
     geometry::{Aabb, Placement, Sides, random::Random},
     render::{
-        transform::{self, U, VertexToView, ViewError},
+        rounding::U,
+        transform::{self, VertexToView, ViewError},
         view_space::ViewSpace,
+        view_units::{depth_origin, view_unit},
     },
 };
 use glam::{DAffine3, DMat3, DVec2, DVec3, Vec3};
@@ -157,7 +159,7 @@ fn projected_points_lie_within_their_bounds() {
     let mut shares = Shares::default();
     for (view, mut random) in views(20_000) {
         let frame = transform::frame(&view);
-        let unit = transform::view_unit(&view);
+        let unit = view_unit(&view);
         let orthographic = view.camera.lens().is_orthographic();
         let depth = rounded(3.0 + random.next());
         let w = if orthographic { 1.0 } else { depth };
@@ -196,7 +198,7 @@ fn the_near_plane_cuts_within_its_bound() {
                 let view = view(&mut random, mapping, orthographic);
                 let (space, lens) = (ViewSpace::new(&view), *view.camera.lens());
                 let (depths, unit) = (Depths::new(&space), space.unit());
-                let to_origin = transform::depth_origin(&view) - lens.near;
+                let to_origin = depth_origin(&view) - lens.near;
                 let error = ViewError {
                     aside: DVec2::ZERO,
                     depth: 4.0 * U * lens.near,
@@ -241,7 +243,7 @@ fn stored(near: f64) -> [Shares; 2] {
             let (depths, unit) = (Depths::new(&space), space.unit());
             let depth = near * power.exp();
             let past_near = depth - near;
-            let to_origin = transform::depth_origin(&view) - near;
+            let to_origin = depth_origin(&view) - near;
             let exact = [past_near - to_origin, depth];
             let error = ViewError {
                 aside: DVec2::ZERO,

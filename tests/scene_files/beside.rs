@@ -1,4 +1,5 @@
-//! Scenes saved with their meshes: the folder can be moved, and a mesh without a file gets one.
+//! A scene saved with its meshes still loads after its folder is moved. A mesh whose file is gone is written beside the
+//! scene.
 
 use crate::{load, write};
 use glam::DVec3;
@@ -159,8 +160,8 @@ fn a_mesh_that_obj_cannot_hold_exactly_is_refused_and_leaves_nothing() {
     assert_eq!(names(folder.path()), ["scene.toml"]);
 }
 
-/// A save that fails half way leaves the old scene file to the byte, and nothing beside it. The failure is a limit on the
-/// size of files, which holds for root too: a shell sets it, and runs this test in it again.
+/// A save that fails half way leaves the old scene file unchanged to the byte, and nothing beside it. A limit on file
+/// size makes the save fail, for root too. A shell sets the limit and runs this test again under it.
 #[cfg(unix)]
 #[test]
 fn a_save_that_fails_half_way_leaves_the_old_scene_file() {
@@ -168,7 +169,7 @@ fn a_save_that_fails_half_way_leaves_the_old_scene_file() {
     const SCENE_FILE: &str = "SIGHTLINE_TEST_SCENE_FILE";
     if let Some(path) = std::env::var_os(SCENE_FILE) {
         let ball = Object::new("ball", Shape::Sphere, Placement::IDENTITY);
-        // 40 kB and more.
+        // Its text is longer than 40 kB.
         let scene = Scene::new(vec![ball; 1000]);
         let saved = save(Path::new(&path), &scene, &CameraChoice::default(), &[]);
         assert!(saved.is_err(), "it is beyond the limit");
@@ -176,7 +177,7 @@ fn a_save_that_fails_half_way_leaves_the_old_scene_file() {
     }
     let folder = tempfile::tempdir().unwrap();
     let path = write(&folder, "scene.toml", "old");
-    // Blocks of 512 or 1024 bytes. Without the signal, the write fails and the process lives.
+    // `ulimit` counts blocks of 512 or 1024 bytes. `trap` ignores the signal, so the write fails and the process lives.
     let limited = "trap '' XFSZ; ulimit -f 8; exec \"$0\" \"$@\"";
     let output = Command::new("sh")
         .args(["-c", limited])

@@ -1,4 +1,4 @@
-//! Scene files: they load as written, saved ones read back the same, and errors name the place.
+//! Scene files load as written, saved ones read back the same, and errors name the file and line.
 #![cfg(feature = "window")]
 
 mod beside;
@@ -133,7 +133,7 @@ fn scale_comes_first_then_x_y_z_turns_about_the_worlds_axes_then_position() {
         let [ours, theirs] = [model_of, expected].map(|model| model.transform_point3(corner));
         assert_near(ours, theirs, 1e-15);
     }
-    // Counter-clockwise seen against the axis.
+    // A positive angle turns counter-clockwise when the axis points at the viewer.
     assert_near(
         model("rotation = [0, 0, 30]").transform_vector3(DVec3::X),
         dvec3(0.75_f64.sqrt(), 0.5, 0.0),
@@ -308,7 +308,7 @@ fn what_is_no_scene_file_is_not_read() {
         .arg(path("pipe.toml"))
         .status();
     assert!(made.expect("mkfifo").success());
-    // Without a byte on the disk.
+    // A sparse file, which takes no space on the disk.
     let large = std::fs::File::create(path("large.toml")).unwrap();
     large.set_len((1 << 30) + 1).unwrap();
     for (name, why) in [
@@ -344,7 +344,7 @@ fn the_demo_shows_every_shape_and_kind_of_transform() {
     names.sort();
     names.dedup();
     assert_eq!(names.len(), objects.len(), "each name once");
-    // The whole scene is in the picture.
+    // The picture shows the whole scene.
     let viewport = sightline::camera::Viewport::new(1280, 720).unwrap();
     let camera = demo
         .camera
@@ -371,7 +371,7 @@ fn reading_tells_how_far_it_has_come_and_can_be_cancelled() {
     let progress = Progress::default();
     let stopped = std::thread::scope(|scope| {
         let loading = scope.spawn(|| scene::load(&[path], &progress));
-        // The first half is one step; after it come the objects.
+        // Parsing the text is the first half of the work, in one step. The objects are the second half.
         while progress.fraction() < 0.55 && !loading.is_finished() {
             std::thread::yield_now();
         }

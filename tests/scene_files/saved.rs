@@ -92,7 +92,7 @@ fn what_is_saved_reads_back_to_the_bit() {
         let again = parse(&text).expect("what was written can be read");
         same(scene.objects(), &again.objects);
         assert_eq!(again.camera.unwrap_or_default(), camera);
-        // And the text is as short as people would write it.
+        // The text leaves out a camera that chooses nothing.
         assert_eq!(text.contains("[camera]"), camera != CameraChoice::default());
     }
     let placed = Scene::new(vec![Object::new(
@@ -169,10 +169,10 @@ fn mesh_files_bring_their_objects_once_and_are_saved_by_part() {
     assert_eq!(triangles, [0..1, 1..3, 0..1, 1..3, 1..3, 0..1]);
     assert_eq!(objects[4].colour, Some(Srgb([16, 32, 48])));
     assert_eq!(loaded.meshes.len(), 2, "each file once");
-    // In one place they are one draw, elsewhere another.
+    // Parts of one mesh at one placement make one batch.
     assert_eq!(loaded.scene.batches(), [0..2, 2..4, 4..5, 5..6]);
 
-    // From anywhere: the saved scene names its meshes by absolute paths.
+    // The saved scene names its meshes by absolute paths, so it loads from any folder.
     let elsewhere = tempfile::tempdir().unwrap();
     let saved = to_toml(&loaded.scene, &loaded.camera, &loaded.meshes).unwrap();
     let path = elsewhere.path().join("saved.toml");
@@ -201,7 +201,7 @@ fn mesh_files_bring_their_objects_once_and_are_saved_by_part() {
     );
     let zero = write("zero.toml", &entry("file = \"two.obj\"\npart = 0"));
     assert!(load(&[zero]).unwrap_err().contains("count from 1"));
-    // The ids of an OBJ file's objects continue those of the scene file before it.
+    // An OBJ file's objects are added to those of the scene file before it.
     let both = load(&[
         folder.path().join("scene.toml"),
         folder.path().join("one.obj"),

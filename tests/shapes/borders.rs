@@ -1,4 +1,5 @@
-//! Borderline rays: hits at the ends of their interval, tangents, and rays within faces and planes.
+//! Rays in borderline cases get the right hits: at the ends of their interval, as tangents, and within faces and
+//! planes.
 
 use crate::common::{orthographic, ray_to, scene_of};
 use glam::{DAffine3, DQuat, DVec2, DVec3, dvec3};
@@ -12,7 +13,7 @@ use sightline::{
 #[test]
 fn only_what_lies_in_the_interval_counts() {
     let along_x = |t_min, t_max| Ray {
-        // Through the middle, where the sphere's parameters are no roots and `f64` holds them.
+        // Through the centre, where the sphere's t needs no irrational root and `f64` holds it exactly.
         origin: dvec3(-2.0, 0.0, 0.0),
         direction: DVec3::X,
         t_min,
@@ -177,8 +178,8 @@ fn rays_in_a_squares_plane_miss_and_its_rim_is_hit() {
     }
 }
 
-/// A view along an axis, common in engineering: rays are parallel to four faces of each cube, and `f64` decides that
-/// they stay inside.
+/// Views along an axis are common in engineering. Their rays are parallel to four faces of each cube, and `f64` decides
+/// them without exact arithmetic.
 #[test]
 fn cubes_seen_along_an_axis_are_decided_by_f64() {
     let models = [

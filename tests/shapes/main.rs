@@ -1,4 +1,4 @@
-//! Rays against each shape under every kind of transform, compared with closed forms in world space.
+//! Rays hit each shape where closed forms in world space say, under every kind of transform.
 #![cfg(feature = "window")]
 
 mod borders;
@@ -74,7 +74,7 @@ fn spheres_and_ellipsoids() {
             );
             let discriminant = b * b - a * c;
             if discriminant.abs() <= 1e-2 * b * b {
-                // Near the outline the textbook's formula is the less accurate of the two.
+                // Near the outline the closed form is less accurate than the tested code, so exact arithmetic decides.
                 rims::as_exact(&scene, &ray);
                 continue;
             }
@@ -198,7 +198,7 @@ fn a_cube_is_its_twelve_triangles() {
 
 #[test]
 fn squares_and_triangles() {
-    // In the square's half below its diagonal.
+    // The half of the square below its diagonal.
     let corners = [[-0.5, -0.5, 0.0], [0.5, -0.5, 0.0], [-0.5, 0.5, 0.0_f32]];
     let mesh = mesh(corners.to_vec(), vec![[0, 1, 2]], DVec3::ZERO);
     for (kind, model) in placements() {
@@ -215,7 +215,7 @@ fn squares_and_triangles() {
             y_axis: y,
             ..
         } = model.matrix3;
-        // The inverse transpose of (0, 0, 1): the cross product of the sides, which mirroring turns about.
+        // The inverse transpose times (0, 0, 1): the cross product of the sides, with its sign flipped by mirroring.
         let normal = model.matrix3.determinant().signum() * x.cross(y);
         let mut hits = [0, 0];
         for ray in rays(model, 24) {
@@ -285,10 +285,10 @@ fn matrices_without_an_inverse_are_refused() {
         model.matrix3.y_axis.x = bad;
         assert_eq!(Placement::new(model), Err(PlacementError::NotFinite));
     }
-    // What is singular but for what rounding left is not.
+    // A matrix is accepted if only rounding keeps it from being singular.
     let nearly = rows([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.7, 0.8, 0.9]]);
     assert!(Placement::new(nearly).is_ok());
-    // Very flat, small and large ones have their inverse, to the digits of each row.
+    // Very flat, small and large matrices have an inverse, accurate relative to each row's length.
     let (turned_back, flattened) = (turned.transpose(), flat(1e-12, 1.0, 1e12));
     let stretched = flat(1e12, 1.0, 1e-12);
     for (linear, expected) in [

@@ -1,4 +1,4 @@
-//! Rays at rims, edges and silhouettes, exactly and almost, against exact arithmetic.
+//! Rays exactly or nearly through rims, edges and silhouettes hit as exact arithmetic says.
 
 use crate::{
     common::{Random, placements, scene_of},
@@ -38,7 +38,7 @@ pub fn as_exact(scene: &Scene, ray: &Ray) -> [usize; 2] {
     ]
 }
 
-/// A point of a rim, an edge, a corner or a silhouette, and a direction that grazes a sphere there.
+/// A point on a rim, an edge, a corner or a silhouette; for a sphere also a direction that grazes it there.
 fn on_border(random: &mut Random, shape: &Shape) -> (DVec3, Option<DVec3>) {
     let mut p = DVec3::from_array(std::array::from_fn(|_| {
         [-0.5, 0.5, 0.0, 0.25, random.within(-0.5, 0.5)][random.below(5)]

@@ -1,4 +1,4 @@
-//! Each method breaks where it is known to.
+//! Each method errs where it is known to err.
 
 use super::{report, row, rows};
 use sightline::study::step::Precision::{F32, F64};
@@ -78,7 +78,8 @@ fn spheres_with_the_direction_taken_as_1_long_need_it_so() {
     assert!(row.wrong_percent() > 30.0, "{row:?}");
 }
 
-/// Where a ray touches exactly, or passes an edge at a distance that `f64` rounds away, only exact arithmetic is right.
+/// Only exact arithmetic is right for a ray that touches exactly, or that passes an edge at a distance `f64` rounds
+/// away.
 #[test]
 fn rays_that_touch_need_exact_arithmetic() {
     for (step, method, family, bits) in [

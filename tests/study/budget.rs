@@ -1,4 +1,4 @@
-//! `--budget` prints five lines, and the methods' errors are within the bounds that it states.
+//! `--budget` prints five lines, and the methods' measured errors stay within its estimates.
 
 use super::gallery::view_of;
 use sightline::{
@@ -40,7 +40,7 @@ fn town(folder: &tempfile::TempDir, camera: &str) -> PathBuf {
     file
 }
 
-/// Outlines through a lens so long that the rounding of `f32` is many pixels.
+/// Scenes seen through a lens so long that a rounding error of `f32` is many pixels. The targets lie on outlines.
 fn long_lenses(folder: &tempfile::TempDir) -> Vec<PathBuf> {
     let needles = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/gallery/needles.obj");
     std::fs::copy(needles, folder.path().join("needles.obj")).expect("a mesh");
@@ -99,7 +99,7 @@ fn no_estimate_is_beaten_by_what_was_measured() {
             *seen.entry(estimate.step).or_default() += usize::from(measured > 0.0);
         }
     }
-    // Every method has an error somewhere, so none is skipped.
+    // Every step has an error somewhere, so none is skipped.
     for step in ["ray", "object-space", "triangle", "sphere", "box", "square"] {
         assert!(seen.get(step) > Some(&0), "{step}: {seen:?}");
     }
@@ -143,7 +143,8 @@ fn a_town_in_map_coordinates_needs_f64() {
     );
 }
 
-/// The stated distance is right: moved nearly so far, a scene is within the budget; moved four times as far, it is not.
+/// The stated distance is right: a scene moved 0.9 times as far is within the budget, and moved 4 times as far it is
+/// not.
 #[test]
 fn a_budget_holds_as_far_as_it_says() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,4 +1,4 @@
-//! Truth and workloads are right on cases that can be checked by hand.
+//! The study's truth and workloads are right on cases that can be checked by hand.
 
 use glam::dvec2;
 use sightline::study::{
@@ -117,7 +117,8 @@ fn truth_agrees_with_hand_cases() {
         [true, false, false, true]
     );
 
-    // An object moved by (0, 0, 5) and doubled: its ray, back in the world, is the world's ray or one unit beside it.
+    // An object moved by (0, 0, 5) and doubled. Its ray, taken back to the world, is the world's ray or one unit beside
+    // it.
     let twice = M3([v(2.0, 0.0, 0.0), v(0.0, 2.0, 0.0), v(0.0, 0.0, 2.0)]);
     let ray = [v(0.0, 0.0, 0.0), v(0.0, 0.0, 1.0)];
     let placed = Placed::new(ray, twice, v(0.0, 0.0, 5.0));

@@ -1,4 +1,4 @@
-//! Charts are written, and no words overlap.
+//! Every chart is written as SVG and PNG, and no words in it overlap.
 
 use sightline::study::{
     self, Effort, Report,
@@ -47,7 +47,7 @@ fn are_written_and_say_something() {
     }
 }
 
-/// An existing file is not written into: a new one replaces it once it is whole.
+/// A save never writes into an existing file: a new file replaces it once the new one is complete.
 #[test]
 fn what_an_earlier_run_left_is_replaced_whole() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -79,7 +79,7 @@ fn what_an_earlier_run_left_is_replaced_whole() {
     }
 }
 
-/// Each formula has one label in each of the large panels.
+/// Each formula has one label in the large panels, and Sightline has one in each of the three.
 fn every_formula_is_named(front: &Picture) {
     let words: Vec<&str> = texts(front).map(|(_, text)| text).collect();
     let steps = ["triangle", "sphere", "pick"];
@@ -105,7 +105,6 @@ fn every_formula_is_named(front: &Picture) {
     }
 }
 
-/// Every text with its place.
 fn texts(picture: &Picture) -> impl Iterator<Item = ([f64; 2], &str)> {
     picture.marks.iter().filter_map(|mark| match mark {
         Mark::Text { at, text, .. } => Some((*at, text.as_str())),
@@ -113,7 +112,7 @@ fn texts(picture: &Picture) -> impl Iterator<Item = ([f64; 2], &str)> {
     })
 }
 
-/// Boxes about the words.
+/// Fails if the boxes around two texts overlap, or if one leaves the picture.
 fn no_words_overlap(stem: &str, picture: &Picture) {
     let mut boxes: Vec<([f64; 4], &str)> = Vec::new();
     for mark in &picture.marks {

@@ -1,4 +1,4 @@
-//! Known properties of the methods besides Sightline's: which always decide right, which leak, which lose digits.
+//! The other methods have the properties known of them: which always decide right, which leak and which lose digits.
 
 use super::{gallery::view_of, report, row, rows};
 use sightline::{
@@ -14,7 +14,7 @@ use sightline::{
     },
 };
 
-/// Methods with enough digits decide far rays, slivers and ties right.
+/// Methods with enough digits decide every triangle case right, far rays, slivers and ties included.
 #[test]
 fn long_arithmetic_decides_right() {
     for (method, precision) in [
@@ -32,7 +32,7 @@ fn long_arithmetic_decides_right() {
     }
 }
 
-/// Every triangle test is right for almost all ordinary rays.
+/// Every triangle test except the one by unsigned areas is right for almost all ordinary rays.
 #[test]
 fn every_triangle_test_does_what_is_ordinary() {
     let ordinary = report().rows.iter().filter(|row| {
@@ -82,7 +82,7 @@ fn watertight_tests_close_a_mesh_and_others_leak() {
     }
 }
 
-/// The truth of this step, that every ray enters the body, agrees with exact arithmetic.
+/// The closed-mesh step takes for truth that every ray enters the body. Exact arithmetic agrees.
 #[test]
 fn rays_that_surely_enter_a_body_do() {
     for family in ClosedCase::FAMILIES {
@@ -119,7 +119,8 @@ fn files_keep_what_f32_has_digits_for() {
     }
 }
 
-/// Subtracting the eye loses digits; between a near and an almost infinitely far point the eye cancels.
+/// three.js subtracts the eye and loses digits. Bevy subtracts a near from an almost infinitely far point: the eye
+/// cancels.
 #[test]
 fn unprojection_loses_digits_to_the_eye() {
     let worst = |method: &str, precision, family: &str, value: f64| {

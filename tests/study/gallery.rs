@@ -1,4 +1,4 @@
-//! The gallery: each scene breaks the methods that it is listed for; and what the budget says about one.
+//! Each scene of the gallery breaks the methods that it is listed for, and never Sightline's.
 
 use sightline::{
     camera::{View, Viewport},
@@ -16,7 +16,7 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/gallery")
 }
 
-/// A scene as its own camera sees it.
+/// The view of a scene through its own camera.
 pub fn view_of(loaded: &Loaded, width: u32, height: u32) -> View {
     let viewport = Viewport::new(width, height).expect("a picture");
     let camera = loaded
@@ -119,7 +119,7 @@ fn names_contain(name: &str) -> bool {
     GALLERY.iter().any(|exhibit| exhibit.name == name)
 }
 
-/// The scenes inside the program equal the files.
+/// The scenes built into the program equal the files.
 #[test]
 fn the_gallery_opens_as_its_files_do() {
     for exhibit in &GALLERY {
@@ -141,7 +141,7 @@ fn the_gallery_opens_as_its_files_do() {
     assert!(said.contains("needles"), "{said}");
 }
 
-/// The chart beside a scene fits the scene: its curve, in the view's pixels, passes the figures of the scene's own rays.
+/// The chart beside a scene fits it: the curve, in the view's pixels, passes near the figure of the scene's own rays.
 #[test]
 fn the_chart_matches_the_picture() {
     let mut failed = Vec::new();
@@ -153,7 +153,8 @@ fn the_chart_matches_the_picture() {
             .iter()
             .filter(|row| row.info.key() == (broken.method, broken.precision));
         let (here, family): (Vec<&Row>, Vec<&Row>) = own.partition(|row| row.family == SCENE);
-        // Between the family's figures just before and after the scene's value, with slack as the worst of many cases varies.
+        // The family's figures just before and after the scene's value bound it, with slack because a worst case
+        // varies.
         let figure = |row: &Row| {
             if row.wrong() > 0 {
                 row.worst_wrong
@@ -180,8 +181,8 @@ fn the_chart_matches_the_picture() {
         assert!(!near.is_empty(), "{broken:?}");
         let [low, high] =
             [f64::min, f64::max].map(|of| near.iter().copied().reduce(of).expect("one"));
-        // A method that fails completely in the family need not fail on the scene.
-        // The family's depths reach the far plane; the scene's do not reach half of it.
+        // A method that fails completely in the family need not fail on the scene. In the depth step, the family's
+        // depths reach the far plane; the scene's do not reach half of it.
         let low = if broken.step.about.key == "depth" {
             0.0
         } else {
@@ -191,7 +192,7 @@ fn the_chart_matches_the_picture() {
         if !(low / 30.0 <= found && found <= 30.0 * high) {
             failed.push(format!("{}: {found} and {near:?}", broken.exhibit));
         }
-        // The study's own pixels are those of another lens.
+        // The scene's own rays show an error, too.
         assert!(here[0].wrong() > 0 || found > 0.0, "{broken:?}");
     }
     assert!(failed.is_empty(), "{failed:#?}");
@@ -218,7 +219,7 @@ fn others_that_are_as_good_are_named() {
     }
 }
 
-/// With an orthographic lens all steps have cases, methods break as they do in perspective, and bounds hold.
+/// With an orthographic lens, steps still have cases, methods break as they do in perspective, and bounds hold.
 #[test]
 fn parallel_rays_are_studied_too() {
     for (name, far) in [
@@ -261,7 +262,7 @@ fn parallel_rays_are_studied_too() {
             let row = rays.find(|row| row.info.key() == (method, precision));
             row.expect("a row").worst_error
         };
-        // Far out, methods that hold a world point in f32 lose it; in f64 they do not.
+        // Far from the origin, methods that hold a world point in f32 lose it; in f64 they do not.
         for method in [
             "eye basis",
             "target + sx H + sy V - eye",

@@ -1,5 +1,5 @@
-//! The study: truth is right on cases that can be checked by hand, methods break where they are known to, Sightline's methods
-//! stay within their derived bounds, and the same seed gives the same report.
+//! The study finds methods wrong where they are known to be, and Sightline's methods within their derived bounds. The
+//! same seed gives the same report.
 #![cfg(feature = "window")]
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
@@ -99,7 +99,7 @@ fn what_this_program_does_stays_within_its_bounds() {
     }
 }
 
-/// Bounds are tight: an infinite bound, or one that no error comes near, would prove nothing.
+/// An infinite bound, or a step in which no error is above zero, would prove nothing.
 #[test]
 fn bounds_of_values_say_something() {
     for step in report().steps() {
@@ -157,7 +157,7 @@ fn csv_parses_back() {
     assert_eq!(count, report().rows.len());
 }
 
-/// RFC 4180.
+/// The cells of a CSV line, by RFC 4180.
 fn cells(line: &str) -> Vec<String> {
     let mut cells = vec![String::new()];
     let mut quoted = false;

@@ -1,4 +1,4 @@
-//! The study on a machine without a graphics driver.
+//! On a machine without a graphics driver, the study names the rows that it cannot measure and prints the rest.
 
 use std::process::Command;
 

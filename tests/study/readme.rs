@@ -1,4 +1,4 @@
-//! README's statements about the study are true, except figures that depend on a machine's speed.
+//! README's counts of scenes and cases and its worst rate of wrong decisions are those of the study.
 
 use sightline::{
     scene::gallery::GALLERY,

@@ -1,5 +1,5 @@
-//! `summary.csv` and its front. Times are those of the recorded run that README shows, in `assets`, as times measured beside
-//! other tests would prove nothing. The recorded run must fit this registry, and its front must follow from its figures.
+//! The recorded run that README shows fits the registry, and its front follows from its figures. The tests read that
+//! run from `assets`, because times measured while other tests run would prove nothing.
 
 use super::{cells, report};
 use sightline::study::{self, Report, Row, SUMMARY_COLUMNS, Time, methods::registry};
@@ -81,8 +81,8 @@ fn the_recorded_run_is_of_these_methods() {
     assert_eq!(recorded, methods.collect::<Vec<_>>());
 }
 
-/// A recorded method is on the front exactly where no other that is at most as wrong is more than a tenth faster. Figures
-/// that are printed alike may differ in later digits; where these decide, either answer is right.
+/// A recorded method is on the front exactly when no method at most as wrong is more than a tenth faster. Figures
+/// printed alike may differ in later digits; where those digits decide, either answer is right.
 #[test]
 fn the_recorded_front_follows_from_its_figures() {
     let lines = recorded();
@@ -129,7 +129,7 @@ fn timed(row: &Row, ns: f64) -> Row {
     }
 }
 
-/// The summary's cells of the second of two methods, with these times and numbers of wrong decisions.
+/// The summary's cells for the second of two methods with these times and these numbers of wrong decisions.
 fn of_two(ns: [f64; 2], wrong: [usize; 2]) -> Vec<String> {
     let rows = report()
         .rows
@@ -162,7 +162,7 @@ fn a_front_is_speed_against_what_is_wrong() {
     assert!(!on_front([10.0, 30.0], [1, 1]));
 }
 
-/// Wilson's upper limit as in textbooks' tables; for none of n, 3 of n.
+/// The upper limits are Wilson's, as in textbooks' tables, and 3 / n where none of n is wrong.
 #[test]
 fn rates_have_their_interval() {
     let high = |wrong: usize| {

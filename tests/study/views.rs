@@ -1,5 +1,5 @@
-//! Views in which the first surface on a ray may be invisible: back faces culled, shapes cut by the near plane, parallel rays
-//! that start behind the eye.
+//! The study is right in views where the first surface on a ray may be invisible: back faces are culled, the near plane
+//! cuts shapes, or parallel rays start behind the eye.
 
 use super::gallery::view_of;
 use glam::{DAffine3, DQuat, DVec2, DVec3, dvec3};
@@ -41,8 +41,8 @@ fn two_sheets() -> Shape {
     }
 }
 
-/// A row of every shape, about 1.5 wide each and their middles at z = 0: a mesh whose back comes first, one that is
-/// mirrored, a ball, a turned box, and a square that is seen from behind.
+/// A row of every shape, each about 1.5 wide with its middle at z = 0: a mesh whose back comes first, a mirrored mesh,
+/// an ellipsoid, a turned box, and a square seen from behind.
 fn row_of_shapes() -> Scene {
     let ball = ball_scene(0.0).0.objects()[0].shape.clone();
     let object = |shape: Shape, scale: DVec3, turn_y: f64, x: f64| {
@@ -65,8 +65,8 @@ fn row_of_shapes() -> Scene {
     scene
 }
 
-/// Views of all shapes: whole, cut by the near plane (less on the left), and by parallel rays that start behind an eye among
-/// the shapes; with back faces and without.
+/// Views of all shapes, with back faces and without: whole, cut by the near plane (less on the left), and by parallel
+/// rays that start behind an eye among the shapes.
 fn views(scene: &Scene) -> Vec<View> {
     let viewport = Viewport::new(WIDTH, HEIGHT).expect("a picture");
     let view = |near: Option<f64>, ortho: Option<f64>, z: f64, sides: Sides| {
@@ -96,7 +96,7 @@ fn views(scene: &Scene) -> Vec<View> {
     ]
 }
 
-/// Sightline's picks are right, and no method hits a culled face.
+/// Sightline's methods decide right, and the course's method hits no culled face.
 #[test]
 fn what_is_cut_and_culled_is_studied_right() {
     let scene = row_of_shapes();
@@ -123,15 +123,14 @@ fn what_is_cut_and_culled_is_studied_right() {
             })
             .expect("a row")
         };
-        // The courses' test loses hits, but finds none where nothing is.
+        // The course's method loses hits, but finds none where there is nothing.
         assert_eq!(pick("the course's").phantoms, 0, "{view:?}");
         let usual = pick("unproject, Moeller-Trumbore");
         assert!(usual.wrong_percent() < 2.0, "{view:?} {usual:?}");
     }
 }
 
-/// A pick with a step swapped for Sightline's own method, or one as good, equals Sightline's pick: a swap changes only its
-/// step.
+/// A swap changes only its step: with Sightline's own method or one as good swapped in, the pick equals Sightline's.
 #[test]
 fn a_good_method_swapped_in_changes_nothing() {
     let mut steps: Vec<AnyStep> = BREAKS.map(|broken| broken.step).to_vec();
@@ -152,7 +151,7 @@ fn a_good_method_swapped_in_changes_nothing() {
     }
 }
 
-/// At every so many columns and rows.
+/// Compares picks at every so many columns and rows.
 fn changes_nothing(scene: &Scene, view: &View, step: AnyStep, every: [usize; 2]) {
     let good = |info: &MethodInfo| {
         info.ours || (info.name, info.precision) == ("inverse(M), normalised", F64)

@@ -1,4 +1,4 @@
-//! Verify finds out every broken picker, each with a typical bug, on a view where the right picker passes.
+//! Verify finds every broken picker, each with a typical bug, on a view where the right picker passes.
 
 use crate::{common, compare, drawn_once, scenes::shapes};
 use glam::{DAffine3, DVec2, DVec3, dvec3};
@@ -18,7 +18,7 @@ fn overview() -> View {
     common::view([3.5, 2.8, 5.6], [0.0, 0.0, 0.0], lens, SIZE)
 }
 
-/// Asserts that on a view the program's own picker leaves nothing unexplained, and `broken` at least `least` pixels.
+/// Asserts that on a view Sightline's own picker agrees, and that `broken` leaves at least `least` pixels unexplained.
 #[track_caller]
 fn found_out(
     scene: &Scene,
@@ -119,7 +119,7 @@ fn hidden_objects() {
     });
 }
 
-/// Each object twice in the same place: the first of the two must win everywhere.
+/// Each object is twice in the same place, and the first of the two must win everywhere.
 #[test]
 fn ties_won_by_the_later_object() {
     let once = shapes(DVec3::ZERO).objects().to_vec();
@@ -143,7 +143,7 @@ fn the_surface_behind() {
     });
 }
 
-/// Right near the middle, and ever more distorted towards the corners.
+/// The pick is right near the middle, and ever more distorted towards the left and right borders.
 #[test]
 fn a_wrong_aspect() {
     let (scene, view) = (shapes(DVec3::ZERO), overview());
@@ -187,8 +187,8 @@ fn rays_in_f32_between_distant_planes() {
     found_out(&scene, &view, 300, |px| usual::closest(&scene, &view, px));
 }
 
-/// Two squares 1e-4 apart at depth 10 do not tie under reversed depth, but do under standard depth with near at 1e-3:
-/// the same wrong answer is a defect in the first case and excused in the second.
+/// Two squares lie 1e-4 apart at depth 10. Reversed depth tells them apart; standard depth with near at 1e-3 does not.
+/// The same wrong answer is a defect in the first case and excused in the second.
 #[test]
 fn an_order_that_the_depth_buffer_can_or_cannot_tell() {
     let square = |z: f64| {
@@ -222,7 +222,7 @@ fn an_order_that_the_depth_buffer_can_or_cannot_tell() {
         });
         let report = compare(&scene, &view, &right, &swapped);
         let count = report.count(Class::Unexplained);
-        // Except for a few at the rim.
+        // A few pixels at the rim are excused.
         let expected = if unexplained {
             report.picked * 9 / 10..=report.picked
         } else {
@@ -237,7 +237,7 @@ fn an_order_that_the_depth_buffer_can_or_cannot_tell() {
     }
 }
 
-/// An outline through pixel centres explains nothing where its surface is hidden.
+/// A hidden surface's outline explains no difference, even if it passes through pixel centres.
 #[test]
 fn a_hidden_outline() {
     let square = |z: f64, side: f64| {

@@ -1,4 +1,4 @@
-//! Verify finds out every broken drawing, each with a typical bug, on ordinary views where the right drawing passes.
+//! Verify finds every broken drawing, each with a typical bug, on ordinary views where the right drawing passes.
 
 use crate::{
     cameras::culled,
@@ -59,7 +59,7 @@ impl Case {
     }
 }
 
-/// Asserts that the right drawing of each case agrees, and the `broken` one leaves at least `least` pixels unexplained.
+/// Asserts for each case that the right drawing agrees, and that `broken` leaves at least `least` pixels unexplained.
 #[track_caller]
 fn found_out(least: usize, broken: impl Fn(&Case) -> Image<Id>) {
     for case in cases() {
@@ -84,8 +84,8 @@ fn found_out(least: usize, broken: impl Fn(&Case) -> Image<Id>) {
     }
 }
 
-/// Standard depth between planes this far apart stores the far plane's depth for everything, so no surface can be told
-/// from nothing. Still, neither a blank picture nor one with a tenth left may pass.
+/// Standard depth between planes this far apart stores the far plane's depth for everything, so it cannot tell a
+/// surface from nothing. Still, neither a blank picture nor one with a tenth left may pass.
 #[test]
 fn a_picture_that_standard_depth_loses_fails() {
     let scene = shapes(DVec3::ZERO);
@@ -123,7 +123,7 @@ fn a_picture_that_standard_depth_loses_fails() {
     );
 }
 
-/// An id picture of the same size, computed pixel by pixel.
+/// An id picture of the same size as `size`, computed pixel by pixel.
 pub fn mapped(size: &Image<Id>, id: impl Fn(u32, u32) -> Id) -> Image<Id> {
     let mut picture = size.clone();
     let width = size.size().width();
@@ -150,7 +150,7 @@ fn a_picture_shifted_by_a_pixel() {
     }
 }
 
-/// Half of what is shown lies before the misplaced near plane.
+/// The misplaced near plane cuts away about half of what is shown.
 #[test]
 fn a_wrong_near_plane() {
     found_out(500, |case| {
@@ -198,7 +198,7 @@ fn what_is_behind_drawn_before() {
     });
 }
 
-/// Moved by a hundredth of its size, as rounded matrices may do.
+/// The object is moved by a hundredth of a unit along each axis, as rounded matrices may do.
 #[test]
 fn an_object_moved_by_a_hundredth() {
     found_out(5, |case| {
@@ -220,7 +220,7 @@ fn an_object_moved_by_a_hundredth() {
     });
 }
 
-/// The pixels of one triangle of a mesh show what is behind it.
+/// The pixels of one mesh triangle show what is behind it.
 #[test]
 fn a_triangle_missing() {
     found_out(2, |case| {

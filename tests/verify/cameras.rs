@@ -1,4 +1,4 @@
-//! Every condition of the camera.
+//! Views under every condition of the camera, for the tests of `conditions`.
 
 use crate::common::{self, orthographic, perspective};
 use glam::{DVec2, DVec3, dvec3};
@@ -12,7 +12,7 @@ use sightline::{
 /// Small pictures: there are many.
 pub const SIZE: [u32; 2] = [128, 96];
 
-/// From a scene's middle to the eye.
+/// The direction from a scene's middle to the eye.
 const WAY: DVec3 = dvec3(1.0, 0.8, 1.6);
 
 /// The condition under which some meshes are beyond `f32`.
@@ -62,7 +62,7 @@ impl Stage {
     }
 }
 
-/// Every condition of the camera.
+/// Views of a scene under every condition of the camera.
 pub fn shots(scene: &Scene) -> Vec<Shot> {
     let stage = Stage::new(scene);
     [
@@ -107,7 +107,7 @@ fn near_and_far(stage: &Stage) -> Vec<Shot> {
     shots
 }
 
-/// Fields of view.
+/// Views with many fields of view, and long lenses aimed at a rim.
 fn lenses(scene: &Scene, stage: &Stage) -> Vec<Shot> {
     let Stage {
         base, r, aim, way, ..
@@ -207,7 +207,7 @@ fn cuts(stage: &Stage) -> Vec<Shot> {
     shots
 }
 
-/// Nearer and nearer, narrower and narrower.
+/// Views from ever nearer, and through ever narrower lenses.
 fn zooms(stage: &Stage) -> Vec<Shot> {
     let Stage { r, aim, way, .. } = *stage;
     let mut shots = Vec::new();
@@ -289,8 +289,8 @@ fn with_lens(view: &View, change: impl Fn(Lens) -> Lens) -> View {
     }
 }
 
-/// A corner of the triangle shown nearest to the picture's middle, or the hit point: zooming in on it keeps outlines in
-/// view.
+/// A point to zoom in on: a corner of the triangle shown nearest to the picture's middle, or the hit point of a shape
+/// without triangles. A corner keeps outlines in view.
 fn detail(scene: &Scene, view: &View) -> DVec3 {
     let (px, hit) = shown(scene, view);
     let object = &scene.objects()[hit.object];
@@ -302,7 +302,7 @@ fn detail(scene: &Scene, view: &View) -> DVec3 {
     }
 }
 
-/// A point on the outline of what shows nearest to the picture's middle, by bisection towards the left border.
+/// A point on the outline of the object shown nearest to the picture's middle, by bisection towards the left border.
 fn rim(scene: &Scene, view: &View) -> DVec3 {
     let (px, shown) = shown(scene, view);
     let at = |x: f64| {

@@ -1,4 +1,4 @@
-//! `sightline verify` as a process.
+//! `sightline verify` reports agreement and defects by exit code, JSON, text and picture.
 
 use serde_json::Value;
 use std::process::{Command, Output};
@@ -45,8 +45,8 @@ fn json_counts_every_pixel_once() {
     assert!(count("outline") > 1000, "{line}");
 }
 
-/// They are tinted in the picture, and counted in the line and in the text beside the classes, of whose pixels they are
-/// a part.
+/// Pixels in one place are tinted in the picture, and counted in the JSON line and in the text. The text counts them
+/// beside the classes, which include them.
 #[test]
 fn pixels_in_one_place_are_counted_and_tinted() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -80,7 +80,8 @@ fn pixels_in_one_place_are_counted_and_tinted() {
     assert!(text.contains(&row), "{text}");
 }
 
-/// From afar through a long lens the usual picker is wrong; verify says so by exit code, line and place.
+/// From afar through a long lens the usual picker is wrong. Verify says so by its exit code, one line on stderr, and
+/// the place of the worst pixel.
 #[test]
 fn a_defect_is_an_exit_code_a_line_and_a_place() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -106,7 +107,8 @@ fn a_defect_is_an_exit_code_a_line_and_a_place() {
     assert_eq!(at, [213, 94, 0], "the worst pixel is painted");
 }
 
-/// A ray within the plane of a cube's side enters at the rim of its front.
+/// A ray within the plane of a cube's side enters at the rim of the cube's front face, so that face's depth is
+/// reported.
 #[test]
 fn the_depth_of_a_rim_is_the_hits() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -129,7 +131,7 @@ fn without_a_driver_it_says_that_picking_needs_none() {
     let output = command.output().expect("the program runs");
     assert_eq!(output.status.code(), Some(4), "{output:?}");
     let stderr = String::from_utf8(output.stderr).expect("text");
-    // Another command's flag.
+    // The advice names another command and its flag.
     assert!(stderr.contains("sightline render --by raycast"), "{stderr}");
     assert!(
         stderr.ends_with("picking itself needs no driver\n"),

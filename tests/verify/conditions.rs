@@ -1,4 +1,4 @@
-//! Every condition that a user can bring about, over every scene: nothing is left unexplained.
+//! Verify leaves no pixel unexplained, under every condition that a user can bring about and over every scene.
 
 use crate::{
     cameras::{NARROWEST, SIZE, Shot, culled, few_shots, shots},
@@ -15,17 +15,17 @@ use sightline::{
 };
 use std::{collections::BTreeMap, time::Instant};
 
-/// The pixels that a view must show at least: agreement on an empty picture proves nothing. A view that is cut or
+/// The fewest pixels that a view must show, because agreement on an empty picture proves nothing. A view that is cut or
 /// culled may be empty, but not all views of a condition.
 const LEAST_SHOWN: usize = 10;
 
 /// The most `f32 limit` pixels of a view.
 const MOST_AT_F32_LIMIT: usize = 20;
 
-/// The condition under which the depth buffer cannot tell most surfaces from nothing.
+/// The words in a condition's name under which the depth buffer cannot tell most surfaces from nothing.
 const LOST: &str = "1e9, standard";
 
-/// Whether a mesh takes long to draw: then only a third of the cameras look at it.
+/// Whether a mesh takes long to draw. Only a third of the cameras look at such a mesh.
 fn takes_long(triangles: usize) -> bool {
     triangles > 50_000
 }
@@ -52,7 +52,7 @@ impl Tally {
     }
 }
 
-/// The lesser count of pixels drawn and picked: in a blank picture nothing shows, whatever is picked.
+/// The smaller of the counts of pixels drawn and picked: in a blank picture nothing shows, whatever is picked.
 fn shown(report: &Report) -> usize {
     report.drawn.min(report.picked)
 }
@@ -132,9 +132,9 @@ impl Sweep {
         }
     }
 
-    /// Whether such a view may be beyond `f32`: through standard depth, which stores 1 for nearly everything between
-    /// planes far apart, or with triangles that are a million pictures wide, run under the eye into the distance, or
-    /// are slimmer than the grid.
+    /// Whether a view under such a condition may be beyond `f32`. Standard depth stores 1 for nearly everything between
+    /// planes far apart. Other reasons are triangles that are a million pictures wide, that run under the eye into the
+    /// distance, or that are slimmer than the grid.
     fn may_be_beyond_f32(&self, condition: &str) -> bool {
         let is_any = |words: &[&str]| words.iter().any(|word| condition.contains(word));
         match self.over {
@@ -145,16 +145,16 @@ impl Sweep {
         }
     }
 
-    /// Pixels that a view must show.
+    /// The fewest pixels that a view must show.
     fn least_shown(&self, condition: &str) -> usize {
         let is_any = |words: &[&str]| words.iter().any(|word| condition.contains(word));
         if is_any(&["cut", "culled", "from the middle", "along an axis"]) {
             0
         } else if is_any(&[LOST]) {
-            // To the depth buffer, nearly all of it is as deep as the far plane.
+            // The depth buffer holds nearly all of the scene as deep as the far plane.
             1
         } else if is_any(&["zoomed", "narrowed"]) {
-            // A detail fills a good part of the picture.
+            // The detail fills 30 or 10 percent of the picture.
             let tenths = if self.over == Over::Own { 3 } else { 1 };
             tenths * (SIZE[0] * SIZE[1]) as usize / 10
         } else {
@@ -209,7 +209,7 @@ fn under_matrices(sweep: &mut Sweep, name: &str, scene: &Scene) {
     let bounds = scene.visible_bounds();
     let flat = (bounds.max - bounds.min).min_element() == 0.0;
     for (condition, matrix, ordinary) in matrices() {
-        // A flat scene, flattened again, would be a line.
+        // Flattening would turn a flat scene into a line.
         if flat && condition == "thin as paper" {
             continue;
         }

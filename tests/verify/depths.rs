@@ -1,9 +1,9 @@
-//! Depths that `f32` cannot hold, each with the command that found it: drawing a surface in front of one that hides it
-//! is never excused, however coarse the buffer.
+//! Verify never excuses a drawing that shows a hidden surface in front of the one that hides it, however coarse the
+//! depth buffer. Each case is the command that found it.
 
 use crate::extremes::{Counts, run, scene};
 
-/// Asserts that drawing shows the farther surface at `least` pixels or more, and that verify does not excuse it.
+/// Asserts that verify calls at least `least` pixels beyond `f32`, and excuses at most half as many as *depth*.
 #[track_caller]
 fn cannot_be_held(toml: Option<&str>, view: &str, least: u64) {
     let file = toml.map(scene);
@@ -60,7 +60,7 @@ fn a_telescope_with_planes_from_the_eye_on() {
     cannot_be_held(None, view, 10_000);
 }
 
-/// A rug on a floor seen at a grazing angle: drawing may show either, at any height.
+/// A rug lies in the plane of a floor. From any height, even at a grazing angle, drawing may show either.
 #[test]
 fn a_rug_on_a_floor_at_a_glance() {
     let objects = [("floor", 4, 0), ("rug", 2, 30)].map(|(name, scale, turn)| {
@@ -82,7 +82,8 @@ fn a_rug_on_a_floor_at_a_glance() {
     }
 }
 
-/// Without usable bounds: a square that `f64` cannot tell from the near plane, a face too large, a sphere too flat.
+/// Nothing is unexplained where no usable bound exists: a square that `f64` cannot tell from the near plane, a face too
+/// large, a sphere too flat.
 #[test]
 fn numbers_that_no_bound_holds() {
     let hair = r#"
@@ -171,7 +172,7 @@ scale = [1, 1, SCALE]
     }
 }
 
-/// Its distance is nothing, however much standard depth may be off: no reason to call the view beyond `f32`.
+/// The poster and its wall are zero apart, so however far off standard depth is, the view is not beyond `f32`.
 #[test]
 fn a_poster_in_the_plane_of_its_wall() {
     let toml = "[[object]]\nshape = \"square\"\nscale = 6\n[[object]]\nshape = \"square\"\nposition = [0.5, 0.2, 0]\nrotation = [0, 0, 20]\n";

@@ -1,4 +1,4 @@
-//! On any driver its properties are measured, and nothing is left unexplained. `.ci/run` runs these tests on two
+//! Verify measures the properties of any driver and leaves nothing unexplained on it. `.ci/run` runs these tests on two
 //! drivers that share no code.
 
 use crate::{
@@ -16,7 +16,7 @@ use sightline::{
     verify::{self, Class, Verdict},
 };
 
-/// Part of an adapter's name, its sub-pixel bits, and how it numbers triangles.
+/// Known drivers: a part of the adapter's name, its sub-pixel bits, and how it numbers triangles.
 const KNOWN: [(&str, u32, Numbers); 2] = [
     ("llvmpipe", 8, Numbers::Primitives),
     ("SwiftShader", 4, Numbers::Corners),
@@ -85,7 +85,7 @@ fn nothing_is_unexplained_in_the_demo_the_gallery_and_two_scenes() {
     assert!(shown > 200_000, "{shown}: the scenes are seen");
 }
 
-/// Bounds need the driver's own grid: with the common, finer one, pixels of a coarser driver are called unexplained.
+/// Bounds need the driver's own grid: with the common, finer grid, verify calls pixels of a coarser driver unexplained.
 #[test]
 fn a_coarser_grid_is_what_its_edges_need() {
     let own = gpu().rasteriser();
@@ -105,7 +105,8 @@ fn a_coarser_grid_is_what_its_edges_need() {
     assert_eq!(by_common > 0, own.sub_pixel_bits() < 8, "{by_common}");
 }
 
-/// Where triangles have no numbers, objects are compared, and their differences are explained.
+/// Where triangles have no numbers, verify compares objects. It explains their differences, and still finds a missing
+/// mesh.
 #[test]
 fn objects_alone_are_compared_where_triangles_have_no_numbers() {
     let objects = Restraint {

@@ -1,5 +1,5 @@
-//! What bounds must excuse and must not: surfaces of triangles slimmer than the grid, floors that run under the eye,
-//! specks, and surfaces that `f32` cannot tell apart.
+//! The bounds excuse what drawing in `f32` must get wrong and nothing else. The cases are triangles slimmer than the
+//! grid, floors that run under the eye, specks, and surfaces that `f32` cannot tell apart.
 
 use crate::{
     broken_drawings::{SIZE, mapped},
@@ -16,8 +16,8 @@ use sightline::{
     verify::{Class, Verdict},
 };
 
-/// A pipe before the middle of a wall, six pixels wide, of strips 1/400 pixel wide. Drawing may move an edge onto every
-/// pixel, and yet nothing but the pipe can show there.
+/// A pipe in front of a wall, six pixels wide and made of strips 1/400 pixel wide. Drawing may move an edge onto every
+/// pixel of the pipe, yet nothing but the pipe can show there.
 fn pipe() -> (Scene, View) {
     const STRIPS: u32 = 4000;
     let mut positions = Vec::new();
@@ -59,7 +59,7 @@ fn a_mesh_missing_whose_triangles_are_slimmer_than_the_grid() {
     assert!(found >= shown * 9 / 10, "{found} of {shown} are found out");
 }
 
-/// A floor from before the eye to behind it, with a near plane a millionth of a step away: the part behind the eye must
+/// A floor runs from before the eye to behind it, and the near plane is as close as 1e-6. The part behind the eye must
 /// not cost digits of the visible part.
 #[test]
 fn a_floor_under_the_eye_missing() {
@@ -98,7 +98,7 @@ fn a_floor_under_the_eye_missing() {
     }
 }
 
-/// The GPU gets the same numbers for both; a pick knows that the second one is nearer.
+/// The GPU gets the same numbers for both squares. A pick knows that the second one is nearer.
 #[test]
 fn what_f32_cannot_tell_apart_is_as_deep() {
     let square = |depth: f64| {
@@ -144,8 +144,8 @@ fn one_sided(squares: &[(DVec3, DVec2)]) -> [Verdict; 2] {
         .map(|(drawn, picked)| compare(&scene, &view, drawn, picked).verdict())
 }
 
-/// Something smaller than a pixel may be missed if a pixel's centre lies on its edge, to within the grid; if the centre
-/// lies inside, it may not.
+/// A speck smaller than a pixel may be missed if a pixel's centre lies within the grid of its edge. It may not be
+/// missed if the centre lies farther inside.
 #[test]
 fn a_speck_at_an_edge_is_no_blank_picture() {
     let at = |px: f64, inside: f64| {
@@ -156,7 +156,7 @@ fn a_speck_at_an_edge_is_no_blank_picture() {
     };
     let speck = [at(3.0, 0.001)];
     assert_eq!(one_sided(&speck), [Verdict::Agrees; 2]);
-    // Drawing does leave it out.
+    // Drawing really leaves this speck out.
     let (scene, view) = in_pixels(&speck);
     assert_eq!(
         pick::ids(&scene, &view)
@@ -181,7 +181,7 @@ fn a_speck_at_an_edge_is_no_blank_picture() {
     );
 }
 
-/// A wire through the centres of a row: each pixel lies on an edge, but the row as a whole may not be missing.
+/// A wire runs through the pixel centres of a row. Each pixel lies on an edge, but the whole row may not be missing.
 #[test]
 fn a_blank_picture_fails_where_an_edge_explains_each_pixel() {
     let wire = [(DVec3::new(0.0, 0.5, 0.0), DVec2::new(150.0, 0.002))];
@@ -191,8 +191,9 @@ fn a_blank_picture_fails_where_an_edge_explains_each_pixel() {
     );
 }
 
-/// A board just before a cube's back is drawn in front of the cube. That it is as deep as the back is no excuse, since
-/// picks show the front. With near at the eye, standard depth tells none of the three apart.
+/// A board just in front of a cube's back face is drawn in front of the cube. The board is as deep as the back face,
+/// but that is no excuse, since picks show the front face. With near at the eye, standard depth tells none of the three
+/// apart.
 #[test]
 fn a_cubes_front_missing_before_a_board_at_its_back() {
     let board = |z: f64| {

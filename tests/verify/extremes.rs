@@ -1,6 +1,6 @@
-//! Views that were once drawn wrongly and excused by verify, each with the command that found it: near or far on a
-//! visible surface, planes close together far away, matrices that flatten, scenes too large for `f32`, extremely
-//! distant eyes.
+//! Extreme views that were once drawn wrongly and excused are now drawn right, or verify says that they are beyond
+//! `f32`: near or far on a visible surface, planes close together far away, matrices that flatten, scenes too large for
+//! `f32`, extremely distant eyes. Each case is the command that found it.
 
 use glam::{DMat3, DVec3};
 use serde_json::Value;
@@ -50,7 +50,7 @@ impl Counts {
             .unwrap_or_else(|| panic!("{name}: {}", self.line))
     }
 
-    /// Only edges differ, and at least so many pixels are shown.
+    /// Asserts that at most 10 pixels differ by an edge and 10 by depth, no others, and that enough pixels are shown.
     #[track_caller]
     fn agree(&self, least_shown: u64) {
         assert_eq!(self.code, Some(0), "{} {}", self.line, self.stderr);
@@ -72,7 +72,7 @@ impl Counts {
     }
 }
 
-/// A wall at depth 2 exactly.
+/// A wall, which the views of the test see at depth 2 exactly.
 const WALL: &str = "[[object]]\nshape = \"square\"\nscale = 3\n";
 
 #[test]
@@ -104,7 +104,7 @@ rotation = [10, 20, 20]
 position = [-0.4, -0.5, 0]
 "#;
 
-/// Nothing was drawn here, and verify excused it.
+/// Once nothing was drawn here, and verify excused it.
 #[test]
 fn planes_close_together_in_the_distance() {
     let (_folder, mixed) = scene(MIXED);
@@ -118,7 +118,7 @@ fn planes_close_together_in_the_distance() {
     }
 }
 
-/// Eyes 1e7 to 1e12 units away: as good as from nearby.
+/// From eyes 1e7 to 1e12 units away, drawing and picking agree as well as from nearby.
 #[test]
 fn eyes_far_away() {
     for distance in [1e7, 1e9, 1e11, 1e12] {
@@ -132,7 +132,7 @@ fn eyes_far_away() {
     }
 }
 
-/// Columns that differ by 1e-14 of their length, and a cube 1e-8 thick through a long lens.
+/// A matrix with two columns that differ by 1e-14 of their length, and a cube 1e-8 thick, also through a long lens.
 #[test]
 fn matrices_that_flatten() {
     let (_folder, sphere) = scene(
@@ -151,7 +151,7 @@ fn matrices_that_flatten() {
     Counts::of(run(Some(&cube), long)).agree(3000);
 }
 
-/// They are framed, drawn and picked, or refused with one line.
+/// Scenes of any size are framed, drawn and picked, or refused with one line.
 #[test]
 fn scenes_of_any_size() {
     for exponent in [-95, -39, 39, 97] {
@@ -173,7 +173,7 @@ fn scenes_of_any_size() {
     }
 }
 
-/// Coordinates 1e13 times the size of features, in placements and in a mesh's own vertices under a rotation.
+/// Coordinates are 1e13 times the size of features, in placements and in a mesh's own vertices under a rotation.
 #[test]
 fn far_from_the_origin() {
     let turn = DMat3::from_rotation_y(0.5) * DMat3::from_rotation_x(0.3);
@@ -275,8 +275,8 @@ fn the_widest_lenses() {
     }
 }
 
-/// Vertices of 1e10 under a matrix of 5e-39, which a driver may flush to 0: beside a distant far plane drawing cannot
-/// hold such numbers; with fitting planes it can.
+/// Vertices of 1e10 under a matrix of 5e-39, which a driver may flush to 0. Drawing holds such numbers with near and
+/// far planes that fit. With a distant far plane it may lose them, and verify says so.
 #[test]
 fn matrices_below_what_f32_holds() {
     let (folder, file) = scene(

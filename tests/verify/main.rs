@@ -1,5 +1,5 @@
-//! `verify`: under every condition that a user can bring about, what is drawn is what is picked; and wrong pickers and
-//! drawings are found out.
+//! `verify` finds drawing and picking equal under every condition that a user can bring about, except where it says
+//! that the view is beyond `f32`. It finds wrong pickers and wrong drawings.
 #![cfg(feature = "window")]
 
 #[allow(dead_code, reason = "the oracle's tests use the rest")]
@@ -63,7 +63,7 @@ fn places<'a>(scene: &'a Scene, view: &View) -> Places<'a> {
     Places::new(scene, view, rasteriser())
 }
 
-/// The GPU's drawing, as ids.
+/// The ids that the GPU draws.
 fn drawn(gpu: &Gpu, renderer: &mut Renderer, buffers: &SceneBuffers, view: &View) -> Image<Id> {
     let targets = Targets::new(gpu, view.viewport, 1).expect("fits");
     renderer

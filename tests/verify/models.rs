@@ -1,4 +1,5 @@
-//! Every condition of the model: its matrix, its shape, and the eye inside it.
+//! Scenes under every condition of the model, for the tests of `conditions`: its matrix, its shape, and the eye inside
+//! it.
 
 use crate::{
     cameras::SIZE,
@@ -22,7 +23,7 @@ fn moved(scene: &Scene, by: DAffine3) -> Scene {
     Scene::new(objects.collect())
 }
 
-/// Every condition of the model matrix.
+/// Matrices for every condition, and whether few outline pixels may differ under each.
 pub fn matrices() -> Vec<(&'static str, DAffine3, bool)> {
     let far = dvec3(1.0, -0.7, 0.4);
     let turn = DQuat::from_euler(glam::EulerRot::XYZ, 0.4, 0.7, -0.2);
@@ -54,7 +55,7 @@ pub fn matrices() -> Vec<(&'static str, DAffine3, bool)> {
     all
 }
 
-/// The scene under a matrix: translations are in sizes of the scene, all else is about its middle.
+/// The scene under a matrix that acts about the scene's middle. Its translation is in units of the scene's radius.
 pub fn under(scene: &Scene, matrix: DAffine3) -> Scene {
     let bounds = scene.visible_bounds();
     let to_middle = DAffine3::from_translation(-bounds.center());
@@ -65,7 +66,7 @@ pub fn under(scene: &Scene, matrix: DAffine3) -> Scene {
     moved(scene, by * to_middle)
 }
 
-/// Blades less than a pixel wide, in all directions.
+/// Sliver triangles in all directions, before a square.
 pub fn slivers() -> Scene {
     let mut random = common::Random::new(5);
     let mut positions = Vec::new();
@@ -79,7 +80,7 @@ pub fn slivers() -> Scene {
         triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
     }
     let mesh = Arc::new(mesh(DVec3::ZERO, positions, &[&triangles]));
-    // Something that shows between them.
+    // The square shows between them.
     let way = dvec3(1.0, 0.8, 1.6).normalize();
     let behind = DAffine3 {
         matrix3: 6.0 * DMat3::from_quat(DQuat::from_rotation_arc(DVec3::Z, way)),
@@ -96,7 +97,7 @@ pub fn slivers() -> Scene {
     ])
 }
 
-/// Coplanar faces of several objects and shapes, axis-aligned and rotated; and an object twice in one place.
+/// Coplanar faces of several objects and shapes, axis-aligned and rotated, and an object twice in one place.
 pub fn coplanar() -> Scene {
     let turn = DAffine3::from_quat(DQuat::from_euler(glam::EulerRot::XYZ, 0.3, 0.5, 0.1));
     let cube = |x: f64, y: f64, size: f64| {
@@ -131,7 +132,7 @@ pub fn coplanar() -> Scene {
     Scene::new(objects)
 }
 
-/// A sphere and a mesh around the eye, and a sphere just before it.
+/// Views from inside a sphere, an ellipsoid and a mesh, and from just outside a sphere.
 pub fn inside() -> Vec<(&'static str, Scene, View)> {
     let scene = shapes(DVec3::ZERO);
     let bumpy = Scene::new(scene.objects()[1..2].to_vec());
@@ -166,7 +167,7 @@ pub fn inside() -> Vec<(&'static str, Scene, View)> {
             look(dvec3(0.1, 0.1, 0.05), dvec3(1.0, 0.3, 0.2), near),
         ));
     }
-    // A point on the sphere's surface, and the way out of it.
+    // The eye lies 1e-3 above the sphere's surface.
     let center = dvec3(-1.5, -0.5, 1.2);
     let out = dvec3(0.3, 0.5, 1.0).normalize();
     let eye = center + (0.5 + 1e-3) * out;

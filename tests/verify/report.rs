@@ -1,4 +1,4 @@
-//! How a report judges differing pixels, and how they are painted; with reports made by hand.
+//! A report judges differing pixels by class and count, and paints them as documented. The reports are made by hand.
 
 use sightline::{
     camera::Viewport,
@@ -72,7 +72,7 @@ fn pixels_that_differ_are_counted_on_outlines_and_off_them() {
     assert_eq!(Report::default().share_of_outline().to_bits(), 0);
 }
 
-/// Something smaller than a pixel may be missed, and a face in a section's plane may be cut away; all else must show.
+/// A speck of up to 4 pixels may be missed, and a face in a section's plane may be cut away. All else must show.
 #[test]
 fn a_picture_of_nothing_agrees_only_with_a_speck_or_a_section() {
     assert_eq!(nothing_drawn(Class::Edge, 4), Verdict::Agrees);
@@ -89,7 +89,7 @@ fn a_picture_of_nothing_agrees_only_with_a_speck_or_a_section() {
     );
 }
 
-/// Grey is paler with the luma of the colour; a tint is mixed in by half; a mark has a ring of half its brightness.
+/// A colour of higher luma gives a paler grey. A tint is mixed in by half. A mark has a ring of half its brightness.
 #[test]
 fn the_picture_is_grey_with_tints_and_marks() {
     let size = Viewport::new(7, 4).expect("a size");
@@ -102,7 +102,7 @@ fn the_picture_is_grey_with_tints_and_marks() {
     }
     let marked = at([5, 2], Class::Unexplained, 1.0);
     let painted = paint(&colours, &[[1, 3]], &[marked]);
-    // 64 and half of 0.2126, 0.7152 and 0.0722 of 255.
+    // 64 plus half of 0.2126, 0.7152 and 0.0722 of 255.
     let brightness = [0, 1, 2].map(|x| painted.at(x, 0)[0]);
     assert_eq!(brightness, [64 + 27, 64 + 91, 64 + 9]);
     let tint = look::IN_ONE_PLACE.0.map(|c| c.midpoint(164));

@@ -1,5 +1,5 @@
-//! Hundreds of sections, along faces, through vertices and the eye, along rays, across axes and anywhere: what is drawn
-//! is what is picked, except nearer to the plane than drawing can tell.
+//! Under a section, what is drawn is what is picked, except nearer to the plane than drawing can tell. Hundreds of
+//! sections run along faces, through vertices and the eye, along rays, across axes and anywhere.
 
 use crate::{
     cameras::few_shots,
@@ -167,7 +167,7 @@ fn a_face_in_the_plane_shows_as_a_whole() {
     for shot in few_shots(&scene, "a face in the plane", true) {
         for axis in DVec3::AXES {
             for sign in [1.0, -1.0] {
-                // The half space beyond the cube: only the face is left.
+                // The section keeps the half space beyond the cube, so only the face is left.
                 let section = Section::new(sign * axis, -0.5).expect("a section");
                 let view = View {
                     section: Some(section),
@@ -178,7 +178,7 @@ fn a_face_in_the_plane_shows_as_a_whole() {
                 let drawn = drawn(&gpu, &mut renderer, &buffers, &view);
                 let report = compare(&scene, &view, &drawn, &picked);
                 assert_eq!(report.verdict(), Verdict::Agrees, "{:?}", report.worst());
-                // Specks would be all over the face, not only at its rim.
+                // Wrong clipping would scatter specks over the whole face.
                 assert!(report.count(Class::Section) < 4);
                 shown += report.picked;
             }

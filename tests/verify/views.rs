@@ -1,5 +1,5 @@
-//! Draws and compares the families of scenes that test picks against exact arithmetic (`tests/exact_picks`): drawing in
-//! `f32` stays within its bounds, or verify says that the view is beyond `f32`.
+//! Drawing in `f32` stays within its bounds, or verify says that the view is beyond `f32`. The scenes are the families
+//! that `tests/exact_picks` compares with exact arithmetic.
 //!
 //! `SIGHTLINE_VIEWS=1000 cargo test --locked --release --test verify -- --nocapture views` compares that many views of each
 //! family and prints a line for each.
@@ -20,7 +20,7 @@ use sightline::{
     verify::{Class, Report, Verdict},
 };
 
-/// Views of each family in an ordinary run: enough that edges between neighbours seen edge-on occur.
+/// Views of each family in an ordinary run: enough that edges between two neighbours seen edge-on occur.
 const VIEWS: usize = 40;
 
 /// Small pictures: there are many.
@@ -34,11 +34,11 @@ struct Tally {
     classes: [usize; 6],
     /// Views that are beyond `f32` only by their planes or their depth mapping.
     by_planes: usize,
-    /// Views with pixels beyond `f32`, and views with nothing drawn or nothing picked.
+    /// Views with pixels beyond `f32`; then views with nothing drawn or nothing picked.
     beyond: usize,
     one_sided: usize,
     defects: Vec<String>,
-    /// Pixels of the class *depth* because of two surfaces; the picks there name the drawn one.
+    /// Pixels of the class *depth* because of two surfaces. The picks there name the drawn surface.
     of_two: usize,
 }
 
@@ -74,8 +74,8 @@ struct Expected {
     one_sided: usize,
 }
 
-/// Views that may be beyond `f32` only by planes a million times as far apart as what lies between them, or by standard
-/// depth with the near plane at the eye, in a thousand of each family.
+/// Views, in a thousand of each family, that may be beyond `f32` only by their planes or depth mapping: planes a
+/// million times as far apart as what lies between them, or standard depth with the near plane at the eye.
 const BY_PLANES: usize = 250;
 
 fn wanted() -> usize {
@@ -125,7 +125,7 @@ fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, expected: &Expect
         "{name}: {}",
         tally.defects.join("\n")
     );
-    // In the rest of the class, one of the two is a plane of the lens.
+    // In the rest of the class *depth*, one of the two surfaces is the near or the far plane.
     let at_planes = depth - tally.of_two;
     let shown = tally.picked.min(tally.drawn) * 1000 / pixels;
     assert!(
@@ -178,7 +178,7 @@ fn compared(gpu: &Gpu, renderer: &mut Renderer, sample: &Sample) -> Report {
     compare(scene, view, &drawn, &pick::ids(scene, view))
 }
 
-/// The number of pixels of the class *depth* that show one surface and pick another; asserts that the pick names both.
+/// Counts pixels of the class *depth* that show one surface and pick another. Asserts that the pick names both.
 fn depths_are_named(family: &str, Sample { scene, view, .. }: &Sample, report: &Report) -> usize {
     let places = places(scene, view);
     let of_two = report.disagreements.iter();
@@ -195,7 +195,7 @@ fn depths_are_named(family: &str, Sample { scene, view, .. }: &Sample, report: &
         .count()
 }
 
-/// The near or the far plane at the `f64` nearest to some pixel's depth.
+/// A view whose near or far plane is at the `f64` nearest to some pixel's depth.
 fn planes_through(random: &mut Random) -> Sample {
     loop {
         let make = [families::ordinary, families::far_eyes, families::condition][random.below(3)];
@@ -232,7 +232,7 @@ macro_rules! families {
     };
 }
 
-// Beyond f32 are coincident faces seen nearly edge-on; one-sided are pictures of one to three pixels.
+// Coincident faces seen nearly edge-on are beyond f32. Pictures that show one to three pixels are one-sided.
 families! {
     ordinary, 1, families::ordinary, 100, 0, 5, 0;
     culled, 2, families::culled, 100, 0, 5, 0;

@@ -14,7 +14,7 @@ fn coplanar_squares_seen_from_the_side() {
     assert_eq!(unexplained, 0);
 }
 
-/// Two meshes large enough for a tree, which a tile's rays enter together.
+/// The two meshes are large enough for a tree, which the rays of a tile enter together.
 #[test]
 fn a_ball_and_its_copy() {
     let (points, triangles) = icosphere(3);
@@ -32,7 +32,7 @@ fn a_ball_and_its_copy() {
     assert!(marked > 5_000, "{marked}");
 }
 
-/// `f32` cannot tell the two apart and draws the first: no defect, and the pick names both.
+/// `f32` cannot tell the two meshes apart and draws the first. That is no defect, and the pick names both.
 #[test]
 fn a_mesh_nearer_by_a_hair() {
     let scene = Scene::new(vec![
@@ -44,7 +44,7 @@ fn a_mesh_nearer_by_a_hair() {
     let [depth, marked, unexplained] = counts(&scene, &view);
     assert_eq!(unexplained, 0);
     assert!(depth > 10_000, "{depth}");
-    // Except for a few on edges.
+    // A few more pixels on edges are marked.
     assert!((depth..depth + 20).contains(&marked), "{depth} of {marked}");
     let said = in_one_place(&scene, &view, dvec2(80.0, 50.5)).expect("two");
     assert_eq!(said.to_string(), "two in one place: B and A");
@@ -72,8 +72,8 @@ fn what_standard_depth_cannot_tell_far_away() {
     }
 }
 
-/// Near a ball's rim, its surface half a pixel aside is far deeper. Where `f32` cannot hold depths, a board within that
-/// depth is in one place with the ball, and a board beyond is not.
+/// Near a ball's rim, its surface half a pixel aside is far deeper. Where `f32` cannot hold depths, a board nearer than
+/// that depth is in one place with the ball, and a board beyond it is not.
 #[test]
 fn a_board_behind_the_steep_part_of_a_ball() {
     let scene = |z| {
@@ -99,7 +99,7 @@ fn a_board_behind_the_steep_part_of_a_ball() {
     }
 }
 
-/// Corners so far out that `f64` cannot compute the squares' depth from them; the pick's depth is used.
+/// The corners are so far out that `f64` cannot compute the squares' depth from them, so the pick's depth is used.
 #[test]
 fn squares_of_one_plane_too_large_for_their_depth() {
     let sheared = |exponent: i32| {
@@ -175,8 +175,8 @@ fn a_gap_that_drawing_can_tell_or_not() {
     }
 }
 
-/// Two surfaces of one kind diverge across the picture, and the farther one is drawn: excused as *depth* where both are
-/// in one place, a defect elsewhere.
+/// Two surfaces of one kind diverge across the picture, and the farther one is drawn. That is excused as *depth* where
+/// both are in one place, and is a defect elsewhere.
 #[test]
 fn the_bound_is_the_one_that_excuses_depth() {
     let wedge = |angle: f64| DAffine3::from_rotation_x(0.3 + angle) * turned(10.0, 1.0);

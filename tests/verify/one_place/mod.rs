@@ -1,4 +1,4 @@
-//! Surfaces in one place are named wherever drawing may show another one than is picked, and nowhere else.
+//! Surfaces in one place are named wherever drawing may show another surface than the picked one, and nowhere else.
 
 mod bounds;
 mod surfaces;
@@ -60,8 +60,8 @@ fn centres(view: &View) -> impl Iterator<Item = DVec2> {
     (0..size.height()).flat_map(row)
 }
 
-/// Whether the surfaces in one place at a pixel include one that an id may stand for: that triangle or a neighbour.
-/// Triangles that meet there count once, and drawing may show the neighbour across a shared edge.
+/// Whether the surfaces in one place at a pixel include the id's triangle or one that shares a corner with it.
+/// Neighbours count too, because triangles that meet count once and drawing may show the one across a shared edge.
 pub fn name(scene: &Scene, places: &Places, pixel: [u32; 2], id: Id) -> bool {
     let px = DVec2::from(pixel.map(f64::from)) + 0.5;
     let Some(object) = scene.objects().get((id.object as usize).wrapping_sub(1)) else {
@@ -80,8 +80,8 @@ pub fn name(scene: &Scene, places: &Places, pixel: [u32; 2], id: Id) -> bool {
     places.at(px).iter().any(is_it)
 }
 
-/// Whether a pixel is of the class *depth* because of two surfaces, not because of the empty buffer, or a near or far
-/// plane on which, for drawing, one of them lies.
+/// Whether a pixel is of the class *depth* because of two surfaces, and not because of the empty buffer or because
+/// drawing cannot tell one of them from the near or far plane.
 pub fn is_of_two_surfaces(view: &View, at: &Disagreement) -> bool {
     let lens = view.camera.lens();
     let off = 1e-5 * (lens.far - lens.near).min(lens.near.abs().max(lens.far.abs()));
@@ -92,7 +92,8 @@ pub fn is_of_two_surfaces(view: &View, at: &Disagreement) -> bool {
         && !at.depth.into_iter().any(is_on_plane)
 }
 
-/// Draws and compares. Counts pixels of the class *depth* (all must name what is drawn), in one place, and unexplained.
+/// Draws and compares. Counts the pixels of the class *depth*, those in one place, and the unexplained ones. Asserts
+/// that at each pixel of the class *depth*, both the drawn and the picked surface are named.
 #[track_caller]
 fn counts(scene: &Scene, view: &View) -> [usize; 3] {
     scene.build_trees();

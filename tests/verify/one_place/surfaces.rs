@@ -1,8 +1,8 @@
-//! Which surfaces count as two, and how they are named.
+//! Triangles that join count as one surface, and overlapping ones as several. Each surface is named, up to a limit.
 
 use super::*;
 
-/// Positions on the diagonal of a quad, where both of its triangles are hit.
+/// Both triangles of a quad are hit on its diagonal.
 #[test]
 fn an_edge_that_two_triangles_share_is_one_surface() {
     let once = Scene::new(vec![object("once", halves(), DAffine3::IDENTITY)]);
@@ -27,7 +27,7 @@ fn an_edge_that_two_triangles_share_is_one_surface() {
     }
 }
 
-/// Two objects of one file fill the same square with different diagonals: at the square's edge they overlap.
+/// Two pairs of triangles of one mesh fill the same square with different diagonals. On the square's edge they overlap.
 #[test]
 fn an_edge_that_two_overlapping_triangles_share_is_of_two() {
     let positions = vec![
@@ -53,7 +53,7 @@ fn an_edge_that_two_overlapping_triangles_share_is_of_two() {
     }
 }
 
-/// Two coplanar triangles that share one corner and overlap there; and two that lie side by side there.
+/// Two coplanar triangles that share a corner are two surfaces if they overlap there, and one if they lie side by side.
 #[test]
 fn overlapping_triangles_that_share_a_corner_are_two() {
     let corners = [[0.0, 0.0], [-1.0, 2.0], [2.0, 2.2], [1.0, 1.3], [0.5, 2.0]];
@@ -72,7 +72,7 @@ fn overlapping_triangles_that_share_a_corner_are_two() {
     ] {
         let mesh = one_mesh(positions.clone(), triangles, DVec3::ZERO);
         let scene = Scene::new(vec![object("fan", mesh, DAffine3::IDENTITY)]);
-        // On the corner, beside it by far less than the grid, and farther off.
+        // On the corner, beside it by far less than the grid's step, and farther off.
         for px in [[32.0, 32.0], [32.0005, 31.999], [32.0025, 31.995]] {
             let said = in_one_place(&scene, &view, px.into());
             assert_eq!(said.map(|said| said.count), count, "{px:?}");
@@ -114,7 +114,7 @@ fn identical_triangles_are_as_many_surfaces() {
     }
 }
 
-/// A ray tangent to a ball, with its point of contact on a board.
+/// A ray is tangent to a ball at a point on a board.
 #[test]
 fn a_touched_rim_and_a_board_are_two() {
     let scaled = |scale| DAffine3::from_scale(DVec3::splat(scale));
@@ -137,7 +137,7 @@ fn a_touched_rim_and_a_board_are_two() {
     }
 }
 
-/// A solid's front and back meet at its rim: one surface. Those of a mesh that is thin all over are two.
+/// A solid's front and back meet at its rim and are one surface there. The front and back of a thin mesh are two.
 #[test]
 fn a_rim_is_one_surface_and_a_thin_sheet_two() {
     let (positions, triangles) = box_triangles(1.0);
@@ -158,7 +158,7 @@ fn a_rim_is_one_surface_and_a_thin_sheet_two() {
             };
             let scene = solid(1.0);
             let places = places(&scene, &view);
-            // From pixels inside to pixels outside, as close to the rim as f64 allows.
+            // Bisection between inside and outside finds the rim as closely as f64 allows.
             for i in 0..60 {
                 let (sin, cos) = (0.1 * f64::from(i)).sin_cos();
                 let ray = |s: f64| dvec2(32.0, 24.0) + s * dvec2(cos, sin);

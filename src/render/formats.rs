@@ -1,0 +1,14 @@
+//! The formats of the textures that a picture is drawn into.
+
+use wgpu::TextureFormat;
+
+/// Colours: sRGB in memory, linear in shaders.
+pub(super) const COLOUR: TextureFormat = TextureFormat::Rgba8UnormSrgb;
+/// The same values, without conversion.
+pub(super) const COLOUR_VALUES: TextureFormat = TextureFormat::Rgba8Unorm;
+/// Object and triangle, each plus 1.
+pub(super) const IDS: TextureFormat = TextureFormat::Rg32Uint;
+/// Floating point, which reversed depth needs.
+pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
+/// How much of a pixel is selected, or is outline.
+pub(super) const MARKS: TextureFormat = TextureFormat::R8Unorm;

@@ -1,0 +1,136 @@
+//! Opens the graphics device, with or without a window, and measures what it can do.
+
+use super::{
+    abilities::{Numbers, Restraint, lacks},
+    gpu::{Gpu, GpuError, one_line},
+    probe::probe,
+    rasteriser::Rasteriser,
+};
+use std::time::Instant;
+
+impl Gpu {
+    /// A device that draws into textures only. `WGPU_BACKEND` narrows the choice, as everywhere in wgpu.
+    ///
+    /// # Errors
+    /// When there is no driver, or it cannot do what drawing needs.
+    pub fn headless() -> Result<Self, GpuError> {
+        Self::headless_within(&Restraint::default())
+    }
+
+    /// [`Gpu::headless`], restricted to what a lesser adapter can do.
+    ///
+    /// # Errors
+    /// As [`Gpu::headless`].
+    pub fn headless_within(restraint: &Restraint) -> Result<Self, GpuError> {
+        let adapter = pollster::block_on(best_adapter(&instance(), None))?;
+        Self::of(adapter, restraint)
+    }
+
+    /// A device that can draw on a window's surface.
+    ///
+    /// # Errors
+    /// When no driver can draw on it, or the driver cannot do what drawing needs.
+    pub fn for_surface(
+        instance: &wgpu::Instance,
+        surface: &wgpu::Surface<'_>,
+    ) -> Result<Self, GpuError> {
+        let adapter = pollster::block_on(best_adapter(instance, Some(surface)));
+        let adapter = adapter.map_err(|_| Self::no_window(instance))?;
+        Self::of(adapter, &Restraint::default())
+    }
+
+    /// Why a window's surface cannot be drawn on: there is no adapter, or it only draws into pictures.
+    #[must_use]
+    pub fn no_window(instance: &wgpu::Instance) -> GpuError {
+        match pollster::block_on(best_adapter(instance, None)) {
+            Err(error) => error,
+            Ok(adapter) => GpuError::Lacks {
+                adapter: adapter.get_info().name,
+                what: "support for windows (`sightline render` and `verify` work with it)".into(),
+            },
+        }
+    }
+
+    /// A device of an adapter.
+    pub(super) fn of(adapter: wgpu::Adapter, restraint: &Restraint) -> Result<Self, GpuError> {
+        let info = adapter.get_info();
+        let lacking = lacks(&adapter);
+        if !lacking.is_empty() {
+            return Err(GpuError::Lacks {
+                adapter: info.name,
+                what: lacking.join(", "),
+            });
+        }
+        let numbers = restraint.numbers_of(&adapter);
+        let index = match numbers {
+            Numbers::Primitives => wgpu::Features::PRIMITIVE_INDEX,
+            Numbers::Corners | Numbers::Objects => wgpu::Features::empty(),
+        };
+        // All that the adapter has: the user decides how large meshes and pictures are.
+        let limits = (restraint.limits.clone()).unwrap_or_else(|| adapter.limits());
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("sightline"),
+            required_features: index | (adapter.features() & wgpu::Features::POLYGON_MODE_LINE),
+            required_limits: limits,
+            ..Default::default()
+        };
+        let (device, queue) =
+            pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| {
+                GpuError::Device {
+                    adapter: info.name.clone(),
+                    reason: one_line(&error),
+                }
+            })?;
+        let samples = restraint.samples_of(&adapter);
+        let mut gpu = Self::unmeasured(adapter, (device, queue), numbers, samples);
+        let start = Instant::now();
+        gpu.probe()?;
+        log::info!(
+            "{} has {} sub-pixel bits and numbers triangles by {:?}: found in {:.1?}",
+            gpu.adapter_name(),
+            gpu.rasteriser.sub_pixel_bits(),
+            gpu.numbers,
+            start.elapsed()
+        );
+        Ok(gpu)
+    }
+
+    /// Measures the rasteriser. A numbering of triangles that does not work is replaced by the next one.
+    fn probe(&mut self) -> Result<(), GpuError> {
+        loop {
+            let found = probe(self)?;
+            let names_triangles = found.names_triangles && self.numbers != Numbers::Objects;
+            self.rasteriser = Rasteriser {
+                names_triangles,
+                ..found
+            };
+            self.numbers = match self.numbers {
+                numbers if names_triangles => numbers,
+                Numbers::Primitives => Numbers::Corners,
+                Numbers::Corners | Numbers::Objects => Numbers::Objects,
+            };
+            if names_triangles || self.numbers == Numbers::Objects {
+                return Ok(());
+            }
+        }
+    }
+}
+
+/// The instance that finds adapters, without a window. `WGPU_BACKEND` narrows the choice, as everywhere in wgpu.
+pub(super) fn instance() -> wgpu::Instance {
+    wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env())
+}
+
+/// The adapter to draw with, on a window's surface if one is given.
+pub(super) async fn best_adapter(
+    instance: &wgpu::Instance,
+    compatible_surface: Option<&wgpu::Surface<'_>>,
+) -> Result<wgpu::Adapter, GpuError> {
+    let options = wgpu::RequestAdapterOptions {
+        power_preference: wgpu::PowerPreference::HighPerformance,
+        compatible_surface,
+        ..Default::default()
+    };
+    let adapter = instance.request_adapter(&options).await;
+    adapter.map_err(|_| GpuError::NoAdapter)
+}

@@ -1,0 +1,31 @@
+//! How the GPU counts view space: its unit of length, and the plane from which it counts depth.
+
+use crate::{
+    camera::{DepthMapping, Projection, View},
+    geometry::binary::power_of_two_below,
+};
+
+/// View depth of the plane where the depth buffer stores 0, from which *measured depth* counts: the far plane in
+/// reversed mapping, the near plane in standard mapping. Clip z is measured depth times a factor, so that no digits
+/// cancel.
+#[must_use]
+pub fn depth_origin(view: &View) -> f64 {
+    let lens = view.camera.lens();
+    match lens.depth {
+        DepthMapping::Reversed => lens.far,
+        DepthMapping::Standard => lens.near,
+    }
+}
+
+/// View units per world unit, a power of two. It brings what the picture shows into `f32`'s range, however large or
+/// small the scene is.
+#[must_use]
+pub fn view_unit(view: &View) -> f64 {
+    let lens = view.camera.lens();
+    let size = match lens.projection {
+        Projection::Perspective { .. } => lens.far,
+        // The geometric mean of the picture's height and depth, which may be far apart.
+        Projection::Orthographic { height } => height.sqrt() * (lens.far - lens.near).sqrt(),
+    };
+    power_of_two_below(size).recip()
+}
