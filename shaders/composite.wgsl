@@ -1,4 +1,4 @@
-// The selection's outline, and the copy of the picture with its marks to a target.
+// Draws the selection's outline, and copies the picture with its marks to a target.
 
 struct Composite {
     origin_px: vec2<f32>,
@@ -51,7 +51,7 @@ fn copy(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     return textureLoad(picture, pixel(position), 0);
 }
 
-// look::luminance.
+// The same as look::luminance.
 fn luminance(colour: vec3<f32>) -> f32 {
     return dot(colour, vec3<f32>(0.2126, 0.7152, 0.0722));
 }

@@ -31,7 +31,7 @@ struct ObjectState {
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> objects: array<ObjectState>;
 
-// Clip-space position from x, y and measured depth, and view depth.
+// Clip-space position. `view` holds x, y and measured depth.
 fn project(view: vec3<f32>, view_depth: f32) -> vec4<f32> {
     let w = select(1.0, view_depth, frame.perspective == 1u);
     return vec4<f32>(view.xy * frame.ndc_per_view, frame.clip_per_depth * view.z, w);
@@ -43,7 +43,7 @@ fn unit(v: vec3<f32>) -> vec3<f32> {
     return select(vec3<f32>(0.0), v / size, size > 0.0);
 }
 
-// look::shade: a headlight that wraps around and a soft fill from above, for the normal of the side that is seen.
+// The same as look::shade: a headlight that wraps around and a soft fill from above, for the normal of the seen side.
 fn shade(albedo: vec3<f32>, normal_view: vec3<f32>) -> vec3<f32> {
     let normal = unit(normal_view);
     let wrapped = 0.5 + 0.5 * dot(normal, frame.key_direction);

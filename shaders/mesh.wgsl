@@ -1,7 +1,8 @@
 // Triangles: meshes, cubes and squares. Entry points that need triangle numbers are in mesh_by_corner and
 // mesh_by_primitive.
 
-// Attributes of an instance, since software rasterisers load each number of a storage buffer by itself.
+// An instance's numbers. They are vertex attributes because software rasterisers load each number of a storage buffer
+// by itself.
 struct Batch {
     @location(4) pivot_and_view_depth: vec4<f32>,
     @location(5) linear_x: vec3<f32>,
@@ -29,8 +30,8 @@ struct Corner {
     @invariant @builtin(position) clip: vec4<f32>,
     @location(0) normal_view: vec3<f32>,
     @location(1) albedo: vec3<f32>,
-    // Object; the triangle's id minus the primitive index (where there is one); flags. In one vector: software
-    // rasterisers pay for each that a triangle carries.
+    // Object; the triangle's id minus the primitive index (where there is one); flags. In one vector, because software
+    // rasterisers pay for each inter-stage variable.
     @location(2) @interpolate(flat) own: vec3<u32>,
 }
 
@@ -54,7 +55,7 @@ fn corner(in: Vertex, batch: Batch, triangle: u32) -> Corner {
     return out;
 }
 
-// The shaded colour; back faces get that of a solid's inside where a section cuts.
+// The shaded colour. Where a section cuts, back faces get the colour of a solid's inside.
 fn lit(in: Corner, winding_front: bool, is_cut: bool) -> vec4<f32> {
     let front = winding_front != ((in.own.z & MIRRORS) != 0u);
     let albedo = select(in.albedo, frame.inside, is_cut && !front);
@@ -83,7 +84,7 @@ fn mask() -> @location(0) f32 {
     return 1.0;
 }
 
-// The same where a section cuts the world.
+// The same entry points for a world that a section cuts.
 
 fn cut(in: Corner) {
     if !kept(in.clip.xy, q_of(in.clip)) {

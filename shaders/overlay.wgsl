@@ -1,4 +1,4 @@
-// What the picture shows but ids do not: the background and lines. And depths that were found without drawing.
+// Draws what has no id: the background and lines. Also writes depths that were computed without drawing.
 
 struct LineVertex {
     @location(0) position: vec4<f32>,
@@ -20,14 +20,14 @@ fn line_colour(in: Point) -> @location(0) vec4<f32> {
     return vec4<f32>(in.colour, 1.0);
 }
 
-// look::background.
+// The same as look::background.
 @fragment
 fn background_colour(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let down = position.y / frame.viewport_px.y;
     return vec4<f32>(mix(frame.background_top, frame.background_bottom, down), 1.0);
 }
 
-// In place of the spheres: the depth of each pixel, row by row.
+// The depth of each pixel, row by row, at the binding that sphere.wgsl uses for its spheres.
 @group(0) @binding(2) var<storage, read> depths: array<f32>;
 
 @fragment

@@ -1,4 +1,4 @@
-// The panels' picture drawn over the frame, and clearing a part of it.
+// Draws the panels' picture over the frame, and clears parts of the panels' picture.
 
 @group(0) @binding(0) var panels: texture_2d<f32>;
 

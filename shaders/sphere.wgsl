@@ -116,7 +116,7 @@ struct IdDepth {
     @builtin(frag_depth) depth: f32,
 }
 
-// The shaded colour; the back gets that of a solid's inside where a section cuts.
+// The shaded colour. Where a section cuts, the back gets the colour of a solid's inside.
 fn lit(index: u32, seen: Surface, is_cut: bool) -> vec4<f32> {
     let albedo = select(objects[spheres[index].object].colour, frame.inside, is_cut && !seen.front);
     return vec4<f32>(shade(albedo, seen.normal_view), 1.0);
@@ -151,7 +151,7 @@ fn mask(in: Corner) -> @location(0) f32 {
     return select(0.0, 1.0, seen.depth <= 1.0);
 }
 
-// The same where a section cuts the world.
+// The same entry points for a world that a section cuts.
 
 @fragment
 fn colour_cut(in: Corner, @builtin(sample_index) sample: u32) -> Colour {

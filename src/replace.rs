@@ -3,8 +3,16 @@
 use std::{
     fs::{self, File},
     io::{self, BufWriter, ErrorKind, Write},
-    path::Path,
+    path::{Path, PathBuf},
 };
+use tempfile::NamedTempFile;
+
+/// A file that is written, but not yet in its place. Dropped, it leaves what was there.
+pub(crate) struct Written {
+    target: PathBuf,
+    /// `None` for what was written directly.
+    beside: Option<NamedTempFile>,
+}
 
 /// Writes a temporary file beside `path` and renames it to `path` once it is complete and on the disk. On any failure,
 /// also of `write`, `path` keeps its contents and the temporary file is removed. A link stays: its target is replaced.
@@ -16,7 +24,18 @@ pub(crate) fn replace(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    write_beside(path, write)?.put_in_place()
+}
+
+/// The first half of [`replace`]: all but the renaming.
+///
+/// # Errors
+/// The system's error, or that of `write`.
+pub(crate) fn write_beside(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<Written> {
+    let target = target(path);
     let before = fs::metadata(&target).ok();
     // A rename checks only the permissions of the folder.
     if before
@@ -28,7 +47,11 @@ pub(crate) fn replace(
     if before.as_ref().is_some_and(|old| !old.is_file()) {
         let mut out = BufWriter::new(File::create(&target)?);
         write(&mut out)?;
-        return out.flush();
+        out.flush()?;
+        return Ok(Written {
+            target,
+            beside: None,
+        });
     }
     let folder = target
         .parent()
@@ -42,12 +65,43 @@ pub(crate) fn replace(
     out.flush()?;
     drop(out);
     beside.as_file().sync_all()?;
-    beside.persist(&target).map_err(|error| error.error)?;
-    Ok(())
+    Ok(Written {
+        target,
+        beside: Some(beside),
+    })
+}
+
+impl Written {
+    /// Takes its place.
+    ///
+    /// # Errors
+    /// The system's error.
+    pub fn put_in_place(self) -> io::Result<()> {
+        match self.beside {
+            Some(beside) => beside.persist(&self.target).map_err(|error| error.error)?,
+            None => return Ok(()),
+        };
+        Ok(())
+    }
+}
+
+/// The file that a path leads to, through links. It need not exist.
+pub(crate) fn target(path: &Path) -> PathBuf {
+    let in_folder = || {
+        let folder = path
+            .parent()
+            .filter(|folder| !folder.as_os_str().is_empty());
+        let folder = fs::canonicalize(folder.unwrap_or(Path::new("."))).ok()?;
+        Some(folder.join(path.file_name()?))
+    };
+    let existing = fs::canonicalize(path).ok();
+    existing
+        .or_else(in_folder)
+        .unwrap_or_else(|| path.to_owned())
 }
 
 /// A file of a unique name, removed when dropped, with the permissions of any new file.
-fn new_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
+fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
     let mut new = tempfile::Builder::new();
     new.prefix(".sightline-").suffix(".part");
     #[cfg(unix)]

@@ -32,7 +32,7 @@ fn views() -> Vec<View> {
     views
 }
 
-/// Checks the matrix that the GPU gets, not `Camera::project`.
+/// A point's NDC by the matrix that the GPU gets, not by `Camera::project`.
 fn through_matrix(view: &View, point_world: DVec3) -> DVec3 {
     let clip: DVec4 =
         view.camera.projection(view.viewport) * view.camera.view() * point_world.extend(1.0);
@@ -98,7 +98,7 @@ fn projection_times_view_is_glams() {
                 rh::proj::directx::orthographic(-right, right, -top, top, near, far)
             }
         };
-        // Swapping: 1 - z, the same projection with its planes exchanged.
+        // Reversed depth is 1 - z: the same projection with near and far exchanged.
         let theirs = match lens.depth {
             DepthMapping::Standard => of_planes(near, far),
             DepthMapping::Reversed => of_planes(far, near),
@@ -106,7 +106,7 @@ fn projection_times_view_is_glams() {
         let camera = &view.camera;
         let theirs = theirs * rh::view::look_to_mat4(camera.eye(), camera.forward(), camera.up());
         let ours = camera.projection(view.viewport) * camera.view();
-        // A row's entries are sums of others' products: its largest entry is the scale of its rounding.
+        // Entries are sums of products. Their rounding error scales with the row's largest entry.
         for row in 0..4 {
             let (ours, theirs) = (ours.row(row), theirs.row(row));
             let error = (ours - theirs).abs().max_element();
@@ -156,8 +156,8 @@ fn a_pixels_ray_leads_to_points_that_project_to_the_pixel() {
             let ray = view.ray(px);
             let t = random.within(ray.t_min, ray.t_max);
             let shown = view.project(ray.at(t)).unwrap();
-            // A world point is rounded to 1e-16 of its coordinates; where lines of sight are oblique, an error
-            // in depth moves it further aside.
+            // A world point is rounded to 1e-16 of its coordinates. On an oblique ray an error in depth moves it
+            // further aside.
             let half = view.camera.lens().half_extent(1.0).y;
             let distance = t.abs() * ray.direction.length();
             let (world_per_px, oblique) = match view.camera.lens().projection {
@@ -404,7 +404,7 @@ fn extreme_lenses_never_give_nan() {
                     (lens.far, depth == DepthMapping::Standard),
                 ] {
                     let error = (lens.ndc_depth(z) - f64::from(u8::from(ndc))).abs();
-                    // Both planes agree to 15 digits, so nothing can be told between them.
+                    // Where near and far agree to 15 digits, depth cannot tell them apart.
                     assert!(
                         error <= if far < 1.1 * near { 1.0 } else { 1e-10 },
                         "{lens:?} {z}: {error}"

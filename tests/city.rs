@@ -1,4 +1,4 @@
-//! A city in map coordinates: drawn as steadily, and picked as accurately, as at the origin.
+//! A city in map coordinates is drawn like the same city at the origin, and is picked to the millimetre.
 #![cfg(feature = "window")]
 
 mod common;
@@ -15,12 +15,12 @@ use sightline::{
 };
 use std::fmt::Write;
 
-/// Buildings along a street.
+/// Buildings along each side of the city.
 const SIDE: u32 = 40;
-/// UTM easting and northing.
+/// UTM easting, northing and height of the city's corner.
 const CITY: DVec3 = dvec3(447_000.0, 5_350_000.0, 250.0);
 
-/// The middle of a building's roof, from the city's corner, in whole millimetres.
+/// The middle of a building's roof, relative to the city's corner, in whole millimetres.
 fn roof(i: u32, j: u32) -> DVec3 {
     let height = 3.0 + f64::from((i * 7 + j * 13) % 29) + 0.125;
     dvec3(
@@ -34,7 +34,7 @@ fn blocks() -> impl Iterator<Item = (u32, u32)> {
     (0..SIDE).flat_map(|i| (0..SIDE).map(move |j| (i, j)))
 }
 
-/// A file of blocks with that corner, in millimetres.
+/// The city with its corner at `at`, through a file whose coordinates have three decimals.
 fn city(at: DVec3) -> Scene {
     let mut text = String::new();
     for (i, j) in blocks() {
@@ -56,7 +56,7 @@ fn city(at: DVec3) -> Scene {
     scene
 }
 
-/// From a flight along the street that lies `at` there, metres and millimetres a step.
+/// Views from a flight over the city at `at`. Steps are from a millimetre to hundreds of metres.
 fn views(at: DVec3) -> impl Iterator<Item = View> {
     [0.0, 0.001, 0.002, 0.05, 1.0, 1.001, 300.0]
         .into_iter()
@@ -102,7 +102,7 @@ fn a_far_city_is_drawn_as_a_near_one() {
             .filter(|(far, near)| far != near)
             .count();
     }
-    // Vertices are rounded relative to another point, to a ten-thousandth of a millimetre.
+    // The two cities' vertices are `f32` relative to different origins: rounding moves each by up to 0.03 mm.
     assert!(100_000 * differing <= all, "{differing} of {all} pixels");
 }
 

@@ -1,4 +1,5 @@
-//! The picking core's promises to users of the library, with or without the other features.
+//! The picking core, with or without the other features: threads may share it, invalid meshes are refused, and numbers
+//! that are not finite are missed without a panic.
 
 use sightline::{
     camera::{Camera, CameraError, DepthMapping, Lens, Projection, View, Viewport},
@@ -137,7 +138,7 @@ fn triangles_of_ones_own_are_checked() {
     assert_eq!(of([f32::NAN; 3], 2), Some(MeshError::NotFinite(0)));
 }
 
-/// A triangle across the z axis, and a ray that meets it by its origin, direction and interval.
+/// A triangle across the z axis, and a ray that meets it: origin, direction, interval.
 const TRIANGLE: [[f64; 3]; 3] = [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]];
 const RAY: [f64; 8] = [0.0, 0.0, 3.0, 0.0, 0.0, -1.0, 0.0, 9.0];
 
@@ -152,7 +153,7 @@ fn t_of(test: TriangleTest, ray: [f64; 8], corners: [[f64; 3]; 3]) -> Option<f64
     test(&ray, corners.map(DVec3::from)).map(|hit| hit.t)
 }
 
-/// One number at a time is not finite: a miss, no panic. Only the interval's ends may be infinite.
+/// A number that is not finite makes a ray or triangle a miss, not a panic. Only the interval's ends may be infinite.
 #[test]
 fn what_is_not_finite_is_missed() {
     for test in [guarded_volume, exact_volume] {
@@ -173,7 +174,7 @@ fn what_is_not_finite_is_missed() {
     }
 }
 
-/// Also for the method without error bounds: these rays stay away from edges.
+/// The method without error bounds is tested too, because these rays stay away from edges.
 #[test]
 fn every_triangle_test_tells_a_hit_from_a_miss() {
     for test in [guarded_volume, exact_volume, signed_volume] {
@@ -191,7 +192,7 @@ fn every_triangle_test_tells_a_hit_from_a_miss() {
                 let mut ray = RAY;
                 (ray[0], ray[1]) = (x, y);
                 assert_eq!(t_of(test, ray, corners), expected, "{x} {y}");
-                // With the opposite winding next.
+                // The next ray meets the opposite winding.
                 corners.swap(0, 1);
             }
         }

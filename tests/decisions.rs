@@ -16,7 +16,7 @@ use sightline::geometry::{
 };
 use std::{sync::Arc, thread};
 
-/// Of each family; each ray is a case for four triangles, and one of which is nearest.
+/// Rays of each family. Each is judged against four triangles, and for which of them is nearest.
 const RAYS: u32 = 30_000;
 const SEED: u64 = 2026;
 
@@ -45,7 +45,7 @@ impl Count {
     }
 }
 
-/// Each triangle of a case, and the nearest of them, by the program and by the oracle.
+/// Compares program and oracle on each triangle of a case, and on the nearest of them.
 fn judge(case: &Case, count: &mut Count) {
     let Case {
         ray,
@@ -184,7 +184,7 @@ fn the_tree_decides_as_brute_force_does() {
         let mut random = Random::new(SEED);
         let (mut count, mut hits) = (0, 0);
         while count < 1500 {
-            // Many cases in one place: each ray passes close to the triangles of all others.
+            // Many cases in one place: each ray passes close to the triangles of all other cases.
             let mut triangles = Vec::new();
             let mut rays = Vec::new();
             let vertex_origin = family.case(&mut random).vertex_origin;

@@ -1,4 +1,4 @@
-//! Walking a tree gives the hits of brute force, to the bit, with every instruction set and on hostile meshes.
+//! Walking a tree gives the hits of brute force, to the bit: with every instruction set, and on hostile meshes.
 #![cfg(feature = "window")]
 
 mod common;
@@ -54,14 +54,15 @@ fn cases() -> Vec<Case> {
     let one = [DVec3::ZERO, DVec3::X, dvec3(0.25, 1.0, 0.5)];
     let flat = |p: DVec3| dvec3(p.x, 0.5, p.z);
     let on_a_line = |p: DVec3| DVec3::splat(p.x);
-    // Each is a tenth larger about the same centre, so that no bin separates them.
+    // Each is 2 % larger than the one before, scaled about a point in all of their boxes: no split separates the boxes.
     let nested = (0..350).map(|i| one.map(|p| 1.02_f64.powi(i % 350) * (p - dvec3(0.4, 0.3, 0.2))));
-    // Each is half as large and half as far from the corner as the one before: a split by area takes off only one.
+    // A hundred sizes, each six times, half as large and half as far from the origin as the one before: a split by area
+    // takes off only the largest.
     let halving = (0..600).map(|i| {
         let size = 0.5_f64.powi(i % 100);
         one.map(|p| size * (p + DVec3::ONE))
     });
-    // The same along six arms that meet in one point, so that no split takes off much: trees get no deeper.
+    // The same along six arms that meet in one point, so that no split takes off much. No tree is deeper.
     let arms = (0..175).flat_map(|i| {
         let axes = [DVec3::X, DVec3::Y, DVec3::Z];
         let arms = axes.into_iter().flat_map(|axis| [axis, -axis]);

@@ -11,7 +11,7 @@ use sightline::geometry::{Mesh, Ray, Sides, signed_volume};
 use std::{collections::HashMap, sync::Arc, thread};
 
 const RAYS_FROM_INSIDE: u32 = 1_000_000;
-/// Triangle tests by the oracle for each solid, over all rays from outside.
+/// The oracle's triangle tests for each solid, over all rays from outside.
 const TRIED_FROM_OUTSIDE: usize = 300_000;
 
 /// A closed surface about the origin; its points are 1 to 2 away from it.
@@ -82,7 +82,8 @@ struct Standing {
     with_tree: Arc<Mesh>,
 }
 
-/// A solid at the origin, far away by the mesh's origin, and far away by its vertices, which rounding then moves.
+/// A solid in three places: at the origin, far away by the mesh's origin, and far away by its vertices, which rounding
+/// moves.
 fn standing(solid: &Solid) -> Vec<Standing> {
     let far = dvec3(1e6, -1e6 - 0.3, 1e6 + 0.7);
     [

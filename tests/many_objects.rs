@@ -1,4 +1,4 @@
-//! A scene of many objects gives the same hits as each object alone, and tests few of them.
+//! A scene of many objects gives the same hits as each object alone. A ray tests few of them.
 #![cfg(feature = "window")]
 
 mod common;
@@ -11,8 +11,8 @@ use sightline::{
     scene::{Change, Object, Scene, Shape},
 };
 
-/// Spheres, cubes, squares and meshes scattered over a cube of this half side about `center`, under model matrices
-/// that turn, shear and mirror, and stretch by up to `stretch` either way.
+/// Spheres, cubes, squares and meshes scattered over a cube of this half side about `center`. Their model matrices
+/// turn, shear and mirror, and stretch or shrink by up to `stretch`.
 fn scattered(count: usize, center: DVec3, half_side: f64, stretch: f64) -> Scene {
     let mut random = Random::new(7);
     let corners = vec![[-0.5, -0.5, 0.0], [0.5, -0.5, 0.0], [-0.5, 0.5, 0.0]];
@@ -80,7 +80,7 @@ fn critical(random: &mut Random, shape: &Shape) -> DVec3 {
     }
 }
 
-/// Rays at critical points of the objects: past the surface, along an axis, from a surface.
+/// Rays at critical points of the objects: past the surface, along an axis, in any direction. Some start at the point.
 fn rays(scene: &Scene, count: usize, distance: f64) -> Vec<Ray> {
     let mut random = Random::new(11);
     let objects = scene.objects();
@@ -148,7 +148,7 @@ fn hidden_objects_and_interval_ends_count() {
     let alone = alone(&scene);
     for (i, ray) in rays(&scene, 2000, 20.0).into_iter().enumerate() {
         let whole = one_by_one(&alone, &ray);
-        // Ends that lie exactly on hits.
+        // The interval begins or ends exactly on a hit.
         let Some(hit) = whole.get(i % 3) else {
             continue;
         };
@@ -227,7 +227,7 @@ fn degenerate_scenes_are_searched_too() {
         t_min: -2.0,
         t_max: f64::INFINITY,
     };
-    // Of one size, and of many, so that the tree has the last ones first.
+    // Objects of one size, and of many sizes, so that the tree has the last ones first.
     let sizes = [|_| 1.0, |i| f64::from(1 + 29 * i % 64)];
     for size in sizes {
         let same = Scene::new((0..64_u32).map(|i| at(0.0, size(i))).collect());
@@ -290,7 +290,7 @@ fn holds_its_sums(scene: &Scene) {
     assert_eq!(scene.hidden_count(), hidden);
 }
 
-/// Many objects are toggled by all cores; their indices need no order, and one that occurs twice stays as it was.
+/// All cores toggle many objects. Indices need no order, and an object that occurs twice stays as it was.
 #[test]
 fn many_objects_are_toggled_as_one_by_one() {
     let count = 9_000;
@@ -358,7 +358,7 @@ fn a_scene_whose_objects_were_changed_is_as_one_made_of_them() {
     holds_its_sums(&scene);
     assert!(scene.hidden_count() > 10);
     assert_eq!(scene.triangle_count(), 325);
-    // All of them, and runs of them: hidden, shown and in part.
+    // Toggles all objects and runs of them, which are hidden, shown or mixed.
     let mut turned = scene.clone();
     for range in [0..1300, 0..600, 500..1024, 600..1300, 0..1300] {
         turned.toggle(&range.collect::<Vec<_>>());
@@ -378,7 +378,7 @@ fn a_scene_whose_objects_were_changed_is_as_one_made_of_them() {
         hits += usize::from(found.is_some());
     }
     assert!(hits > 1000, "{hits}");
-    // A reader that is a few hundred changes behind has to update everything.
+    // A reader behind by more than twice as many changes as there are objects has to update everything.
     for i in 0..2700 {
         scene.set_visible(i % 1300, true);
     }

@@ -1,4 +1,4 @@
-//! README is true of the program.
+//! What README shows and names is what this build does: commands, flags, a pick, a scene file, tests and pictures.
 #![cfg(feature = "window")]
 
 #[path = "common/images.rs"]
@@ -166,7 +166,7 @@ fn the_pictures_of_verify_are_of_what_it_finds() {
     let &[ours, usual, usual_unexplained] = numbers.as_slice() else {
         panic!("{head}");
     };
-    // Another driver rounds outlines elsewhere.
+    // Another driver rounds outlines differently.
     let gpu = Gpu::headless().expect("a driver");
     let is_the_pictures_driver = gpu.adapter_name().contains("llvmpipe");
     let folder = tempfile::tempdir().expect("a folder");

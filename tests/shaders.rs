@@ -148,7 +148,7 @@ fn flags_have_one_value_on_both_sides() {
     assert_eq!(value("MIRRORS"), layout::Batch::MIRRORS);
 }
 
-/// What a mesh's instances carry: the shader's attributes in their order fill the struct.
+/// The shader's instance attributes, in their order, fill the struct `Batch`.
 #[test]
 fn attributes_of_an_instance_are_the_fields_of_its_row() {
     let module = module("mesh by primitive");

@@ -1,4 +1,5 @@
-//! Meshes: the tree against brute force, ties, hidden parts, culled sides and degenerate triangles.
+//! A mesh's tree finds the hits of brute force. Ties go to the lower index. Hidden parts, culled sides and triangles
+//! without area are never hit.
 #![cfg(feature = "window")]
 
 mod common;
@@ -94,7 +95,7 @@ fn of_equal_hits_the_lower_object_and_the_lower_triangle_win() {
     let corners = vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0_f32]];
     // Enough copies of one triangle that a tree is built.
     let many = mesh(corners, vec![[0, 1, 2]; 600], DVec3::ZERO);
-    // Few objects, and enough that the scene has a tree, in which the larger ones of every third come first or last.
+    // A scene of 5 objects has no tree, one of 20 has. Every third object is larger, so that it is first or last there.
     let scene = |shape: &Shape, count: i32| {
         let objects = (0..count).map(|i| {
             let size = if i % 3 == 0 { 8.0 } else { 1.0 };
@@ -105,7 +106,7 @@ fn of_equal_hits_the_lower_object_and_the_lower_triangle_win() {
         scene.set_visible(0, false);
         scene
     };
-    // Before it, from its plane, and from behind it.
+    // From before the triangle, from its plane and from behind it.
     let rays = [3.0, 0.0, -1.0].map(|z| Ray {
         t_min: -2.0,
         direction: DVec3::NEG_Z,
@@ -304,7 +305,7 @@ fn triangles_without_area_are_never_hit() {
                 tried += 1;
             }
         }
-        // Nor is a triangle that a ray in its plane sees edge-on.
+        // A ray in a triangle's plane does not hit it either.
         let (b, c) = (a + DVec3::X, a + DVec3::Y);
         let within = Ray {
             direction: dvec3(1.0, 0.5, 0.0),
@@ -324,7 +325,7 @@ fn triangles_without_area_are_never_hit() {
 
 #[test]
 fn each_level_of_boxes_holds_every_triangle() {
-    // A sheet.
+    // A flat grid.
     let side = 40_u16;
     let positions = (0..=side).flat_map(|y| (0..=side).map(move |x| [x.into(), y.into(), 0.0]));
     let row = u32::from(side) + 1;

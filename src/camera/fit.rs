@@ -26,7 +26,7 @@ pub fn fit_near_far(
     near: Option<f64>,
     far: Option<f64>,
 ) -> (f64, f64) {
-    let to_target = camera.target().distance(camera.eye());
+    let to_target = to_target(camera);
     let (z0, z1) = if bounds_world.is_empty() {
         (0.0, 2.0 * to_target)
     } else {
@@ -69,6 +69,16 @@ pub fn fit_near_far(
 
 /// The least near plane that [`fit_near_far`] fits in perspective before this far plane.
 pub(crate) fn least_near(camera: &Camera, far: f64) -> f64 {
-    let to_target = camera.target().distance(camera.eye());
-    (NEAREST * far).min(NEAREST_TO_TARGET * to_target)
+    (NEAREST * far).min(NEAREST_TO_TARGET * to_target(camera))
+}
+
+/// The distance from the eye to the target; positive also where the target is so near that it rounds to the eye.
+fn to_target(camera: &Camera) -> f64 {
+    let eye = camera.eye();
+    let apart = camera.target().distance(eye);
+    if apart > 0.0 {
+        apart
+    } else {
+        f64::EPSILON * eye.abs().max_element()
+    }
 }

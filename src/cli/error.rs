@@ -87,12 +87,12 @@ pub enum CliError {
     NothingDrawn(GpuError),
     /// The drawn and the picked picture differ, and geometry does not explain why.
     #[error(
-        "{0} pixels are drawn as one thing and picked as another, and geometry does not say why"
+        "{0} pixels are drawn as one thing and picked as another, and no outline, depth or section explains why"
     )]
     Unexplained(usize),
     /// The drawn and the picked picture differ because `f32` is too coarse for the view.
     #[error(
-        "drawing in f32 cannot hold this view, {0} pixels differ from their picks; picks are right, and so is render --by raycast"
+        "f32 is too coarse to draw this view: {0} pixels differ from their picks; picks are right, and so is render --by raycast"
     )]
     BeyondF32(usize),
     /// One of the drawn and the picked picture is empty. The fields are the number of pixels in the other one, the word

@@ -92,7 +92,7 @@ fn file(object: Option<usize>, loaded: &Loaded) -> Result<&MeshFile, CliError> {
             (Some(only), None) => Ok(only),
             (None, _) => Err(no_file()),
             _ => Err(CliError::Usage(
-                "the scene has several OBJ files: choose one with --object ID".to_owned(),
+                "the scene has several OBJ files: name an object from the one you mean with --object ID".to_owned(),
             )),
         };
     };
@@ -112,5 +112,8 @@ fn file(object: Option<usize>, loaded: &Loaded) -> Result<&MeshFile, CliError> {
 }
 
 fn no_file() -> CliError {
-    CliError::Usage("--face and --vertex need an object from an OBJ file".to_owned())
+    CliError::Usage(
+        "only OBJ files number faces and vertices: --face and --vertex need an object from one"
+            .to_owned(),
+    )
 }

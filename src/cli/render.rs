@@ -7,6 +7,7 @@ use crate::{
     camera::{View, Viewport},
     image::{Id, Image, ImageError, Rgb},
     pick, render,
+    replace::target,
     scene::Scene,
     viewer::{self, model::Views},
 };
@@ -53,8 +54,8 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     if let Some(px) = args.pick {
         inside(args.view.size(), px)?;
     }
-    let output = std::path::absolute(&args.output).ok();
-    if (args.ids.as_ref()).is_some_and(|ids| std::path::absolute(ids).ok() == output) {
+    let output = target(&args.output);
+    if args.ids.as_ref().is_some_and(|ids| target(ids) == output) {
         return Err(CliError::Usage(
             "--output and --ids name one file, which cannot hold both".to_owned(),
         ));
@@ -105,11 +106,13 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
         (Some(ids), colours)
     };
     log::info!("drew the picture in {:.1?}", start.elapsed());
+    // Neither file is replaced unless both can be written.
+    let ids = match (&args.ids, ids) {
+        (Some(path), Some(ids)) => Some(ids.write_png_beside(path)?),
+        _ => None,
+    };
     colours.write_png(&args.output)?;
-    if let (Some(path), Some(ids)) = (&args.ids, ids) {
-        ids.write_png(path)?;
-    }
-    Ok(())
+    ids.map_or(Ok(()), |ids| Ok(ids.put_in_place()?))
 }
 
 /// Refuses a picture that does not fit into memory, before any work.

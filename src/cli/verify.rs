@@ -14,7 +14,12 @@ use crate::{
     },
 };
 use serde::Serialize;
-use std::{fmt::Write as _, io::Write as _, path::PathBuf, time::Instant};
+use std::{
+    fmt::Write as _,
+    io::{ErrorKind, Write as _},
+    path::PathBuf,
+    time::Instant,
+};
 
 /// Arguments of `sightline verify`.
 #[derive(Debug, clap::Args)]
@@ -78,9 +83,11 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
     } else {
         outcome.text(args.image.is_some())
     };
-    std::io::stdout()
-        .write_all(text.as_bytes())
-        .map_err(CliError::stdout)?;
+    // The exit code says what was found, also when nobody reads on.
+    match std::io::stdout().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => return Err(CliError::stdout(error)),
+        _ => {}
+    }
     match report.verdict() {
         Verdict::Agrees => Ok(()),
         Verdict::BeyondF32(pixels) => Err(CliError::BeyondF32(pixels)),
@@ -256,7 +263,7 @@ impl<'a> Outcome<'a> {
                     "the centre lies on an outline, to what f32 can tell and at most {OUTLINE_CEILING_PX} px"
                 ),
                 Class::BeyondF32 => {
-                    "drawing in f32 cannot hold this view: render --by raycast".to_owned()
+                    "f32 is too coarse to draw this view: use render --by raycast".to_owned()
                 }
                 Class::Unexplained => "defects".to_owned(),
             };
@@ -324,7 +331,7 @@ impl<'a> Outcome<'a> {
                 Class::Section => "drawing",
                 _ => "the depth buffer",
             };
-            format!("{:.2} of what {what} may be off", at.strain)
+            format!("{:.2} times the error that {what} may have", at.strain)
         } else {
             "no outline and no depth explains it".to_owned()
         };

@@ -1,8 +1,14 @@
 //! Pictures as PNG files, 8 and 16 bit.
 
 use super::{Id, Image, Rgb};
-use crate::{camera::Viewport, replace::replace};
-use std::path::Path;
+use crate::{
+    camera::Viewport,
+    replace::{Written, write_beside},
+};
+use std::{
+    io,
+    path::{Path, PathBuf},
+};
 
 /// Why a PNG was not written.
 #[derive(Debug, thiserror::Error)]
@@ -27,13 +33,14 @@ impl Image<Rgb> {
     /// # Errors
     /// When the file cannot be written.
     pub fn write_png(&self, path: &Path) -> Result<(), ImageError> {
-        write(
+        let picture = write(
             path,
             self.size,
             png::ColorType::Rgb,
             png::BitDepth::Eight,
             self.pixels.as_flattened(),
-        )
+        )?;
+        picture.put_in_place()
     }
 }
 
@@ -43,6 +50,14 @@ impl Image<Id> {
     /// # Errors
     /// When the file cannot be written or an id does not fit.
     pub fn write_png(&self, path: &Path) -> Result<(), ImageError> {
+        self.write_png_beside(path)?.put_in_place()
+    }
+
+    /// The first half of [`Image::write_png`]: the file is written, but not yet in its place.
+    ///
+    /// # Errors
+    /// As [`Image::write_png`].
+    pub(crate) fn write_png_beside(&self, path: &Path) -> Result<WrittenPng, ImageError> {
         let mut bytes = Vec::with_capacity(self.pixels.len() * 2);
         for id in &self.pixels {
             let id = u16::try_from(id.object).map_err(|_| ImageError::TooManyObjects(id.object))?;
@@ -58,14 +73,38 @@ impl Image<Id> {
     }
 }
 
+/// A PNG that is written, but not yet in its place. Dropped, it leaves what was there.
+pub(crate) struct WrittenPng {
+    path: PathBuf,
+    file: Written,
+}
+
+impl WrittenPng {
+    /// Takes its place.
+    ///
+    /// # Errors
+    /// The system's error.
+    pub fn put_in_place(self) -> Result<(), ImageError> {
+        let placed = self.file.put_in_place();
+        placed.map_err(|source| failed(&self.path, source))
+    }
+}
+
+fn failed(path: &Path, source: io::Error) -> ImageError {
+    ImageError::Write {
+        path: path.display().to_string(),
+        source,
+    }
+}
+
 fn write(
     path: &Path,
     size: Viewport,
     colour: png::ColorType,
     depth: png::BitDepth,
     bytes: &[u8],
-) -> Result<(), ImageError> {
-    let written = replace(path, |out| {
+) -> Result<WrittenPng, ImageError> {
+    let written = write_beside(path, |out| {
         let mut encoder = png::Encoder::new(out, size.width(), size.height());
         encoder.set_color(colour);
         encoder.set_depth(depth);
@@ -78,8 +117,11 @@ fn write(
         writer.write_image_data(bytes)?;
         Ok(writer.finish()?)
     });
-    written.map_err(|source| ImageError::Write {
-        path: path.display().to_string(),
-        source,
-    })
+    match written {
+        Ok(file) => Ok(WrittenPng {
+            path: path.to_owned(),
+            file,
+        }),
+        Err(source) => Err(failed(path, source)),
+    }
 }

@@ -1,5 +1,6 @@
-//! How often picks need exact arithmetic, and what it costs: `cargo bench --bench decisions`. First over whole pictures: how
-//! many picks, and how many tests of a ray and a triangle, need it. Then the time of one decision, for each kind in `doubt`.
+//! How often picks need exact arithmetic, and what it costs: `cargo bench --bench decisions`. First come whole
+//! pictures: how many picks need it, and how many tests of a ray and a triangle. Then comes the time of one decision,
+//! for each kind in `doubt`.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -54,7 +55,7 @@ fn main() {
 /// A timed kind: its name, and a pass over its inputs, which returns the nanoseconds for one input.
 type Kind<'a> = (String, Box<dyn Fn() -> f64 + 'a>);
 
-/// The mean time for one input, in nanoseconds, in a pass over all inputs after another that warms up.
+/// The mean time for one input, in nanoseconds. One pass over all inputs warms up; a second pass is timed.
 fn time<T, A>(inputs: &[T], answer: impl Fn(&T) -> A) -> f64 {
     let pass = || {
         let start = Instant::now();
@@ -89,7 +90,7 @@ fn report(kinds: &[Kind]) {
     }
 }
 
-/// A scene as a window of this size opens it.
+/// A scene and its view, as a window of [`SIZE`] opens it.
 fn opened(paths: &[PathBuf]) -> (Scene, View) {
     let mut loaded =
         scene::load(paths, &Progress::default()).expect("a scene of the program's own");
@@ -103,8 +104,8 @@ fn opened(paths: &[PathBuf]) -> (Scene, View) {
     (loaded.scene, view)
 }
 
-/// Squares, cubes and box meshes of side 1 side by side, with the nearest faces of each kind at a depth of its own, seen
-/// along z with four pixels to a unit.
+/// Squares, cubes and box meshes of side 1, side by side, seen along z with four pixels to a unit. The nearest faces of
+/// each kind are at a depth of their own.
 fn along_the_axes(depths: [f64; 3]) -> (Scene, View) {
     let box_of_triangles = box_mesh();
     let at = |shape: Shape, centre: DVec3| {
@@ -161,7 +162,7 @@ fn count(name: &str, scene: &Scene, view: &View, positions: &[DVec2]) {
     assert!(hits > 0, "{name} is empty");
 }
 
-/// Each visible triangle as a mesh of its own, so that each is asked for its own doubt.
+/// Each visible triangle as a mesh of its own, so that doubt is counted for each.
 struct Triangles<'a>(Vec<(&'a Placement, Arc<Mesh>)>);
 
 impl<'a> Triangles<'a> {

@@ -1,5 +1,5 @@
-//! Rays that `f64` decides, and rays that need exact arithmetic, against each shape: with short numbers, through pixels, under
-//! general model matrices, and with the longest numbers that models have.
+//! Rays that `f64` decides, and rays that need exact arithmetic, against each shape: with short numbers, through
+//! pixels, under general model matrices, and with the longest numbers that models have.
 
 use crate::{
     Kind,
@@ -101,7 +101,7 @@ fn solid_pass(cases: &[Case]) -> f64 {
     }
 }
 
-/// The first [`CASES`] cases that are wanted; at least one of twenty must be.
+/// The first [`CASES`] wanted cases; at least one case of twenty must be wanted.
 fn cases(make: impl Fn(&mut Random) -> Case, is_wanted: impl Fn(&Case) -> bool) -> Vec<Case> {
     let mut random = Random::new(13);
     let made = (0..20 * CASES).map(|_| make(&mut random));
@@ -139,8 +139,8 @@ fn is_in_doubt(case: &Case) -> bool {
     case.mesh().is_in_doubt(&case.placed(), |_| true)
 }
 
-/// Whether a pick in a scene of this shape alone hits and is decided exactly. Rays of short numbers always are: they run
-/// exactly through a rim or touch exactly, which no bound on rounding decides.
+/// Whether a pick in a scene of this shape alone hits and is decided exactly. A ray of short numbers always is: it runs
+/// exactly through a rim or touches a sphere exactly, which no error bound decides.
 fn is_exact(case: &Case) -> bool {
     let Some(px) = case.px else {
         return true;
@@ -187,7 +187,7 @@ fn triangle(corners: [DVec3; 3], origin: DVec3) -> Shape {
     }
 }
 
-/// A triangle with an edge through its mesh's origin, which is a rounded point on the ray.
+/// A triangle with an edge through its mesh's origin. That origin is a point of the ray, rounded.
 fn edge_through(
     random: &mut Random,
     origin: DVec3,
@@ -293,8 +293,8 @@ fn of_size(random: &mut Random, least: f64, most: f64) -> f64 {
     if random.below(2) == 0 { size } else { -size }
 }
 
-/// An eye a billion units away that looks almost along an axis, a matrix with entries as small as rounding errors, and
-/// vertices from `1e-30` to 1.
+/// An eye up to a billion units away that looks almost along an axis, a matrix with entries as small as rounding
+/// errors, and vertices from `1e-30` to 1.
 fn long_triangle(random: &mut Random) -> Case {
     let mut spread = |least, most| DVec3::from([(); 3].map(|()| of_size(random, least, most)));
     let (eye, towards) = (spread(0.0, 9.0), spread(-17.0, -9.0) - DVec3::Z);
@@ -324,7 +324,8 @@ fn long_triangle(random: &mut Random) -> Case {
     }
 }
 
-/// A point on the rim of a square or cube, or where a ray along `direction` touches a sphere; `along` is from -1/2 to 1/2.
+/// A point on the rim of a square or cube, or where a ray along `direction` touches a sphere. `along` is from -1/2 to
+/// 1/2.
 fn rim(shape: &Shape, direction: DVec3, along: f64) -> DVec3 {
     match shape {
         Shape::Sphere => 0.5 * direction.cross(dvec3(along, 1.0, 0.2)).normalize(),

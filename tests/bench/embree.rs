@@ -1,5 +1,5 @@
-//! Embree 4 and 3, where their libraries are installed. Layouts and constants are those of their `rtcore*.h`, which agree
-//! except for the arguments of `rtcIntersect1`.
+//! Embree 4 and 3, where their libraries are installed. Layouts and constants are those of their `rtcore*.h`, which
+//! agree except for the arguments of `rtcIntersect1`.
 #![allow(unsafe_code, reason = "a library in C++")]
 
 use crate::{
@@ -35,7 +35,7 @@ struct RayHit {
     triangle: u32,
     geometry: u32,
     instance: u32,
-    /// Embree 4 only, which writes it.
+    /// Only Embree 4 has this field.
     instance_primitive: u32,
 }
 

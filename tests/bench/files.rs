@@ -1,8 +1,8 @@
-//! Time and memory to list, pick from and draw an OBJ file, beside those of `tobj` alone; and of its picture beside F3D's,
-//! where `f3d`, `xvfb-run` and GNU `time` are installed.
+//! Time and memory to list, pick from and draw an OBJ file, beside those of `tobj` alone. Where `f3d`, `xvfb-run` and
+//! GNU `time` are installed, the picture is measured beside F3D's too.
 //!
 //! `cargo bench --bench files` for 100 thousand, a million and 10 million triangles, or with `-- FILE.obj`. Each
-//! measurement is a process of its own; they take turns. Memory and `taskset` need Linux.
+//! measurement is a process of its own, and contenders take turns. Memory and `taskset` need Linux.
 
 mod terrain;
 
@@ -24,8 +24,8 @@ const SIZE: [u32; 2] = [1280, 720];
 
 type Failure = Box<dyn Error>;
 
-/// Each contender's word on this program's command line, and the command that it is run by. The others are compared with the
-/// first.
+/// Each contender: its word on this program's command line, and the command in front of it, if any. All are compared
+/// with the first.
 const CONTENDERS: [(&str, &[&str]); 5] = [
     ("tobj", &[]),
     ("list", &[]),
@@ -94,8 +94,8 @@ fn compare(file: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Prints a contender's medians, and those of its ratios to another's costs in the same round, as other work on the machine
-/// slows both.
+/// Prints the medians of a contender's costs, and of its ratios to another's costs. Each ratio is of one round, in
+/// which other work on the machine slows both alike.
 fn print_row(name: &str, costs: &[Cost], others: &[Cost]) {
     let ratios = |of: fn(&Cost) -> f64| {
         let ratios = costs
@@ -131,7 +131,7 @@ fn cost_of(name: &str, before: &[&str], file: &Path) -> Result<Cost, Failure> {
     Ok(Cost { ms, peak_mb })
 }
 
-/// F3D's cost for a picture of a file, drawn in software as ours is; without its display's cost.
+/// F3D's cost for a picture of a file, drawn in software as Sightline's is. The cost of its display is not included.
 fn cost_of_f3d(file: &Path) -> Result<Cost, Failure> {
     let folder = tempfile::tempdir()?;
     let picture = folder.path().join("picture.png");

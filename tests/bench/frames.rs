@@ -1,10 +1,11 @@
-//! The cost of the whole window's passes: `cargo bench --bench frames [-- --triangles N,... --objects N,... | FILE...]`.
-//! Without arguments: the demo, terrains of 100,000, a million and ten million triangles, 50,000 and 200,000 objects.
+//! The cost of the whole window's passes:
+//! `cargo bench --bench frames [-- --triangles N,... --objects N,... | FILE...]`. Without arguments: the demo, terrains
+//! of 100,000, a million and ten million triangles, 50,000 and 200,000 objects.
 //!
-//! Prints for each gesture: the window thread's processor time for each pass, without waiting; the time from an event until a
-//! picture shows its result, and until no work is left except smooth edges; and the processor time of all threads
-//! meanwhile. The window is offscreen, so presentation is not included. "load" is from the drop of a file onto the demo until
-//! the file's scene is drawn and at rest.
+//! Prints for each gesture: the window thread's processor time for each pass, without waiting; the time from an event
+//! until a picture shows its result, and until no work is left except smooth edges; and the processor time of all
+//! threads meanwhile. The window is offscreen, so presentation is not included. "load" is from the drop of a file onto
+//! the demo until the file's scene is drawn and at rest.
 
 mod terrain;
 
@@ -92,7 +93,7 @@ fn grid(folder: &Path, objects: u32) -> PathBuf {
     file
 }
 
-/// A window in which gestures are made.
+/// A window, and what its gestures cost.
 struct Bench {
     window: Offscreen,
     /// Events of each gesture.
@@ -111,7 +112,7 @@ fn scene(file: Option<PathBuf>) {
     };
     let drawn = bench.window.draw();
     drawn.unwrap_or_else(|error| panic!("{error}"));
-    // As a window does in its first seconds; no assistive program asks for its controls.
+    // A window draws its letters in its first seconds. No assistive program asks for its controls.
     bench.window.draw_letters();
     bench.window.tell_controls(false);
     if let Some(file) = file {

@@ -1,5 +1,5 @@
-//! What a click costs where thousands of surfaces lie on one ray: `cargo bench --bench layers`. Medians of the nearest hit, of
-//! a whole pick's record, of what lies in one place with it, and of all hits in order.
+//! What a click costs where thousands of surfaces lie on one ray: `cargo bench --bench layers`. Prints median times of
+//! the nearest hit, of a whole pick's record, of what lies in one place with it, and of all hits in order.
 #![expect(clippy::cast_precision_loss, reason = "counts are small")]
 
 use glam::{DAffine3, DVec2, DVec3};
@@ -79,7 +79,7 @@ fn main() {
     }
 }
 
-/// Milliseconds.
+/// The median time of several runs, in milliseconds.
 fn median(mut run: impl FnMut()) -> f64 {
     let mut times = [(); ROUNDS].map(|()| {
         let start = Instant::now();

@@ -1,5 +1,5 @@
-//! What a ray costs in scenes of many objects: `cargo bench --bench objects`. Houses on a plain are asked in turns through the
-//! scene's tree and one after the other; all answers are compared.
+//! What a ray costs in scenes of many objects: `cargo bench --bench objects`. Houses on a plain are asked in turns:
+//! through the scene's tree, and one after the other. The answers are compared.
 
 use glam::{DAffine3, DMat3, DVec3};
 use sightline::{

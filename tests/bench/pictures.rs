@@ -1,5 +1,5 @@
-//! Whole pictures by rays in packets, against the same rays one by one: `cargo bench --bench pictures [-- FILE ...]`. Each kind
-//! of picture in turn, on all cores; medians. Ids must be equal.
+//! Whole pictures by rays in packets, against the same rays one by one: `cargo bench --bench pictures [-- FILE ...]`.
+//! The kinds of picture take turns, on all cores. Prints medians. Ids must be equal.
 
 #[expect(dead_code, reason = "other benchmarks ask more of them")]
 mod meshes;

@@ -24,10 +24,10 @@ pub type Answer = Option<(f64, u32)>;
 /// Finds one answer a ray.
 pub type Closest = Box<dyn Fn(&[Ray], &mut [Answer])>;
 
-/// A tree, by what it finds, and the cost of its build.
+/// The search in a built tree, and the cost of the build.
 pub type Built = (Closest, Cost);
 
-/// A library, by how it builds a tree.
+/// A library: its name, and how it builds a tree.
 pub struct Rival {
     pub name: &'static str,
     pub build: Box<dyn Fn(&Sample) -> Built>,

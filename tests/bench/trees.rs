@@ -1,9 +1,9 @@
-//! How fast nearest hits are found, against other libraries. All get the same rays, in passes that take turns. Where answers
-//! differ, and on a sample, brute force decides which are right. Prints the fastest passes' times and their ratios, which
-//! vary less than times on a busy machine.
+//! How fast nearest hits are found, against other libraries. All get the same rays, in passes that take turns. Where
+//! answers differ, and on a sample, brute force decides which are right. Prints the fastest passes' times and their
+//! ratios, which vary less than times on a busy machine.
 //!
-//! `cargo bench --features rivals --bench trees [-- FILE.obj ...]`: files take the place of the small generated meshes. Embree is
-//! measured where its library is installed, tinybvh where everything is compiled for AVX2; see README.
+//! `cargo bench --features rivals --bench trees [-- FILE.obj ...]`: files take the place of the small generated meshes.
+//! Embree is measured where its library is installed, tinybvh where everything is compiled for AVX2; see README.
 //!
 //! The last line of each mesh is the cost of a hover: rays through one pixel after the other, each timed alone.
 
@@ -21,9 +21,9 @@ use std::{hint::black_box, path::PathBuf, process::ExitCode, time::Instant};
 
 /// Width and height of the picture that the rays go through.
 const SIDE: u32 = 384;
-/// Passes of which the fastest counts.
+/// Passes over the rays; the fastest counts.
 const PASSES: usize = 15;
-/// Builds that are timed.
+/// Timed builds; the fastest counts.
 const BUILDS: usize = 3;
 /// Triangle tests that brute force may spend on a mesh.
 const TRUTH: usize = 400_000_000;
@@ -78,7 +78,7 @@ fn main() -> ExitCode {
         }
         mean(&|row| row.cost.seconds, 6);
         for of in [0, 1] {
-            // Memory that nobody counts is NaN.
+            // Memory that is not counted is NaN.
             #[expect(clippy::cast_precision_loss, reason = "a size")]
             mean(&|row| row.cost.memory.map_or(f64::NAN, |m| m[of] as f64), 6);
         }

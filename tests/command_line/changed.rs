@@ -1,4 +1,4 @@
-//! Files that change while positions are picked one by one.
+//! When a file changes while positions are picked from it, each line of output says so.
 
 use super::Folder;
 use serde_json::Value;
@@ -11,7 +11,7 @@ use std::{
     time::Duration,
 };
 
-/// Far longer than a pick takes; one that waits for a pipe never comes.
+/// Far longer than a pick takes. A pick that waits for a pipe never comes.
 const PATIENCE: Duration = Duration::from_mins(1);
 
 /// A quad, 100 pixels wide in the middle of the picture: its diagonal runs through the middle from the lower left.
@@ -117,7 +117,7 @@ fn a_pipe_in_a_files_place_is_not_waited_for() {
 fn a_changed_file_leads_to_no_edge() {
     let folder = Folder::new();
     let mut asking = Asking::new(&folder, "--snap 3");
-    // Half a pixel beside the diagonal, and beside the lower edge.
+    // Beside the diagonal, inside the lower edge, at a corner, and outside the lower edge.
     let [diagonal, edge, corner, beside] = ["90.5,110", "100,149", "149,149", "100,152"];
     let to = |line: &Value| line["snap"]["to"].as_str().map(str::to_owned);
     assert_eq!(to(&asking.at(diagonal)).as_deref(), Some("face"));

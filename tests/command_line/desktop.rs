@@ -3,7 +3,7 @@
 use super::*;
 use std::path::Path;
 
-/// What a program says of a file, and whether it takes it.
+/// Fails unless a program accepts a file without a word on standard error.
 fn check(program: &str, args: &[&str], file: &Path) {
     let output = Command::new(program)
         .args(args)
@@ -121,7 +121,7 @@ fn nothing_is_left_after_remove() {
     );
 }
 
-/// What others have there stays, under the names of Sightline's files too, and what is known of it.
+/// Files that others wrote stay, even under the names of Sightline's files. So does what the caches know of them.
 #[test]
 fn what_others_wrote_stays() {
     let folder = Folder::new();
@@ -145,7 +145,7 @@ fn what_others_wrote_stays() {
     for (place, text) in others {
         std::fs::write(share.join(place), text).unwrap();
     }
-    // Of another version, or of a program that stood elsewhere.
+    // A file of another version, or of a program that stood elsewhere.
     let bash = share.join("bash-completion/completions/sightline");
     let script = std::fs::read_to_string(&bash).unwrap();
     std::fs::write(&bash, script.replace("--tour", "--more")).unwrap();

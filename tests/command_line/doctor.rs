@@ -1,4 +1,4 @@
-//! `doctor`: what this machine draws with, and what is left where it draws with nothing.
+//! `doctor` says what this machine draws with, and what works on a machine that cannot draw.
 
 use super::Folder;
 use std::process::{Command, Output};
@@ -46,7 +46,7 @@ fn adapters_are_described_and_a_missing_display_is_named() {
     assert!(stderr.contains("no display"), "{stderr}");
 }
 
-/// In the words of the commands that fail there.
+/// It uses the words of the commands that fail there.
 #[test]
 fn without_an_adapter_it_says_what_works() {
     let nowhere = "/nowhere.json";

@@ -1,4 +1,4 @@
-//! Where flags may stand.
+//! Flags may stand before the command as well as after it.
 
 use crate::Folder;
 
@@ -20,7 +20,7 @@ fn flags_may_stand_before_the_command() {
         assert!(output.status.success(), "{args}: {stderr}");
         assert!(stderr.contains("loaded"), "{args} says what is done");
     }
-    // Flags of a command, and their values that are called as one is.
+    // Flags that only one command has, and a value that is also the name of a command.
     let output = folder.run("-o render.png --by raycast render scene.toml --size 20x10");
     assert!(output.status.success() && folder.path("render.png").exists());
     let error = folder.error("--depth list pick scene.toml --at 1,1", 2);

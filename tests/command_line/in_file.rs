@@ -1,4 +1,4 @@
-//! What a mesh's file says of a pick, and where its faces and vertices are.
+//! A pick names its file, line, face and vertices as written. Faces and vertices are found by their numbers.
 
 use super::Folder;
 use serde_json::{Value, json};
@@ -84,7 +84,7 @@ fn faces_and_vertices_are_found_by_their_numbers() {
         (&front["object"], &front["id"], &front["seen"]),
         (&json!("Front"), &json!(1), &json!(true))
     );
-    // The middle of the triangle behind lies behind the wall before it.
+    // The front wall hides the middle of the back triangle.
     let back = place(second);
     assert_eq!(
         (&back["seen"], &back["hidden_by"]["object"]),
@@ -104,7 +104,7 @@ fn faces_and_vertices_are_found_by_their_numbers() {
         (&corner["seen"], &corner["hidden_by"]),
         (&json!(true), &Value::Null)
     );
-    // Where it is on the screen is where a pick finds its face.
+    // Vertex 3 is shown in the upper right quarter of the picture.
     let px = |i: usize| corner["px"][i].as_f64().unwrap();
     assert!(
         (100.0..200.0).contains(&px(0)) && (0.0..50.0).contains(&px(1)),

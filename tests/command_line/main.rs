@@ -1,4 +1,4 @@
-//! The program as a process: arguments in; results, one-line errors and exit codes out.
+//! The command line does what it says: arguments go in; results, one-line errors and exit codes come out.
 #![cfg(feature = "window")]
 
 mod changed;
@@ -192,7 +192,7 @@ fn flags_choose_the_view() {
             .take()
     };
     let object = |flags: &str| pick(flags)["object"].as_str().map(str::to_owned);
-    // Negative numbers are values.
+    // Negative numbers are values, not flags.
     assert_eq!(object("--eye -0.1,-0.1,-9").as_deref(), Some("Ball"));
     assert_eq!(
         object("--eye 0,0,-9 --look 0,0,-1"),
@@ -216,7 +216,7 @@ fn flags_choose_the_view() {
     assert_eq!(object("--hide 1").as_deref(), Some("Middle"));
     assert_eq!(object("--hide 2,1").as_deref(), Some("Ball"));
     assert_eq!(object("--hide 1,2,3"), None);
-    // With z up, the eye above looks down and needs no up.
+    // With z up, the eye above looks down and needs no `--up`.
     assert_eq!(
         object("--up-axis z --target 0,0,0").as_deref(),
         Some("Front")
@@ -313,7 +313,7 @@ fn help_and_version_go_to_standard_output() {
         assert!(help.contains("Exit codes: 0 done"), "{command}");
         assert_eq!(help.contains("default: the demo"), command != "study");
     }
-    // What a pick's line has is what its help explains.
+    // The help explains every field of a pick's line.
     let help = String::from_utf8(folder.run("pick --help").stdout).unwrap();
     let line = folder
         .json("pick scene.toml --size 200x100 --at 100,50")
@@ -322,7 +322,7 @@ fn help_and_version_go_to_standard_output() {
         let words = help.split(|c: char| c != '_' && !c.is_alphanumeric());
         assert!(words.into_iter().any(|word| word == field), "{field}");
     }
-    // It fits into a terminal as terminals open.
+    // It fits into a terminal of 80 columns.
     assert!(
         help.lines().all(|line| line.chars().count() <= 80),
         "{help}"

@@ -1,4 +1,5 @@
-//! Pictures by rays, as files: they show what is picked.
+//! Pictures that `render` writes show what `pick` finds. Every kind of view is drawn, and files are replaced only if
+//! all can be written.
 
 use crate::{Folder, json};
 
@@ -53,7 +54,7 @@ fn a_picture_by_raycast_shows_what_is_picked() {
         );
     }
 
-    // Selecting changes the selected object's pixels, and an outline of a few around what it covers.
+    // Selecting tints the selected object's pixels, and draws an outline a few pixels wide around what it covers.
     let ball = ids.iter().rposition(|&id| id == 3).unwrap();
     let at = format!("{}.5,{}.5", ball % 64, ball / 64);
     assert!(
@@ -126,4 +127,34 @@ fn views_are_drawn_by_the_words_that_the_window_has() {
     ] {
         assert_eq!(draw(views, more).status.code(), Some(2), "{views} {more}");
     }
+}
+
+/// Neither file is replaced unless both can be written, and one file is not taken for two.
+#[test]
+fn a_picture_stays_where_its_ids_cannot_be_written() {
+    let folder = Folder::new();
+    std::fs::write(folder.path("old.png"), "old").unwrap();
+    let args = "render scene.toml --by raycast --size 4x4 -o old.png";
+    for ids in ["none/ids.png", "folder.png"] {
+        std::fs::create_dir_all(folder.path("folder.png")).unwrap();
+        folder.error(&format!("{args} --ids {ids}"), 3);
+        assert_eq!(std::fs::read(folder.path("old.png")).unwrap(), b"old");
+    }
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("old.png", folder.path("link.png")).unwrap();
+        let line = folder.error(&format!("{args} --ids link.png"), 2);
+        assert!(line.contains("one file"), "{line}");
+        assert_eq!(std::fs::read(folder.path("old.png")).unwrap(), b"old");
+    }
+    // Nothing is left beside the scene and the files that were there.
+    let left = std::fs::read_dir(folder.path("")).unwrap().count();
+    assert_eq!(left, if cfg!(unix) { 4 } else { 3 });
+    let output = folder.run(&format!("{args} --ids ids.png"));
+    assert!(output.status.success());
+    assert_eq!(read_png(&folder.path("old.png")).0, png::ColorType::Rgb);
+    assert_eq!(
+        read_png(&folder.path("ids.png")).0,
+        png::ColorType::Grayscale
+    );
 }

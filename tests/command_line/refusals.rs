@@ -1,4 +1,4 @@
-//! Refusals: one line that says why, and an exit code.
+//! What is refused gets one line that says why, and an exit code.
 
 use crate::Folder;
 

@@ -1,4 +1,4 @@
-//! Sections in scene files.
+//! A section in a scene file names faces of that file's objects, whatever other files are loaded.
 
 use crate::Folder;
 
@@ -20,7 +20,7 @@ fn a_scene_file_cuts_along_a_face_of_its_own_whatever_is_shown_beside() {
     let alone = section("pick own.toml --at 5,5 --stored");
     assert_eq!(alone["normal"].to_string(), "[0.0,0.0,-1.0]");
     assert_eq!(section("pick other.toml own.toml --at 5,5 --stored"), alone);
-    // A number of another file's object is none of its own; the command line's are all.
+    // A scene file may not name another file's object. The command line may name any object.
     for id in [0, 2, 3, 4] {
         cut("beyond.toml", id);
         let error = folder.error("pick other.toml beyond.toml --at 5,5", 3);

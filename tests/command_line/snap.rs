@@ -1,4 +1,4 @@
-//! Snapping and measuring without a window.
+//! `pick --snap` leads positions to vertices, edges and faces, and measures them as the file has them.
 
 use super::Folder;
 use serde_json::{Value, json};
@@ -73,12 +73,12 @@ fn positions_are_led_to_vertices_edges_and_faces() {
         "447000.1 5411000.2 0"
     );
     assert_eq!(lines[0]["distance"], Value::Null);
-    // Both objects have vertex 3: the first one is it.
+    // Both objects have vertex 3. The first one is named.
     assert_eq!(
         (numbers(&lines[1]), &lines[1]["snap"]["object"]),
         (vec![3], &json!("Wall"))
     );
-    // From 1 to 3, as the file has them: its decimals, and not what they are stored as.
+    // From vertex 1 to vertex 3, by the decimals in the file, not by the stored numbers.
     is(&lines[1]["distance"], 116.0_f64.sqrt(), 2e-15);
     assert_eq!(numbers(&lines[2]), [1, 2]);
     is(&lines[2]["snap"]["length"], 10.0, 2e-15);
@@ -88,7 +88,7 @@ fn positions_are_led_to_vertices_edges_and_faces() {
             && (px[1].as_f64().unwrap() - 90.0).abs() < 1e-6
     );
     is(&lines[3]["snap"]["area"], 40.0, 1e-14);
-    // Stored as f32 about an origin near by.
+    // The object's vertices are stored as f32 about an origin nearby.
     is(&lines[3]["object_area"], 40.0, 1e-4);
     // The diagonal of the wall is none of its edges.
     assert_eq!(lines[4]["snap"]["object"], "Wall");
@@ -170,7 +170,7 @@ fn the_edges_of_a_polygon_with_a_hole_are_its_own() {
     let face: Vec<_> = corners.iter().map(u32::to_string).collect();
     let text = text.collect::<String>() + "f " + &face.join(" ") + "\n";
     std::fs::write(folder.path("ring.obj"), text).unwrap();
-    // 100 pixels a unit. Of each edge a point a third of the way along, on it or a little inside of the ring.
+    // 100 pixels a unit. One point for each edge: a third of the way along, on the edge or a little inside the ring.
     let look = "--size 600x600 --eye 0,0,10 --target 0,0,0 --ortho 6";
     let edges = (0..corners.len()).map(|i| [corners[i], corners[(i + 1) % corners.len()]]);
     let at = edges.clone().map(|ends| {
@@ -195,7 +195,7 @@ fn the_edges_of_a_polygon_with_a_hole_are_its_own() {
         let [a, b] = found;
         assert_eq!([a.min(b), a.max(b)], ends.map(u64::from));
     }
-    // The real one: at both places of vertices 32 and 31, and on the way between them.
+    // A polygon with a hole from a real file: the first position snaps to an edge, the second need only be answered.
     let Some(shared) = std::env::var_os("SIGHTLINE_SHARED") else {
         println!("real files: absent");
         return;
@@ -228,7 +228,8 @@ fn a_spike_adds_nothing_to_the_area() {
     }
 }
 
-/// The nearest points of two positions a thousandth of a pixel apart: in exact arithmetic, with nothing rounded between.
+/// Two positions are a thousandth of a pixel apart. The expected distance of their nearest points is by exact
+/// arithmetic, with nothing rounded in between.
 #[test]
 fn distances_of_points_of_edges_are_within_their_bound() {
     let folder = Folder::new();
@@ -242,7 +243,7 @@ fn distances_of_points_of_edges_are_within_their_bound() {
     is(&lines[1]["distance"], 1.173_904_477_583_621e-5, 1e-20);
 }
 
-/// A position as far from two edges, to the last bit, is led to the first of them, however the foot's share is rounded.
+/// A position equally far from two edges, to the last bit, snaps to the first, however the foot's share is rounded.
 #[test]
 fn of_edges_as_near_the_first_is_taken() {
     let folder = Folder::new();

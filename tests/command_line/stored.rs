@@ -196,7 +196,7 @@ fn the_stored_numbers_are_printed_to_the_bit_and_each_mesh_once() {
         let (scene, view) = loaded(&folder, flags);
         same_camera(&printed.camera, &view);
         same_scene(&printed, &scene);
-        // Four objects, two of each use, and one mesh.
+        // Four objects share one mesh: its two parts, twice.
         let used: Vec<_> = printed.objects.iter().map(|object| object.mesh).collect();
         assert_eq!(used, [None, None, Some(0), Some(0), None, Some(0), Some(0)]);
         assert_eq!(printed.meshes.len(), 1);
@@ -204,7 +204,7 @@ fn the_stored_numbers_are_printed_to_the_bit_and_each_mesh_once() {
             printed.meshes[0].origin[0] > 399_000.0,
             "an origin of its own"
         );
-        // Without it, the same picks and nothing else.
+        // Without `--stored`, the same picks and nothing else.
         let plain = folder.json(&format!("pick scene.toml --at 1,1 {flags}"));
         assert_eq!(plain, lines[1..]);
     }

@@ -1,4 +1,4 @@
-//! The line of `pick --stored`, as somebody else reads it.
+//! The line of `pick --stored`, as another program reads it.
 
 use serde::Deserialize;
 

@@ -1,4 +1,4 @@
-//! Positions by standard input, picks by standard output.
+//! Positions come by standard input and picks go to standard output, each as soon as it is asked for.
 
 use super::{Folder, SCENE, error, json};
 use std::{
@@ -9,7 +9,7 @@ use std::{
     time::Duration,
 };
 
-/// Far longer than a pick takes; one that is held back never comes.
+/// Far longer than a pick takes. A pick that is held back never comes.
 const PATIENCE: Duration = Duration::from_mins(1);
 
 #[test]
@@ -91,7 +91,7 @@ fn each_position_is_answered_before_the_next_is_there() {
     assert!(lines.recv().is_err(), "no more lines than positions");
 }
 
-/// A line without an end is no reason to fill the memory: what is written after its first bytes is never read.
+/// A line without an end does not fill the memory: reading stops after its first bytes.
 #[test]
 fn a_line_without_an_end_is_refused() {
     let folder = Folder::new();
@@ -111,6 +111,24 @@ fn a_line_without_an_end_is_refused() {
     }
     let error = error(&child.wait_with_output().unwrap(), 2, args);
     assert!(error.contains("line 1: longer than 1024 bytes"), "{error}");
+}
+
+/// The exit code says what `verify` found, even if nobody reads the report.
+#[test]
+fn a_defect_is_told_to_a_reader_that_has_left() {
+    let folder = Folder::new();
+    let view =
+        "--size 120x90 --eye 60000,48000,100000 --target 0,0.7,0 --fov 0.002 --near 1 --far 200000";
+    let mut command = folder.command(&format!("verify {view} --picker usual"));
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    command.stdout(writer).stderr(Stdio::piped());
+    let output = command.spawn().unwrap().wait_with_output().unwrap();
+    let line = error(&output, 1, "verify");
+    assert!(
+        line.contains("drawn as one thing and picked as another"),
+        "{line}"
+    );
 }
 
 #[test]
@@ -135,7 +153,7 @@ fn a_reader_that_leaves_is_no_error() {
     );
 }
 
-/// Names of objects and files with marks that turn, clear or colour a terminal: none gets there, on either stream.
+/// Names of objects and files may hold marks that turn, clear or colour a terminal. Neither stream prints such a mark.
 #[test]
 fn no_name_does_anything_to_a_terminal() {
     let folder = Folder::new();

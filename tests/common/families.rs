@@ -17,7 +17,7 @@ pub struct Family {
     pub name: &'static str,
     /// Whether rays meet edges and corners exactly, not only within rounding.
     pub is_exact: bool,
-    /// Whether even plain signed volumes decide it, as all numbers are so short that nothing rounds.
+    /// Whether signed volumes without a guard decide it too: all numbers are so short that nothing rounds.
     pub is_short: bool,
     make: fn(&mut Random) -> Case,
 }
@@ -123,7 +123,7 @@ pub const FAMILIES: &[Family] = &[
         case(random, corners, DVec3::ZERO, start, target)
     }),
     family("close-up", |random| {
-        // So small and far out that subtracting the file's origin rounds the ray's origin.
+        // Triangles so small, and so far from the file's origin, that subtracting it rounds the ray's origin.
         let (origin, middle) = (
             power(random, -6.0, 0.0) * random.direction(),
             random.point(1.0),
@@ -139,7 +139,7 @@ pub const FAMILIES: &[Family] = &[
         let [a, b, c, ..] = corners;
         let (eye, target) = (eye(random), a + 0.4 * (b - a) + 0.3 * (c - a));
         let mut case = case(random, corners, DVec3::ZERO, eye, target);
-        // Within a few roundings of where the first triangle is hit.
+        // The interval starts or ends within a few roundings of the hit on a-b-c.
         let normal = (b - a).cross(c - a);
         let t = normal.dot(a - eye) / normal.dot(case.ray.direction);
         let end = t * (1.0 + f64::EPSILON * random.within(-2.0, 2.0).round());
@@ -178,8 +178,8 @@ pub const FAMILIES: &[Family] = &[
     }),
 ];
 
-/// Four triangles about an edge a-c: two that share it, one that almost covers the first, and that one's mirror image.
-/// In random order, so that any of them may win a tie.
+/// Four triangles about an edge a-c: two that share it, one that almost covers the first, and that one again with the
+/// opposite winding. They are in random order, so that any of them may win a tie.
 fn case(
     random: &mut Random,
     [a, b, c, d, e]: [DVec3; 5],
@@ -215,7 +215,7 @@ fn corners(random: &mut Random) -> [DVec3; 5] {
     [a, b, c, d, b + random.point(off)].map(stored)
 }
 
-/// World-space rays at a placed mesh; the case is the ray in the mesh's space.
+/// A world-space ray at a placed mesh. The case holds the ray in the mesh's space.
 fn placed(random: &mut Random, sizes: DVec3) -> Case {
     let corners = corners(random);
     let turn = |random: &mut Random| {
@@ -236,7 +236,7 @@ fn placed(random: &mut Random, sizes: DVec3) -> Case {
     case
 }
 
-/// Whole coordinates up to `size`, and rays exactly through corners, edges' middles and points near them.
+/// Whole coordinates up to `size`, and rays exactly through corners, edges' middles and other whole points.
 fn lattice(random: &mut Random, size: f64) -> Case {
     let point = |random: &mut Random| random.point(size + 0.5).round();
     let corners = [(); 5].map(|()| point(random));

@@ -211,8 +211,8 @@ pub fn ray_to(origin: DVec3, target: DVec3) -> Ray {
     }
 }
 
-/// Corners on the unit sphere and triangles, counter-clockwise from outside: an icosahedron, each triangle split in four
-/// `levels` times.
+/// Points on the unit sphere, and triangles that are counter-clockwise from outside: an icosahedron, each triangle
+/// split in four `levels` times.
 pub fn icosphere(levels: u32) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let golden = f64::midpoint(1.0, 5_f64.sqrt());
     let mut points = Vec::new();

@@ -43,7 +43,7 @@ pub struct Meeting {
     pub on_edge: bool,
 }
 
-/// Where the line of `ray`, from exactly `ray.origin - vertex_origin` on, intersects a closed triangle.
+/// Where the line of `ray` intersects a closed triangle. The line starts at exactly `ray.origin - vertex_origin`.
 pub fn meet(ray: &Ray, vertex_origin: DVec3, corners: [DVec3; 3]) -> Option<Meeting> {
     let coordinates: Vec<f64> = [ray.origin, vertex_origin]
         .iter()
@@ -92,7 +92,7 @@ pub fn meet(ray: &Ray, vertex_origin: DVec3, corners: [DVec3; 3]) -> Option<Meet
     })
 }
 
-/// As [`meet`], when the meeting lies in the ray's interval.
+/// As [`meet`], if the meeting lies in the ray's interval.
 pub fn hit(ray: &Ray, vertex_origin: DVec3, corners: [DVec3; 3]) -> Option<Meeting> {
     let meeting = meet(ray, vertex_origin, corners)?;
     let after_start = ray.t_min == f64::NEG_INFINITY || meeting.t.compare_to(ray.t_min).is_ge();
@@ -100,7 +100,7 @@ pub fn hit(ray: &Ray, vertex_origin: DVec3, corners: [DVec3; 3]) -> Option<Meeti
     (after_start && before_end).then_some(meeting)
 }
 
-/// The nearest hit, of ties the first, and its place in the list.
+/// The nearest hit and its place in the list. Of ties the first wins.
 pub fn nearest(hits: impl IntoIterator<Item = Option<Meeting>>) -> Option<(u32, Meeting)> {
     let hits = (0..).zip(hits).filter_map(|(i, hit)| Some((i, hit?)));
     hits.min_by(|(_, a), (_, b)| a.t.compare(&b.t))
@@ -121,16 +121,16 @@ fn dot(a: &Vector, b: &Vector) -> IBig {
     &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
 }
 
-/// The exponent of the last binary digit among the numbers.
+/// The exponent of the lowest binary digit of all the numbers.
 fn least_exponent(numbers: &[f64]) -> i32 {
     let used = numbers.iter().filter(|n| **n != 0.0);
     used.map(|n| last_digit(*n)).min().unwrap_or(0)
 }
 
-/// The greatest power of two, by its exponent, of which a number other than 0 is a multiple.
+/// The exponent of the greatest power of two that divides a number other than 0.
 fn last_digit(number: f64) -> i32 {
     let step = number.abs().next_up() - number.abs();
-    // The distance to the neighbouring number is a power of two, of which both are multiples.
+    // The distance to the next number is a power of two that divides both.
     let steps = number.abs() / step;
     #[expect(
         clippy::cast_possible_truncation,

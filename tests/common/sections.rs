@@ -37,7 +37,7 @@ fn maybe(random: &mut Random, scene: &Scene, view: &View) -> Option<Section> {
         }
         // Through the eye.
         5 => (random.direction(), camera.eye()),
-        // Along the picture's middle ray, of a camera that looks along an axis exactly.
+        // Parallel to the picture's middle ray: exactly so if the camera looks along an axis.
         6 => (camera.right(), a),
         _ => (random.direction(), object.placement.model().translation),
     };
@@ -61,7 +61,7 @@ fn whole(random: &mut Random, most: i32) -> f64 {
     f64::from(i32::try_from(random.below(steps)).expect("small") - most)
 }
 
-/// Three corners of a face in the world; of a sphere three points in its middle.
+/// Three corners of a face in the world; of a sphere, its centre and two points on its surface.
 fn corners(random: &mut Random, object: &Object) -> [DVec3; 3] {
     let corners = match &object.shape {
         Shape::Sphere => [DVec3::ZERO, 0.5 * DVec3::X, 0.5 * DVec3::Y],

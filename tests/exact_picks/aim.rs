@@ -59,8 +59,7 @@ pub fn point_of(random: &mut Random, shape: &Shape, on_border: bool) -> DVec3 {
     }
 }
 
-/// A position about where the picture shows this point of a visible object; anywhere if it is not shown, or no object is
-/// visible.
+/// The position where the picture shows a point of some visible object; anywhere if there is none.
 pub fn aimed(random: &mut Random, scene: &Scene, view: &View, on_border: bool) -> DVec2 {
     let visible: Vec<_> = scene
         .objects()

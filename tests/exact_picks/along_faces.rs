@@ -1,4 +1,4 @@
-//! Sections along faces, against exact arithmetic: they keep the whole face, and next to nothing before it.
+//! A section along a face keeps the whole face and next to nothing before it, judged by exact arithmetic.
 
 use super::{
     exact::number::{Dyadic, dot, vector},
@@ -18,7 +18,7 @@ const F64: f64 = 0.5 * f64::EPSILON;
 /// The same of `f32`.
 const F32: f64 = 0.5 * f32::EPSILON as f64;
 
-/// Turned by whole degrees about each axis, as scene files say it, at the origin or elsewhere.
+/// Turned by multiples of 5 degrees about each axis, as scene files say it, at the origin or elsewhere.
 fn placement(random: &mut Random, i: usize) -> Placement {
     let [x, y, z] = [(); 3].map(|()| (5.0 * random.within(0.0, 18.0).floor()).to_radians());
     let turn = DMat3::from_euler(EulerRot::ZYX, z, y, x);

@@ -1,4 +1,4 @@
-//! Picks that were wrong or slow, or misjudged their certainty, when the core was attacked.
+//! Attacks on the core found picks that were wrong or slow, or misjudged their certainty. All of these are right now.
 
 use super::common::{self, mesh, orthographic, perspective};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
@@ -9,7 +9,7 @@ use sightline::{
     scene::{Object, Scene, Shape},
 };
 
-/// Along -z.
+/// An orthographic view along -z.
 fn view(eye: [f64; 3], height: f64) -> View {
     let [x, y, z] = eye;
     common::view(
@@ -28,7 +28,7 @@ fn at(shape: Shape, size: f64, center: DVec3) -> Object {
     Object::new("it", shape, Placement::new(model).expect("invertible"))
 }
 
-/// So many that their scene has a tree; none is near.
+/// Cubes far away, so many that their scene has a tree.
 fn crowd() -> impl Iterator<Item = Object> {
     (0..9).map(|i| {
         at(
@@ -39,8 +39,7 @@ fn crowd() -> impl Iterator<Item = Object> {
     })
 }
 
-/// The roots cancel in the difference, which lies in the middle between two `f64`: no enclosure of it rounds to one
-/// number.
+/// The roots cancel in the gap, which lies halfway between two `f64`: no interval around it rounds to one number.
 #[test]
 fn the_gap_between_two_balls_is_a_quotient() {
     let balls = [0.25, 0.05].map(|z| at(Shape::Sphere, 1.0, DVec3::new(0.0, 0.0, z)));
@@ -55,7 +54,7 @@ fn the_gap_between_two_balls_is_a_quotient() {
     assert_eq!(gap.to_bits(), f64::to_bits(0.25 - 0.05));
 }
 
-/// The ray misses by less than the rounding of half a side and its bound.
+/// The ray misses by less than the rounding error of half a side and its bound.
 #[test]
 fn a_ray_just_beside_a_cube_misses_it() {
     let scene = Scene::new(vec![at(Shape::Cube, 1.0, DVec3::ZERO)]);
@@ -126,7 +125,7 @@ fn what_lies_behind_makes_no_pick_exact() {
     }
 }
 
-/// A small triangle before a large one, its edge some pixels beside the position, through ever longer lenses.
+/// A small triangle lies before a large one, with its edge some pixels beside the position, through ever longer lenses.
 #[test]
 fn the_nearest_other_answer_through_long_lenses() {
     let mut found = [0; 2];
@@ -177,7 +176,7 @@ fn the_nearest_other_answer_through_long_lenses() {
     assert!(found[1] > 50, "{found:?}");
 }
 
-/// The eye's coordinate across the cube overflows: `f64` knows nothing about that axis, and left it out.
+/// The eye's coordinate across the cube overflows. `f64` then knows nothing about that axis, and once left it out.
 #[test]
 fn a_cube_so_thin_that_coordinates_overflow_is_missed() {
     let sheared = DMat3::from_cols(
@@ -187,7 +186,7 @@ fn a_cube_so_thin_that_coordinates_overflow_is_missed() {
     );
     let placement = Placement::new(DAffine3::from_mat3(sheared)).expect("invertible");
     let scene = Scene::new(vec![Object::new("it", Shape::Cube, placement)]);
-    // The cube lies at y = x; beside it, and through it.
+    // The cube lies at y = x. One ray passes beside it, one through it.
     for (beside, is_hit) in [(0.2, false), (-0.1, true)] {
         let ray = Ray {
             origin: DVec3::new(-1e4, -1e4 + beside, 0.1),
@@ -200,7 +199,7 @@ fn a_cube_so_thin_that_coordinates_overflow_is_missed() {
     }
 }
 
-/// `f64` cannot invert it, since the inverse overflows on the way. The inverse has no entry above 3e305.
+/// `f64` overflows on the way to this matrix's inverse, although the inverse has no entry above 3e305.
 #[test]
 #[expect(clippy::unreadable_literal, reason = "found by a search")]
 fn a_matrix_whose_inverse_is_large_is_taken() {

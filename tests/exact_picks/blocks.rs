@@ -85,7 +85,7 @@ pub fn one_mesh(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, origin: DVec
     }
 }
 
-/// Triangles that share corners, about 1 wide: a box, a ball of 20 or 80, or a crumpled strip of up to 60.
+/// Triangles that share corners, about `factor` wide: a box, a ball of 20 or 80, or a crumpled strip of up to 60.
 pub fn some_mesh(random: &mut Random, factor: f64) -> Shape {
     let origin = match random.below(3) {
         0 => DVec3::ZERO,
@@ -127,8 +127,8 @@ pub fn some_shape(random: &mut Random) -> Shape {
     }
 }
 
-/// Shows and hides objects, and adds a hidden mesh without a tree: until all trees are built, records omit `differs_px`,
-/// which would ask up to 196 rays each.
+/// Hides some of the objects, and adds a hidden mesh that has no tree yet. Until all trees are built, records omit
+/// `differs_px`, which would ask up to 196 rays each.
 pub fn scene(random: &mut Random, mut objects: Vec<Object>) -> Scene {
     if objects.len() > 2 {
         for object in &mut objects {

@@ -1,4 +1,4 @@
-//! Tests of the oracle itself, on cases whose answers are known without it.
+//! The oracle itself is right, on cases whose answers are known without it.
 
 use crate::common::{Random, mesh, orthographic, perspective, view};
 use crate::exact::{
@@ -32,14 +32,14 @@ fn at_origin(shape: Shape) -> World {
     World::of(&Scene::new(vec![object(shape, DAffine3::IDENTITY)]))
 }
 
-/// Parameter and front of each.
+/// `t` and `front` of each hit.
 fn in_short(hits: &[Hit]) -> Vec<(f64, bool)> {
     hits.iter()
         .map(|hit| (hit.t.rounded(), hit.front))
         .collect()
 }
 
-/// From the smallest numbers to the largest.
+/// A number of any size, from the smallest to the largest.
 fn any_number(random: &mut Random) -> f64 {
     let exponent = random.within(-1074.0, 1023.0).floor();
     let scale = (0.5 * exponent).floor().exp2();
@@ -167,7 +167,7 @@ fn a_ray_meets_a_cubes_corner_edge_and_face() {
         [Some([-1, 0, 0]), Some([1, 0, 0])]
     );
     assert!(through.iter().all(|hit| hit.on_border));
-    // It touches a corner, running within the plane z = 1/2: it enters by y = 1/2.
+    // This ray runs within the plane z = 1/2 and touches a corner. It enters by y = 1/2.
     let touching = hits(dvec3(-1.5, 2.5, 0.5), dvec3(1.0, -1.0, 0.0));
     assert_eq!(in_short(&touching), [(2.0, true)]);
     assert_eq!(touching[0].face, Some([0, 1, 0]));
@@ -207,7 +207,7 @@ fn a_tangent_to_a_sphere_is_one_hit_and_not_a_front_one() {
             .hits(&line(dvec3(-3.0, 0.5, 0.0), DVec3::X), Sides::Front)
             .is_empty()
     );
-    // Radius 3 at a distance of 5 is seen up to a slope of 3 to 4; it is touched 4 away, at a depth of 16 / 5.
+    // A ball of radius 3 at a distance of 5 is seen up to a slope of 3/4. It is touched 4 away, at a depth of 16 / 5.
     let model = DAffine3::from_mat3_translation(
         DMat3::from_diagonal(DVec3::splat(6.0)),
         dvec3(0.0, 0.0, -5.0),
@@ -253,7 +253,7 @@ fn coincident_faces_come_in_the_order_of_objects_and_triangles() {
         let hits = world.hits(line, Sides::Both).into_iter();
         hits.map(|hit| (hit.object, hit.triangle)).collect()
     };
-    // On the diagonal both triangles; the third has no area.
+    // On the diagonal the ray hits both triangles. The third has no area.
     let all = [
         (4, None),
         (0, None),
@@ -269,7 +269,7 @@ fn coincident_faces_come_in_the_order_of_objects_and_triangles() {
         1e-17_f64.to_bits()
     );
     assert_eq!(hits[2].barycentric, Some([0.25, 0.0, 0.75]));
-    // Near belongs to what counts, far does not.
+    // A hit at near counts, a hit at far does not.
     down.near = Dyadic::of(2.0);
     assert_eq!(order(&down), all[1..]);
     down.far = Dyadic::of(3.0);

@@ -18,8 +18,8 @@ use sightline::{
 };
 use std::fmt::Write;
 
-/// The relative error allowed for `t`: half of the digits, as in `geometry`. The rounding of the coordinates that it was
-/// found with is added.
+/// The relative error allowed for `t`: half of the digits, as in `geometry`. The rounding of the coordinates that it
+/// was found with is added.
 const T_RELATIVE: f64 = 1.0 / 67_108_864.0;
 /// Additional relative error allowed for a number computed from `t` and stored numbers in a few steps.
 pub const FEW_ROUNDINGS: f64 = 16.0 * f64::EPSILON;

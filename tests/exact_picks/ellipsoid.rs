@@ -1,4 +1,4 @@
-//! The area of a sphere under a matrix, against a more precise truth.
+//! The area of a sphere under a matrix lies within its error bound, judged by a more precise truth.
 
 use glam::{DAffine3, DMat3};
 use sightline::{
@@ -7,8 +7,8 @@ use sightline::{
     scene::{Object, Shape},
 };
 
-/// L by columns, and the area to twice the digits of `f64`: by Legendre's integrals of singular values, all in 60 digits
-/// (mpmath). The last is a disk as good as flat, turned.
+/// The matrix by columns, and the area as a sum of two `f64`: by Legendre's integrals of the singular values, all in 60
+/// digits (mpmath). The last is a turned disk, almost flat.
 #[rustfmt::skip]
 #[expect(clippy::unreadable_literal, clippy::approx_constant, reason = "as they were printed")]
 const TRUTH: [([f64; 9], [f64; 2]); 16] = [
@@ -42,7 +42,7 @@ fn areas_lie_within_their_bounds() {
         let Measured { value, error } = area(columns);
         let off = ((value - exact) - rest).abs();
         assert!(off <= error, "{columns:?}: {value} +- {error}, not {exact}");
-        // Half of the last place, and the eigenvectors' rounding in the bounds.
+        // The bound holds half of the last place and the rounding of eigenvectors.
         assert!(error <= 2e-14 * exact, "{columns:?}: {error} of {exact}");
     }
 }

@@ -62,7 +62,7 @@ pub fn culled(random: &mut Random) -> Sample {
     sample(random, scene, view, POSITIONS)
 }
 
-/// Placements of condition 1 to 1e14: flattened, stretched or sheared, along one axis or two.
+/// Placements with condition numbers from 1 to 1e14: flattened, stretched or sheared, along one axis or two.
 pub fn condition(random: &mut Random) -> Sample {
     let count = 1 + random.below(10);
     let mut objects = Vec::new();
@@ -144,7 +144,7 @@ fn of_size(random: &mut Random, size: f64) -> Sample {
     sample(random, scene, view, POSITIONS)
 }
 
-/// Two surfaces 1e-17 to 1e-13 of the distance apart under placements of their own.
+/// Surfaces under placements of their own, 1e-17 to 1e-13 before or behind a plane.
 pub fn narrow_gaps(random: &mut Random) -> Sample {
     let turn = any_turn(random);
     let mut objects = Vec::new();
@@ -153,7 +153,7 @@ pub fn narrow_gaps(random: &mut Random) -> Sample {
         let within = DMat3::from_rotation_z(random.within(0.0, 6.3));
         let scale = power(random, -0.2..0.2);
         let linear = if chance(random, 4) {
-            // All in the plane z = 0, to the bit.
+            // Parallel to the plane z = 0, to the bit.
             within
         } else {
             turn * within

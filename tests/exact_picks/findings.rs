@@ -1,4 +1,4 @@
-//! Scenes that were once picked wrongly, each at the pixels of a small picture.
+//! Scenes that were once picked wrongly are picked right, at every pixel of a small picture.
 
 use super::{
     Sample, ask,
@@ -20,7 +20,7 @@ fn object(shape: Shape, model: DAffine3) -> Object {
     Object::new("it", shape, Placement::new(model).unwrap())
 }
 
-/// Side 2 about the origin in the plane z = 0, as two triangles.
+/// A square of side 2 about the origin in the plane z = 0, as two triangles.
 fn quad() -> Shape {
     let corners = [
         [-1.0, -1.0, 0.0],
@@ -43,12 +43,12 @@ fn turned(degrees: f64) -> DAffine3 {
     DAffine3::from_rotation_z(degrees.to_radians())
 }
 
-/// By rows, as in scene files.
+/// A matrix given by rows, as in scene files.
 fn rows(rows: [[f64; 3]; 3]) -> DAffine3 {
     DAffine3::from_mat3(DMat3::from_cols_array_2d(&rows).transpose())
 }
 
-/// Each pixel's centre; fails where one is wrong, and returns what was seen.
+/// Asks at each pixel's centre. Fails if an answer is wrong, and returns what was seen.
 #[track_caller]
 fn every_pixel(objects: Vec<Object>, view: View) -> Tally {
     let size = view.viewport;
@@ -261,7 +261,7 @@ fn plain_shapes_from_far_away() {
     assert!(pixels.hits > 500, "{pixels:?}");
 }
 
-/// A dot smaller than a pixel, on a pixel's centre: next to it, `differs_px` leads to that centre.
+/// A dot smaller than a pixel covers a pixel's centre. From nearby, `differs_px` is the distance to that centre.
 #[test]
 fn the_nearest_pixel_with_another_answer() {
     let dot = DAffine3::from_scale_rotation_translation(
@@ -311,7 +311,8 @@ fn the_nearest_pixel_with_another_answer() {
 }
 
 impl Case<'_> {
-    /// How far the nearest pixel's centre is, up to 8 away and within the picture, whose first surface is not that at `px`.
+    /// The distance to the nearest pixel's centre whose first surface is not that at `px`. Centres up to 8 pixels away
+    /// and within the picture count.
     fn nearest_change(&self, px: DVec2) -> Option<f64> {
         let first = |px: DVec2| self.truth(px).first().map(|hit| (hit.object, hit.triangle));
         let here = first(px);

@@ -1,4 +1,4 @@
-//! The answers that the oracle has judged, asked again by every other set of instructions of this processor.
+//! Every other instruction set of this processor gives the answers that the oracle has judged.
 
 use super::{
     blocks::Sample,
@@ -35,13 +35,13 @@ fn said(sample: &Sample, scene: &Scene) -> Vec<Said> {
     sample.positions.iter().enumerate().map(at).collect()
 }
 
-/// The same scene, its meshes with trees of other instructions.
+/// The same scene. Its meshes have trees for other instructions.
 fn walked_by(simd: Simd, scene: &Scene) -> Scene {
     let mut copies: HashMap<*const Mesh, Arc<Mesh>> = HashMap::new();
     let mut objects = scene.objects().to_vec();
     for object in &mut objects {
         if let Shape::Mesh { mesh, .. } = &mut object.shape {
-            // What was one mesh remains one.
+            // Objects that share a mesh share its copy.
             let copy = copies.entry(Arc::as_ptr(mesh)).or_insert_with(|| {
                 let copy = Mesh::new(mesh.data().clone()).expect("as before");
                 copy.build_tree_by(simd, &AtomicBool::new(false));
@@ -61,7 +61,7 @@ fn is_walked(scene: &Scene, answer: &Answer) -> bool {
     }
 }
 
-/// Asks again at all positions of a sample whose trees are built and whose answers are judged, by the other instructions.
+/// Asks again by the other instructions, at all positions of a sample. Its trees are built and its answers are judged.
 pub fn check(sample: &Sample, tally: &mut Tally) {
     let judged = said(sample, &sample.scene);
     let is_walked = |(_, all, _): &&Said| all.iter().any(|hit| is_walked(&sample.scene, hit));

@@ -10,7 +10,7 @@ use sightline::{
     scene::{Object, Scene, Shape},
 };
 
-/// A perspective lens; the tangent of half its field of view is this, to the bit.
+/// A perspective lens. The tangent of half its field of view is `half_height`, to the bit.
 fn short_lens(half_height: f64, near: f64, far: f64) -> Lens {
     let guess = 2.0 * half_height.atan();
     let mut around = (0..64_u64).flat_map(|i| [guess.to_bits() + i, guess.to_bits() - i]);
@@ -23,7 +23,7 @@ fn short_lens(half_height: f64, near: f64, far: f64) -> Lens {
     }
 }
 
-/// A camera whose axes are the world's, that sees 1/2 or a power of two up and down from its middle.
+/// A camera whose axes are the world's. Up and down from its middle it sees a slope of 1/2, or 2, 4 or 8 units.
 pub fn short_view(random: &mut Random, eye: DVec3, forward: DVec3, near: f64, far: f64) -> View {
     let lens = if near > 0.0 && chance(random, 2) {
         short_lens(0.5, near, far)
@@ -50,7 +50,7 @@ pub fn short_view(random: &mut Random, eye: DVec3, forward: DVec3, near: f64, fa
     }
 }
 
-/// Where the picture shows a point; exact where the numbers are short enough.
+/// Where the picture shows a point. The position is exact if the numbers are short enough.
 pub fn shown(view: &View, point: DVec3) -> DVec2 {
     let camera = &view.camera;
     let seen = point - camera.eye();
@@ -138,7 +138,7 @@ pub fn exact_borders(random: &mut Random) -> Sample {
     let mut positions: Vec<_> = (0..20)
         .map(|_| border_position(random, &scene, &view))
         .collect();
-    // Down or up it lies outside of most pictures.
+    // The tangents above and below lie outside of most pictures.
     let slope = 0.75 * view.viewport.size_px().y / (2.0 * view.camera.half_height());
     let side = if chance(random, 2) { slope } else { -slope };
     positions.push(0.5 * view.viewport.size_px() + dvec2(side, 0.0));
@@ -183,7 +183,7 @@ fn all_pixels(view: &View) -> Vec<DVec2> {
     rows.collect()
 }
 
-/// Faces on the near and on the far plane, and planes through them, at every pixel of a small picture.
+/// Faces on the near and far planes, and shapes that these planes cut, at every pixel of a small picture.
 pub fn planes(random: &mut Random) -> Sample {
     let forward = lattice_turn(random).z_axis;
     let eye = lattice_point(random, 3);
@@ -202,7 +202,7 @@ pub fn planes(random: &mut Random) -> Sample {
         };
         let linear = lattice_turn(random) * DMat3::from_diagonal(dvec3(8.0, 4.0, 2.0));
         let (shape, centre) = match random.below(5) {
-            // Faces on the plane; the axis that lies along the line of sight is 8, 4 or 2 long.
+            // A face on the plane. The cube's axis along the line of sight is 8, 4 or 2 long.
             0 => {
                 let length = (linear.transpose() * forward).abs().max_element();
                 let side = if chance(random, 2) { 0.5 } else { -0.5 };

@@ -1,8 +1,9 @@
-//! Whole picks against exact arithmetic: scenes, views and positions of many kinds. Each hit and each record is compared
-//! with an oracle, which computes it from the stored numbers by brute force and shares no code with the program.
+//! Whole picks are what exact arithmetic says, for scenes, views and positions of many kinds. Each hit and each record
+//! is compared with an oracle, which computes it from the stored numbers by brute force and shares no code with the
+//! program.
 //!
-//! Each position is asked without trees and with them, and with each set of instructions of this processor. Some are
-//! asked again from the scene narrowed to the position, and each view is cast as a whole picture.
+//! Each position is asked without trees and with them, and with each instruction set of this processor. Some positions
+//! are asked again from the scene narrowed to the position, and some views are cast as whole pictures.
 //!
 //! `SIGHTLINE_POSITIONS=100000 cargo test --locked --release --test exact_picks -- --nocapture families` asks that many
 //! positions of each family and prints a line for each.
@@ -58,7 +59,7 @@ struct AtLeast {
     hairs: usize,
     steps: usize,
     walks: usize,
-    /// One in four is asked, and most views have pyramids.
+    /// One position in four is asked, and most views have pyramids.
     narrowed: usize,
 }
 
@@ -79,7 +80,7 @@ fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, at_least: &AtLeas
     println!("{name:16} {}", tally.row());
     let per_mille = |count: usize| count * 1000 / tally.positions;
     assert!(
-        // A section leaves less of them.
+        // A section leaves fewer triangles.
         per_mille(tally.together) >= if at_least.cut > 0 { 900 } else { 1_500 },
         "{name}: few triangles in whole pictures"
     );
@@ -105,7 +106,7 @@ fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, at_least: &AtLeas
     );
 }
 
-/// All positions of a sample, before there are trees and with them, by all instructions that this processor has.
+/// Asks at all positions of a sample, before there are trees and with them, by all instruction sets of this processor.
 fn ask(sample: &Sample, tally: &mut Tally) {
     let world = World::of(&sample.scene);
     let case = Case {

@@ -1,5 +1,5 @@
-//! Lengths and areas against exact arithmetic: each is within its bound of the truth, and the bound is one rounding where
-//! nothing else is known to be off.
+//! Lengths and areas lie within their error bounds of the exact truth. If only the result is rounded, the bound is that
+//! one rounding.
 
 use super::exact::number::{Dyadic, Vector, cross, dot, minus};
 use super::sight::exactly;
@@ -13,7 +13,7 @@ use sightline::{
 /// One rounding, relative.
 const ONCE: f64 = 1.12e-16;
 
-/// Whether a root lies within the bound of a number: its square lies between the squares of the ends.
+/// Whether the root of `squared`, divided by `factor`, lies within the bound: by the squares of the bound's ends.
 fn is_root(measured: Measured, squared: &Dyadic, factor: i64) -> bool {
     let Measured { value, error } = measured;
     let end = |by: f64| &Dyadic::whole(factor) * &(&Dyadic::of(value) + &Dyadic::of(by));
@@ -105,7 +105,7 @@ fn lengths_between_written_points_are_those_of_the_decimals() {
     }
 }
 
-/// The area of what was written, by exact arithmetic to 80 places, against that of what is stored.
+/// The area of what was written, by exact arithmetic to 80 binary places, against that of what is stored.
 #[test]
 fn areas_of_meshes_hold_for_what_was_written() {
     let mut random = Random::new(73);
@@ -148,7 +148,7 @@ fn areas_of_meshes_hold_for_what_was_written() {
             widest = widest.max(measured.error / measured.value);
         }
     }
-    // Not so wide that it is useless: single precision of coordinates 10 wide.
+    // The bound is not so wide that it is useless: it comes from coordinates 10 wide in single precision.
     assert!(widest < 1e-5, "{widest}");
 }
 

@@ -1,4 +1,4 @@
-//! The records that the oracle has judged, asked again from a scene narrowed to the position.
+//! A scene narrowed to a position gives the records that the oracle has judged.
 
 use super::{blocks::Sample, program, tally::Tally};
 

@@ -1,4 +1,4 @@
-//! The program's answers: every call that asks it for one is in this file.
+//! The program's answers. Every call that asks the program for one is in this file.
 
 use glam::{DVec2, DVec3};
 use sightline::{

@@ -1,4 +1,4 @@
-//! Rays given by their numbers, which are taken as exact.
+//! Rays given by their numbers, which are taken as exact, hit what exact arithmetic says.
 
 use super::{
     aim::point_of,
@@ -13,7 +13,7 @@ use crate::common::Random;
 use glam::DVec3;
 use sightline::geometry::Ray;
 
-/// To borders and anywhere, from anywhere and from surfaces, with directions of any length.
+/// The rays run to borders or anywhere, from surfaces or anywhere, with directions of any length.
 #[test]
 fn families_of_given_rays() {
     let mut random = Random::new(20);

@@ -1,4 +1,5 @@
-//! Whether points of meshes are seen, against the oracle's hits on the line from the eye through the exact point.
+//! Whether a point of a mesh is seen, and what hides it, is what the oracle says. The oracle takes the line from the
+//! eye through the exact point.
 
 use super::{
     blocks::Sample,
@@ -53,8 +54,8 @@ pub fn exactly(
     plus(&plus(&x, &y), &plus(&z, &vector(model.translation)))
 }
 
-/// What the line from the eye through the point meets first, against the point. Depth is by Cramer's rule, so that near and far
-/// are told without an error.
+/// What the line from the eye through the point meets first, and whether it lies before or at the point. Depth is by
+/// Cramer's rule, so that near and far are decided without an error.
 pub fn expected(world: &World, view: &View, point: &Vector) -> Told {
     let camera = &view.camera;
     let [eye, forward] = [camera.eye(), camera.forward()].map(vector);

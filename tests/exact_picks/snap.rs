@@ -1,4 +1,5 @@
-//! Snapping of positions, against every corner and side of every shape; the oracle says which of them are seen.
+//! A position snaps to the nearest seen vertex, else to the nearest seen edge, else to the face. All corners and sides
+//! of all shapes are compared, and the oracle says which of them are seen.
 
 use super::{
     blocks::Sample,
@@ -20,11 +21,11 @@ use std::cmp::Ordering;
 const RADIUS_PX: f64 = 8.0;
 /// Positions of each family.
 const POSITIONS: usize = 150;
-/// Rounding of `f64` in the picture, in pixels; closer to the radius than this, nothing is checked.
+/// Rounding error of `f64` in the picture, in pixels. Nothing is checked closer to the radius than this.
 const SLACK_PX: f64 = 1e-6;
-/// How far inside a cut-off side its end is looked for, as a share: `f64` cannot say exactly where the end is.
+/// How far inside a cut side the oracle looks for its end, as a share: `f64` cannot say exactly where the end is.
 const INWARDS: f64 = 1e-11;
-/// Places along a side where the oracle looks whether it is seen.
+/// Steps along a side. The oracle looks at both ends and after each step whether the side is seen.
 const SAMPLES: u16 = 4;
 /// Rounding of a point in the world, relative to where it is.
 const HAIR: f64 = 1e-9;
@@ -78,7 +79,7 @@ impl Side {
         self.placement.point_to_world(local)
     }
 
-    /// How far the picture shows a point of it from a position.
+    /// How far from a position the picture shows a point of the side.
     fn away(&self, view: &View, px: DVec2, share: f64) -> Option<f64> {
         let at = view.project(self.world(share))?;
         Some(at.px.distance(px))
@@ -110,8 +111,8 @@ impl Side {
         (is_left && first <= last).then_some([first, last])
     }
 
-    /// Of what near, far and the section leave: the share shown nearest to a position, and whether it is an end that one of
-    /// them made.
+    /// The share that is shown nearest to a position, of what near, far and the section leave. Also whether it is an
+    /// end that one of these made.
     fn nearest(&self, view: &View, px: DVec2) -> Option<(f64, bool)> {
         let [first, last] = self.left(view)?;
         let lens = view.camera.lens();
@@ -135,7 +136,7 @@ impl Side {
         share.is_finite().then_some((share, is_cut))
     }
 
-    /// Shares all along what is left of it.
+    /// Shares all along what near, far and the section leave.
     fn samples(&self, view: &View) -> Vec<f64> {
         let Some([first, last]) = self.left(view) else {
             return Vec::new();
@@ -144,7 +145,7 @@ impl Side {
         (0..=SAMPLES).map(at).collect()
     }
 
-    /// Whether the oracle also sees the point that was found, or one a hair beside it: in the world it is rounded.
+    /// Whether the oracle also sees the point that was found, or one a hair beside it, as the point is rounded.
     fn shows(&self, world: &World, view: &View, point: DVec3) -> bool {
         let [a, b] = [0.0, 1.0].map(|share| self.world(share));
         let share = (point - a).dot(b - a) / (b - a).length_squared();
@@ -169,8 +170,8 @@ enum Kind {
     Beside,
 }
 
-/// How many positions snap to a vertex, an edge, a face; and of those on edges, to an end made by a plane, and to where the
-/// edge comes out from behind a surface.
+/// How many positions snap to a vertex, an edge, a face; and of those on edges, how many to an end that a plane made,
+/// and to where the edge comes out from behind a surface.
 fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> [usize; 5] {
     let mut random = Random::new(seed);
     let mut counts = [0; 5];
@@ -223,7 +224,7 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> [usize; 5] {
                 let samples = samples.map(|share| (share, Kind::Beside));
                 foot.into_iter().chain(samples).collect()
             });
-            // What lies exactly at the radius may be on either side of it.
+            // Rounding may put a point at the radius on either side of it.
             if [vertex, edge]
                 .iter()
                 .flatten()
@@ -239,7 +240,7 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> [usize; 5] {
                 (None, Some((away, _))) => (SnapTo::Edge, away),
                 (None, None) => (SnapTo::Face, 0.0),
             };
-            // More of an edge that is hidden at its foot may be seen than the oracle samples.
+            // An edge that is hidden at its foot may be seen where the oracle does not sample it.
             let between = found.as_ref().filter(|snap| {
                 to == SnapTo::Edge
                     && vertex.is_none()
@@ -265,7 +266,7 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> [usize; 5] {
     counts
 }
 
-/// What makes an end: a section, near or far.
+/// Cuts the scene by a section, near or far.
 fn cut(random: &mut Random, scene: &Scene, view: &mut View) {
     let bounds = scene.visible_bounds();
     let middle = bounds.center() + 0.4 * bounds.radius() * random.direction();
@@ -280,7 +281,7 @@ fn cut(random: &mut Random, scene: &Scene, view: &mut View) {
     view.camera = view.camera.with_lens(lens).expect("a lens");
 }
 
-/// Also where a plane leaves part of an edge: then its end counts.
+/// Where a plane leaves part of an edge, the end that it makes counts.
 #[test]
 fn positions_are_led_to_what_planes_leave_of_edges() {
     let mut ends = 0;

@@ -1,4 +1,4 @@
-//! Ties: many faces of all shapes in one place.
+//! Scenes with ties: many faces of all shapes in one place.
 
 use super::{
     aim,
@@ -20,7 +20,7 @@ fn face_in_plane(random: &mut Random, centre: DVec3, turn: DMat3) -> Object {
     let even = |random: &mut Random| 2.0 * whole(random, 1, 3);
     let scale = dvec3(even(random), even(random), even(random));
     let within = {
-        // About the plane's normal, which may turn about.
+        // Turned or mirrored within the plane. The normal may be reversed.
         let (x, y) = if chance(random, 2) {
             (DVec3::X, DVec3::Y)
         } else {
@@ -41,7 +41,7 @@ fn face_in_plane(random: &mut Random, centre: DVec3, turn: DMat3) -> Object {
             let half = 0.5 * linear.z_axis * if chance(random, 2) { 1.0 } else { -1.0 };
             Object::new("cube", Shape::Cube, place(linear, centre + half))
         }
-        // The mesh's own coordinates: elsewhere, and of another size.
+        // The mesh's own coordinates lie elsewhere and are of another size.
         _ => {
             let size = [0.25, 1.0, 4.0][random.below(3)];
             let origin = lattice_point(random, 3);
@@ -76,7 +76,7 @@ fn face_in_plane(random: &mut Random, centre: DVec3, turn: DMat3) -> Object {
     }
 }
 
-/// 2 to 20 faces in one plane among up to 100 objects. At `depth`, before the eye.
+/// 2 to 20 faces in one plane among up to 100 objects. The plane crosses the line of sight at `depth`.
 fn tied(random: &mut Random, depth: f64, near: f64) -> Sample {
     let forward = lattice_turn(random).z_axis;
     let eye = lattice_point(random, 3);
@@ -118,13 +118,13 @@ pub fn ties(random: &mut Random) -> Sample {
     tied(random, depth, 0.5)
 }
 
-/// At `t` = 0 in orthographic projection, and with the eye on the faces in perspective.
+/// The faces are at `t` = 0 in orthographic projection; in perspective the eye is on their plane.
 pub fn ties_at_the_eye(random: &mut Random) -> Sample {
     let near = [-8.0, -1.0, 0.0, 0.125][random.below(4)];
     tied(random, 0.0, near)
 }
 
-/// The same faces under the same placement of long numbers, as squares, triangles and faces of cubes.
+/// Equal shapes under one placement of long numbers: cubes, squares, their triangles, or spheres.
 pub fn long_ties(random: &mut Random) -> Sample {
     let centre = random.point(0.5);
     let shared = placement(random, 2.0, centre);

@@ -1,4 +1,4 @@
-//! Whole pictures, whose rays go through the scene together, against each ray alone.
+//! Whole pictures, whose rays go through the scene together, show at each pixel what its ray hits alone.
 
 use super::{blocks::Sample, program, tally::Tally};
 use glam::DVec2;

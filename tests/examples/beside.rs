@@ -24,7 +24,7 @@ const SIZE: [u32; 2] = [320, 240];
 const FOV_DEG: f64 = 40.0;
 const EYE: DVec3 = DVec3::new(1.0, 1.5, 3.0);
 const PASSES: usize = 9;
-/// One in this many positions tests every triangle.
+/// About so many of the positions test every triangle.
 const FEW: usize = 75;
 
 /// A position's triangle, and its distance along the ray.

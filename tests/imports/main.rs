@@ -1,8 +1,10 @@
 //! Imports have no circles, and only the modules that need graphics and windows import them.
 
+mod graph;
 mod reached;
 mod viewer;
 
+use graph::Modules;
 use std::{
     collections::BTreeSet,
     fs,
@@ -205,4 +207,35 @@ fn the_core_names_no_crate_and_no_module_that_a_feature_adds() {
     }
     assert!(optional.len() > 30, "{optional:?}");
     assert!(files.len() > 70, "only {} files", files.len());
+}
+
+/// The files can then be read one after another. `mod.rs` files are left out: they re-export names, and hold what the
+/// files of their folder share.
+#[test]
+fn no_file_names_itself_by_a_detour() {
+    let mut left = Modules::read().edges();
+    assert!(left.len() > 300, "{}", left.len());
+    loop {
+        let named: BTreeSet<_> = left.values().flatten().cloned().collect();
+        let before = left.len();
+        let files: BTreeSet<_> = left.keys().cloned().collect();
+        left.retain(|file, names| named.contains(file) && !names.is_disjoint(&files));
+        if left.len() == before {
+            break;
+        }
+    }
+    let files: BTreeSet<_> = left.keys().cloned().collect();
+    let circles = left.iter().map(|(file, names)| {
+        let names = names.intersection(&files).map(|name| name.join("::"));
+        format!(
+            "{} names {}",
+            file.join("::"),
+            names.collect::<Vec<_>>().join(", ")
+        )
+    });
+    let circles: Vec<_> = circles.collect();
+    assert!(
+        circles.is_empty(),
+        "in circles, or between two: {circles:#?}"
+    );
 }

@@ -7,7 +7,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-/// What the compiler is pointed at: the crate, its tests and the benchmarks that `Cargo.toml` lists.
+/// What the compiler is pointed at: the crate, its tests, and the other targets whose paths `Cargo.toml` lists.
 fn roots(package: &Path) -> Vec<PathBuf> {
     let manifest = fs::read_to_string(package.join("Cargo.toml")).expect("a manifest");
     let listed = manifest.lines().filter_map(|line| {
@@ -77,7 +77,7 @@ fn every_file_is_compiled() {
         }
     }
     let all = ["src", "tests"].map(|folder| files_under(&package.join(folder)));
-    // A package of its own.
+    // The fuzz targets are a package of their own.
     let fuzz = package.join("tests/fuzz");
     let is_ours = |file: &&PathBuf| {
         file.extension().is_some_and(|kind| kind == "rs") && !file.starts_with(&fuzz)

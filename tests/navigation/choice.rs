@@ -1,4 +1,5 @@
-//! Automatic planes, and which word about the camera counts.
+//! Fitted near and far planes hold what is in front of the eye. Flags beat the scene file, and the scene file beats
+//! framing.
 
 use crate::{
     UP_AXES,
@@ -197,7 +198,7 @@ fn what_is_chosen_is_what_the_camera_has() {
     });
     assert_eq!((from.eye(), from.target()), (eye, bounds.center()));
 
-    // A target alone is seen from where framing would see it.
+    // A target alone is seen from the direction that framing takes.
     let at = resolve(CameraChoice {
         target: Some(eye),
         ..none
@@ -221,7 +222,7 @@ fn what_is_chosen_is_what_the_camera_has() {
             (look / look.abs().max_element()).normalize(),
             1e-14,
         );
-        // Without an eye it is one that has everything in the picture.
+        // Without an eye, the middle of the scene is shown in the middle of the picture.
         let around = resolve(CameraChoice {
             look: Some(look),
             ..none
@@ -266,6 +267,31 @@ fn an_empty_scene_has_a_camera_too() {
     }
 }
 
+/// The target of a tiny scene's camera may round to its eye. Near and far are positive nevertheless.
+#[test]
+fn a_tiny_scene_may_lie_behind_an_eye_that_is_far_from_it() {
+    for size in [1e-16, 1e-17, 1e-50, 1e-97] {
+        let half = DVec3::splat(0.5 * size);
+        let bounds = Aabb {
+            min: -half,
+            max: half,
+        };
+        for look in [DVec3::Z, DVec3::NEG_Z, DVec3::X] {
+            let choice = CameraChoice {
+                eye: Some(DVec3::Z),
+                look: Some(look),
+                ..CameraChoice::default()
+            };
+            let camera = choice.resolve(&bounds, viewport(640, 360));
+            let lens = *camera.expect("a camera").lens();
+            assert!(
+                0.0 < lens.near && lens.near < lens.far,
+                "{size} {look} {lens:?}"
+            );
+        }
+    }
+}
+
 #[test]
 fn looking_along_the_up_axis_needs_no_up() {
     let size = viewport(64, 48);
@@ -279,7 +305,7 @@ fn looking_along_the_up_axis_needs_no_up() {
                 ..CameraChoice::default()
             };
             let camera = choice.resolve(&unit_box(), size).unwrap();
-            // As orbiting there would end: what is to the right stays there.
+            // The view is as if the camera had orbited there: what is to the right stays to the right.
             assert_near(camera.right(), frame.x_axis, 1e-15);
             assert_near(camera.up(), -side * frame.z_axis, 1e-15);
             // An up that was chosen is not replaced.

@@ -1,4 +1,5 @@
-//! Choosing a view: orbit and framing; `choice` for planes and flags.
+//! Turning, zooming and panning keep the point under the hand where it belongs, and framing shows everything. `choice`
+//! tests planes and flags.
 #![cfg(feature = "window")]
 
 mod choice;
@@ -26,7 +27,7 @@ fn unit_box() -> Aabb {
     }
 }
 
-/// An orbit as in the window after some turning.
+/// Orbits as in the window after some turning.
 fn orbits() -> Vec<Orbit> {
     let mut random = Random::new(7);
     let mut orbits = Vec::new();
@@ -58,7 +59,7 @@ fn straight_up_and_down_are_ordinary_views() {
         for (turn, up) in [(100.0, -frame.z_axis), (-100.0, frame.z_axis)] {
             let mut orbit = Orbit::framing(&unit_box(), up_axis, 0.8, 1.0);
             orbit.look_from(up_axis, DVec3::Z);
-            // Far past the pole: it stops there.
+            // A turn far past the pole stops at the pole.
             orbit.turn(DVec3::ZERO, 0.0, turn);
             let camera = orbit.camera(lens).unwrap();
             assert_near(camera.forward(), -turn.signum() * up_axis.up(), 1e-15);
@@ -109,7 +110,7 @@ fn an_orbit_is_its_cameras_orbit() {
         .iter()
         .map(|orbit| orbit.camera(lens).unwrap())
         .collect();
-    // And cameras that nobody orbited: leaning, upside down, straight down.
+    // Also cameras that nobody orbited: leaning, upside down, straight down.
     for _ in 0..20 {
         let (eye, up) = (random.point(9.0), random.direction());
         cameras.push(Camera::new(eye, random.point(1.0), up, lens).unwrap());
@@ -119,7 +120,7 @@ fn an_orbit_is_its_cameras_orbit() {
     for up_axis in UP_AXES {
         for camera in &cameras {
             let again = Orbit::of_camera(camera, up_axis).camera(lens).unwrap();
-            // Not to the bit, but to a few units in the last place of the eye's coordinates.
+            // The cameras are equal to a few units in the last place of the eye's coordinates, not to the bit.
             assert_eq!(again.target(), camera.target());
             let size = camera.eye().length() + camera.target().length();
             assert!(again.eye().distance(camera.eye()) <= 4.0 * f64::EPSILON * size);
@@ -234,7 +235,7 @@ fn framing_shows_everything_within_the_planes() {
                         assert!(ndc.z >= 0.0, "{ndc} is beyond the far plane");
                         largest = largest.max(ndc.x.abs()).max(ndc.y.abs());
                     }
-                    // And it is as large as possible, unless the lens is so wide that only the scene's sphere counts.
+                    // The scene is not tiny in the picture, unless the lens is so wide that only its sphere counts.
                     let wide = fov > 90.0;
                     assert!(
                         extent == 0.0 || wide || largest > 0.1,

@@ -9,7 +9,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-/// A load that takes longer hangs. All loads here take less than a second; with quadratic time they took minutes.
+/// A load that takes longer counts as hung. All loads here take less than a second; in quadratic time, minutes.
 const HANGS: Duration = Duration::from_secs(10);
 
 /// Loads an OBJ file with this text, beside an MTL file.

@@ -1,4 +1,4 @@
-//! Loading of OBJ files, good and hostile: the mesh has what the file says, and bad files are refused with one line.
+//! A mesh loaded from an OBJ file has what the file says. Bad files, hostile ones too, are refused with one line.
 #![cfg(feature = "window")]
 
 mod adverse;

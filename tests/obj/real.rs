@@ -1,4 +1,4 @@
-//! Files made by other programs: the results are compared with the counts of another reader.
+//! Files made by other programs load with the counts that another reader found. Hostile files get their known verdict.
 
 use super::{bounds, common::shared};
 use sightline::scene::{Progress, obj::load};
@@ -35,7 +35,7 @@ fn models_hold_what_they_should() {
             "{name}: {triangles} of {all}"
         );
 
-        // As counted, with two exceptions: a group beside an object, and an object without faces.
+        // Two files differ from the counts: one has a group beside an object, one an object without faces.
         let objects = match name {
             "cornell_box.obj" => 8,
             "bunny10k_textured.obj" => 1,

@@ -1,4 +1,4 @@
-//! Files that are refused: the message is one line that names the file, the line and the fault.
+//! A refused file gets one line that names the file, the line in it and the fault.
 
 use super::{CUBE, Folder, refusal};
 use sightline::scene::{

@@ -1,4 +1,5 @@
-//! Normals and vertex colours.
+//! Normals are the file's where it has them, and else computed: smooth over gentle bends, flat beside sharp edges.
+//! Vertex colours stay with their vertices.
 
 use super::{CUBE, Folder, mesh, triangles, vector_area};
 use glam::{DVec3, Vec3};

@@ -1,4 +1,4 @@
-//! Polygons and coordinates: the triangles cover the file's polygons, at the file's coordinates.
+//! Triangles cover exactly the file's polygons, at the file's coordinates.
 
 use super::{CUBE, Folder, bounds, mesh, triangles, vector_area};
 use glam::DVec3;

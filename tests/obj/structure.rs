@@ -1,4 +1,4 @@
-//! Objects, groups and materials, and the different ways to write the same file.
+//! Objects, groups and materials are those of the file, whichever way it is written.
 
 use super::{CUBE, Folder, bounds, mesh, parts};
 use glam::DVec3;
@@ -6,7 +6,7 @@ use sightline::colour::Srgb;
 
 const RED: &[u8] = b"newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n";
 
-/// Three triangles of a strip over vertices 1 to 5.
+/// Vertices 1 to 5 of a strip of three triangles.
 const STRIP: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 2 0\n";
 
 #[test]

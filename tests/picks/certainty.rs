@@ -1,5 +1,5 @@
-//! A pick's `differs_px` and `exact` are true: checked against nearby pixels and exact arithmetic. For `edge_px` see
-//! `edges`.
+//! A pick's `differs_px` and `exact` are right, checked against all pixels and on cases that `f64` cannot decide. For
+//! `edge_px` see `edges`.
 
 use crate::common::{Random, mesh, orthographic, perspective, scene_of, view};
 use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2};
@@ -10,7 +10,7 @@ use sightline::{
     scene::{Object, Scene, Shape},
 };
 
-/// Triangles and squares of many sizes, some touching, in a picture of 80 x 60.
+/// Quads, spheres and squares of many sizes, some touching, in a picture of 80 x 60.
 fn crowded() -> (Scene, View) {
     let mut random = Random::new(51);
     let mut objects = Vec::new();
@@ -108,21 +108,21 @@ fn exact_says_when_f64_cannot_decide() {
         picks.iter().map(|pick| pick.exact).collect()
     };
     let (beside, diagonal) = (dvec2(9.5, 3.5), dvec2(9.5, 6.5));
-    // The quad alone: only on the diagonal, where both triangles are hit.
+    // The quad alone: exact only on the diagonal, where both triangles are hit.
     let one = Scene::new(vec![object(sheet(0.0))]);
     assert_eq!(exact(&one, beside), [false]);
     assert_eq!(exact(&one, diagonal), [true, true]);
-    // A hit is not in doubt because of what lies behind it.
+    // What lies behind a hit does not put it in doubt.
     let mut two = Scene::new(vec![object(Shape::Square), object(sheet(-3.0))]);
     let front = dvec2(8.25, 7.75);
     assert_eq!(exact(&two, front), [false, true, true]);
-    // Nor because of hidden objects.
+    // Hidden objects do not either.
     two.set_visible(1, false);
     assert_eq!(exact(&two, front), [false]);
     let mut solid = Scene::new(vec![object(Shape::Square), object(Shape::Cube)]);
     solid.set_visible(1, false);
     assert_eq!(exact(&solid, front), [false]);
-    // The same triangle twice in one mesh: which is nearer takes exact arithmetic.
+    // The same triangle twice in one mesh: exact arithmetic decides which is nearer.
     let corners = vec![[-8.0, -8.0, 0.0], [8.0, -8.0, 0.1], [0.0, 8.0, 0.3_f32]];
     let twice = mesh(corners, vec![[0, 1, 2], [1, 2, 0]], DVec3::ZERO);
     let twice = Scene::new(vec![object(Shape::Mesh {

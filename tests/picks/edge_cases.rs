@@ -50,7 +50,7 @@ fn surface_point(random: &mut Random, shape: &Shape) -> DVec3 {
     }
 }
 
-/// The position of a random point of the object that the picture shows; `None` when none of a few tries is shown.
+/// A case at the position where the picture shows a random point of the object; `None` if no try is shown.
 fn aimed(random: &mut Random, shape: &Shape, model: DAffine3, view: View) -> Option<Case> {
     let placement = Placement::new(model).ok()?;
     let px = (0..50).find_map(|_| Some(shown_point(random, shape, &placement, &view)?.px))?;
@@ -58,7 +58,7 @@ fn aimed(random: &mut Random, shape: &Shape, model: DAffine3, view: View) -> Opt
     Some(Case { object, view, px })
 }
 
-/// The pixel position of a random point of a shape.
+/// Where the picture shows a random point of a shape; `None` outside the picture or before the near plane.
 fn shown_point(
     random: &mut Random,
     shape: &Shape,
@@ -110,7 +110,7 @@ fn cut(random: &mut Random, shape: &Shape) -> Option<Case> {
     let lens = lens(random, fov, near);
     let view = looking(random, eye, lens);
     let placement = Placement::new(placement(random)).ok()?;
-    // The point of several that is closest to the cut.
+    // Of several shown points, the one closest to the cut.
     let shown = (0..50).filter_map(|_| shown_point(random, shape, &placement, &view));
     let px = shown.min_by(|a, b| a.depth.total_cmp(&b.depth))?.px;
     let object = Object::new("it", shape.clone(), placement);
@@ -127,7 +127,7 @@ fn tiny_near(random: &mut Random, shape: &Shape) -> Option<Case> {
     aimed(random, shape, model, view)
 }
 
-/// Close to an edge of the shape as the picture shows it.
+/// A position close to an edge of the shape as the picture shows it.
 fn near_an_edge(random: &mut Random, shape: &Shape) -> Option<Case> {
     let Case { object, view, px } = ordinary(random, shape)?;
     let scene = Scene::new(vec![object.clone()]);
@@ -149,7 +149,7 @@ fn near_an_edge(random: &mut Random, shape: &Shape) -> Option<Case> {
     })
 }
 
-/// From up to 1e9 sizes away, through a lens that fills the picture.
+/// An eye up to 1e9 sizes away, and a lens through which the object fills the picture.
 fn far_away(random: &mut Random, shape: &Shape) -> Option<Case> {
     let distance = 10_f64.powf(random.within(2.0, 9.0));
     let fov = (2.0 / distance).atan().to_degrees() * random.within(0.3, 2.0);
@@ -160,7 +160,7 @@ fn far_away(random: &mut Random, shape: &Shape) -> Option<Case> {
     aimed(random, shape, model, view)
 }
 
-/// Up to 179 degrees wide, with outlines that are hyperbolas.
+/// Lenses up to 179 degrees wide, through which outlines are hyperbolas.
 fn wide_lens(random: &mut Random, shape: &Shape) -> Option<Case> {
     let lens = perspective(
         random.within(120.0, 179.0),

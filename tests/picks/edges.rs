@@ -17,11 +17,11 @@ use sightline::{
 struct Counts {
     /// Positions where the object is picked.
     picked: u32,
-    /// Of these, no edge lies behind the near plane.
+    /// Those of them where no edge lies beyond the near plane.
     none: u32,
-    /// Of these, the nearest point is where the near plane cuts an edge.
+    /// Those of them where the nearest point is where the near plane cuts an edge.
     cut: u32,
-    /// Less exact than promised, or a number in place of null, or the reverse.
+    /// Those of them where `edge_px` is less exact than promised, or a number in place of null, or the reverse.
     wrong: u32,
 }
 

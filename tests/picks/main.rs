@@ -1,4 +1,4 @@
-//! Pick records: their fields agree with each other, with the picture, and with how sure they claim to be.
+//! The fields of a pick's record agree with each other and with the picture, and say rightly how sure the pick is.
 #![cfg(feature = "window")]
 
 mod certainty;
@@ -24,7 +24,7 @@ use sightline::{
     verify,
 };
 
-/// One of every shape, one behind the other, about a point.
+/// Two of every shape about a point, under eight kinds of model matrices.
 fn mixed(center: DVec3) -> Scene {
     let positions = vec![
         [-1.0, -1.0, 0.3],
@@ -297,7 +297,7 @@ fn nothing_changes_far_from_the_origin() {
                 (b.id, b.triangle, b.front),
                 "at {px}"
             );
-            // Coordinates of 1e6 are stored to 1e-10, which a slanted surface multiplies.
+            // Coordinates of 1e6 are stored to 1e-10. A slanted surface multiplies that error.
             let cos = view_here.ray(px).direction.dot(a.normal_world).abs();
             assert!((a.t - b.t).abs() <= 1e-8 / cos);
             assert!((b.point_world - offset).distance(a.point_world) <= 1e-8 / cos);
@@ -354,7 +354,7 @@ fn json_has_the_documented_fields_in_order_and_no_nan() {
 
 #[test]
 fn records_are_finite_from_any_eye() {
-    // From inside objects, on their surfaces, just before them, and from far away.
+    // Eyes are inside objects, just before them, and far away.
     let scene = mixed(DVec3::ZERO);
     let mut random = Random::new(44);
     let mut hits = 0;

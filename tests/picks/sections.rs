@@ -94,7 +94,8 @@ fn polygon_px(case: &Case, corners: &[DVec3]) -> Option<(f64, bool)> {
     sides.min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// The same for a sphere's outline: sampled, and refined about the nearest sample and about each end.
+/// The same for a sphere's outline: by bisection to each end that the section makes, and by a search for the minimum
+/// between neighbouring samples.
 fn outline_px(case: &Case) -> Option<(f64, bool)> {
     const STEPS: u32 = 4000;
     let camera = &case.view.camera;
@@ -142,7 +143,7 @@ fn outline_px(case: &Case) -> Option<(f64, bool)> {
         } else if !at_from {
             continue;
         }
-        // The least in the interval: distances have one minimum in one this short.
+        // Distances have one minimum in an interval this short.
         for _ in 0..80 {
             let [a, b] = [from + (to - from) / 3.0, to - (to - from) / 3.0];
             if px(a) < px(b) {
@@ -151,7 +152,7 @@ fn outline_px(case: &Case) -> Option<(f64, bool)> {
                 from = a;
             }
         }
-        // At an end, the end itself counts.
+        // The small extra makes an end itself count where the minimum is at the end.
         found(px(0.5 * (from + to)) + 1e-12, false);
     }
     best
@@ -214,7 +215,7 @@ fn edges_and_outlines_count_as_far_as_a_section_keeps_them() {
     }
 }
 
-/// A ball whose front is cut away shows its back if both sides show; the plane itself is kept.
+/// A ball whose front is cut away shows its back if both sides show. Points in the plane itself are kept.
 #[test]
 fn a_solid_that_is_opened_shows_its_back() {
     let ball = Object::new("ball", Shape::Sphere, Placement::IDENTITY);
@@ -229,7 +230,7 @@ fn a_solid_that_is_opened_shows_its_back() {
         (0.5_f64.next_down(), Sides::Both, Some(false)),
         (0.0, Sides::Both, Some(false)),
         (0.0, Sides::Front, None),
-        // The exit lies in it.
+        // The exit lies in the plane.
         (-0.5, Sides::Both, Some(false)),
         ((-0.5_f64).next_down(), Sides::Both, None),
     ] {
@@ -276,7 +277,7 @@ fn three_points_span_a_plane_or_lie_on_a_line_exactly() {
     }
 }
 
-/// Cut in half across the line of sight, a ball has its outline exactly in the plane, which is kept.
+/// A ball cut in half across the line of sight has its outline exactly in the section's plane, which is kept.
 #[test]
 fn an_outline_in_the_sections_plane_counts() {
     let ball = Object::new("ball", Shape::Sphere, Placement::IDENTITY);

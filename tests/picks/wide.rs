@@ -137,7 +137,7 @@ impl Truth {
         v.to_array().map(|x| self.wide(x))
     }
 
-    /// Coordinates along R, U and F from the eye; that along F is t.
+    /// Coordinates along R, U and F from the eye. The one along F is t.
     fn coordinates(&self, world: &V) -> V {
         let q = minus(world, &self.eye);
         self.dual.each_ref().map(|row| dot(row, &q))
@@ -216,7 +216,8 @@ impl Truth {
         Some((foot.sqrt(), false))
     }
 
-    /// Distance in pixels to the part of a sphere's outline behind the near plane, and whether it ends there.
+    /// Distance in pixels to the part of a sphere's outline beyond the near plane, and whether one of that part's ends
+    /// is nearest.
     pub fn outline_px(&self, placement: &Placement) -> Option<(f64, bool)> {
         Outline::new(self, placement)?.distance_px()
     }
@@ -277,7 +278,7 @@ impl<'a> Outline<'a> {
         })
     }
 
-    /// The point at a parameter in [-2, 2]; each unit is a quarter of the circle, 0 in the middle.
+    /// The point at a parameter in [-2, 2]. Each unit is a quarter of the circle; 0 is in the middle.
     fn at(&self, s: &Wide) -> V {
         let wide = |x| self.truth.wide(x);
         let minus = |x: Wide| wide(0.0) - x;
@@ -309,7 +310,7 @@ impl<'a> Outline<'a> {
     fn distance_px(mut self) -> Option<(f64, bool)> {
         let truth = self.truth;
         let [zero, one] = [0.0, 1.0].map(|x| truth.wide(x));
-        // Rotated so that the deepest point is at 0.
+        // The circle is turned so that its deepest point is at 0.
         let [slope_0, slope_1] = self.radii.each_ref().map(|radius| radius[2].clone());
         let amplitude = (&slope_0 * &slope_0 + &slope_1 * &slope_1).sqrt();
         let missing = &truth.near - &self.center[2];
@@ -340,7 +341,7 @@ impl<'a> Outline<'a> {
 }
 
 /// Where a squared distance is least within an interval, and its value there. Samples the interval, then recursively
-/// the neighbourhood of each local minimum, until neighbours differ by no more than is asked for.
+/// the neighbourhood of each local minimum, until neighbours hardly differ.
 fn least(
     start: &Wide,
     end: &Wide,

@@ -39,7 +39,7 @@ fn views() -> [View; 3] {
     ]
 }
 
-/// Every picture of a view: ids, colours with edges of triangles, marks, at one sample and smooth.
+/// Every picture of a view: ids, colours without and with edges of triangles, and marks, each at one sample and smooth.
 fn all_of(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<Image<Id>>, Vec<Image<Rgb>>) {
     let mut ids = Vec::new();
     let mut colours = Vec::new();
@@ -66,7 +66,7 @@ fn all_of(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<Image<Id>>, Vec<Image<R
     (ids, colours)
 }
 
-/// Asserts equal counts of pictures, equal to the bit.
+/// Asserts that both lists hold the same pictures, to the bit.
 #[track_caller]
 fn assert_same<T: Copy + PartialEq>(some: &[Image<T>], others: &[Image<T>]) {
     assert_eq!(some.len(), others.len());

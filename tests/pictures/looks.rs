@@ -62,7 +62,7 @@ fn colours_of_pictures_stand_in_one_place() {
     assert!(seen > 30, "{seen} files");
 }
 
-/// From anywhere around the demo, no pixel of an object is darker than this share of 1.
+/// From anywhere around the demo, no pixel of an object has a luminance below this; white has 1.
 const NEAR_BLACK: f32 = 0.025;
 
 #[test]
@@ -97,8 +97,8 @@ fn no_face_of_the_demo_is_near_black() {
     assert!(darkest > NEAR_BLACK, "{darkest}");
 }
 
-/// It is as bright as before and near its own colour, so form, shading and colour can still be seen. The adapter draws
-/// what `look` computes.
+/// A selected surface is as bright as before and near its own colour, so that form, shading and colour can still be
+/// seen. The adapter draws what `look` computes.
 #[test]
 fn a_selected_surface_keeps_its_colour() {
     let gpu = gpu();

@@ -93,7 +93,7 @@ fn drawn_colours_equal_cast_colours() {
         camera,
         ..perspective_view
     };
-    // Cut open: insides show, lit like outsides.
+    // Near and far cut objects open. Insides show, lit like outsides.
     let lens = perspective(40.0, 6.9, 8.0);
     let camera = perspective_view.camera.with_lens(lens).expect("a lens");
     let cut = View {
@@ -223,7 +223,7 @@ fn several_samples_smooth_every_outline() {
     let (smooth_ids, smooth, _) = draw(&gpu, &scene, &view, &[], &Marks::default(), 4);
     show("smooth", &smooth);
     assert_eq!(differing(&ids, &smooth_ids), 0, "ids have one sample");
-    // Mesh, sphere, cube, square: each one's border pixels are blended, others are not.
+    // Mesh, sphere, cube, square: more than a fifth of each one's border pixels are blended.
     for object in [2, 3, 8, 10] {
         let own = || {
             ids.positions().filter(|&(x, y)| {

@@ -42,7 +42,7 @@ fn shape(i: usize, plate: &Shape) -> Shape {
     }
 }
 
-/// Anywhere within 20 of the origin, rotated, sheared and sometimes mirrored.
+/// Anywhere within 20 of the origin along each axis, rotated, stretched and sometimes mirrored.
 fn model(random: &mut Random) -> DAffine3 {
     let turned = DMat3::from_axis_angle(random.direction(), random.within(0.0, 6.0));
     let mut scale = DVec3::new(1.0, 0.6, 1.4) * random.within(0.5, 2.0);
@@ -115,7 +115,7 @@ fn what_lies_beside_the_picture_is_left_out_and_nothing_else() {
         );
         assert_eq!(report.count(verify::Class::Unexplained), 0, "{view:?}");
         seen += picked.pixels().iter().filter(|id| id.object > 0).count();
-        // In pieces, which use transforms as they are composed: the same.
+        // The ids are the same when drawn in pieces, which use transforms as they are composed.
         let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
         let mut drawing = Drawing::of_scene(1, &view, Vec::new());
         let piece = Piece {
@@ -138,8 +138,8 @@ fn what_lies_beside_the_picture_is_left_out_and_nothing_else() {
     assert!(drawn > whole / 200, "{drawn} of {whole}");
 }
 
-/// Faces of all kinds in one plane before the eye, with borders between pixels. Their depths are all equal and exact in
-/// `f32`.
+/// Faces of all flat kinds lie in one plane before the eye, with borders between pixels. Their depths are all equal and
+/// exact in `f32`.
 #[test]
 fn of_surfaces_in_one_place_the_lower_object_is_drawn_whatever_its_kind() {
     let gpu = gpu();
@@ -197,7 +197,7 @@ fn what_changes_among_many_is_drawn_as_if_it_had_always_been_so() {
     let mut before = ids(&gpu, &buffers, &view);
     let mut changed = 0;
     for i in 0..60 {
-        // A seen object or any; shown or hidden; before the eye or anywhere.
+        // A seen object, or any, is shown, hidden, or placed before the eye or anywhere.
         let at = (random.below(160), random.below(100));
         let seen = before.at(
             u32::try_from(at.0).expect("few"),

@@ -1,4 +1,5 @@
-//! What is drawn over the scene: the selection, lines and wireframes; and where in the window the picture goes.
+//! The selection, lines and wireframes are drawn over the scene and change no id. The picture goes where the window
+//! wants it.
 
 use crate::{
     common::orthographic,
@@ -106,7 +107,7 @@ fn lines_are_in_the_picture_and_not_in_the_ids() {
                     .filter(|&(x, y)| colours.at(x, y) == colour.0)
             };
             assert!(samples == 4 || pixels().count() > 1000, "the grid shows");
-            // Hidden by what stands on the floor.
+            // What stands on the floor hides the grid.
             let on_ball = pixels().filter(|&(x, y)| ids.at(x, y).object == 2);
             assert!(on_ball.count() < 100, "the grid lies behind the mesh");
         }

@@ -1,4 +1,4 @@
-//! A picture drawn in pieces equals one drawn at once, and changes of a scene are uploaded piece by piece.
+//! A picture drawn in pieces equals one drawn at once. A changed scene is drawn like a new one.
 
 use super::*;
 use glam::DAffine3;
@@ -51,7 +51,7 @@ fn in_pieces(
     )
 }
 
-/// A mesh.
+/// The floor, a square.
 const SELECTED: usize = 0;
 
 fn line() -> Line {
@@ -85,7 +85,7 @@ fn pieces_make_the_whole_picture() {
     }
 }
 
-/// Single rows of tables are written; after a mirroring, all rows.
+/// A move writes single rows of tables. A mirroring writes all rows.
 #[test]
 fn objects_that_move_are_drawn_where_they_are() {
     let gpu = gpu();
@@ -98,7 +98,7 @@ fn objects_that_move_are_drawn_where_they_are() {
     let mirror = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
     let up = DAffine3::from_translation(DVec3::new(0.1, 0.3, 0.0));
     for by in [up, mirror] {
-        // Without mirroring only single rows: none of these objects is one of several parts.
+        // Without mirroring only single rows are written: none of these objects is one of several parts.
         for object in [0, 1, 6, 9] {
             let model = by * scene.objects()[object].placement.model();
             scene.place(object, Placement::new(model).expect("invertible"));

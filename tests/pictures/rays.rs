@@ -1,4 +1,4 @@
-//! A picture that rays found takes the place of a drawn one.
+//! A picture that rays found looks like a drawn one, so that it can take its place.
 
 use crate::{
     differing, draw,
@@ -35,7 +35,7 @@ fn lines() -> Vec<Line> {
     (-12..=12).flat_map(across).collect()
 }
 
-/// What rays find, taken into targets of so many samples, and the finished picture with an object selected.
+/// What rays find, the targets with so many samples that take it, and the finished picture with an object selected.
 fn by_rays(
     gpu: &Gpu,
     scene: &Scene,
@@ -63,7 +63,7 @@ fn by_rays(
     (pixels, targets, picture.expect("a picture"))
 }
 
-/// Of each lens, cut, and of front sides alone.
+/// A view through each kind of lens, one with a section, and one of front sides alone.
 fn views() -> [(&'static str, View); 5] {
     let plain = overview([640, 400]);
     let lens = *plain.camera.lens();
@@ -96,8 +96,8 @@ fn views() -> [(&'static str, View); 5] {
     ]
 }
 
-/// Colours, ids, lines hidden by what is before them, tint and outline: all but some pixels at outlines, where drawing
-/// and picking may differ, are as drawn.
+/// Colours, ids, lines behind objects, tint and outline are as drawn, except for some pixels at outlines, where drawing
+/// and picking may differ.
 #[test]
 fn pixels_that_rays_found_look_as_if_drawn() {
     let (gpu, scene, lines) = (gpu(), shapes(DVec3::ZERO), lines());
@@ -165,7 +165,7 @@ fn a_mask_that_rays_found_outlines_as_a_drawn_one() {
             picture.expect("a picture")
         };
         let by_drawing = marked(object, None);
-        // Leaves another mask behind.
+        // This leaves another mask behind.
         let other = marked(1, None);
         let mask = pick::mask_until(&scene, &view, object, deadline).expect("in time");
         let by_rays = marked(object, Some(&mask));

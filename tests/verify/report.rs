@@ -1,4 +1,4 @@
-//! A report judges differing pixels by class and count, and paints them as documented. The reports are made by hand.
+//! A report judges differing pixels by class and count, and painting tints and marks them. The reports are handmade.
 
 use sightline::{
     camera::Viewport,

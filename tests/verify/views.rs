@@ -1,8 +1,8 @@
 //! Drawing in `f32` stays within its bounds, or verify says that the view is beyond `f32`. The scenes are the families
 //! that `tests/exact_picks` compares with exact arithmetic.
 //!
-//! `SIGHTLINE_VIEWS=1000 cargo test --locked --release --test verify -- --nocapture views` compares that many views of each
-//! family and prints a line for each.
+//! `SIGHTLINE_VIEWS=1000 cargo test --locked --release --test verify -- --nocapture views` compares that many views of
+//! each family and prints a line for each.
 
 use crate::{
     blocks::{Layout, Sample, chance},

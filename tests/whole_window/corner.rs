@@ -1,4 +1,4 @@
-//! What stands over the picture: the mark of a hit, the axes' cross, the grid's step.
+//! The picture carries the mark of a hit, a cross of axes that can be clicked, and the grid's step.
 
 use super::*;
 use egui::vec2;
@@ -8,7 +8,7 @@ use sightline::{
     look,
 };
 
-/// The pixel of a picture at this offset from the middle of the scene's rectangle.
+/// The pixel of a window's picture at this offset from the middle of the scene's rectangle.
 fn beside(picture: &Image<Rgb>, [x, y]: [i32; 2]) -> Rgb {
     let [column, row] =
         [(590, x), (360, y)].map(|(middle, by): (u32, i32)| middle.strict_add_signed(by));
@@ -22,7 +22,7 @@ fn is_mark(pixel: Rgb) -> bool {
         .all(|(a, b)| a.abs_diff(b) < 40)
 }
 
-/// A hit is marked on whatever shape it is, here a cube and a sphere. A back face has another mark.
+/// A hit is marked on any shape, here a cube and a sphere. A hit on a back face has another mark.
 #[test]
 fn a_hit_has_a_mark_and_a_back_face_another() {
     hits_are_marked(Key::Num1, "front");
@@ -45,7 +45,7 @@ fn hits_are_marked(view: Key, object: &str) {
     assert!(pick(&window).is_some_and(|hit| !hit.front));
     assert_eq!(selected(&window), Some(object));
     let back = window.picture().expect("a picture");
-    // The ring, right of the middle and above it; then what is inside it.
+    // The ring is checked right of the middle and above it, then two pixels inside it.
     for ring in [[7, 0], [0, -7]] {
         assert!(!is_mark(beside(&bare, ring)));
         assert!(
@@ -55,7 +55,7 @@ fn hits_are_marked(view: Key, object: &str) {
     }
     assert!(is_mark(beside(&front, [0, 0])) && is_mark(beside(&back, [0, 0])));
     assert!(!is_mark(beside(&front, [3, 3])) && is_mark(beside(&back, [3, 3])));
-    // Nothing selected, nothing marked.
+    // Without a selection there is no mark.
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     assert!(!is_mark(beside(
         &window.picture().expect("a picture"),

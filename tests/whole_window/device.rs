@@ -1,4 +1,4 @@
-//! Nothing is lost with a lost device.
+//! A lost device is replaced, and nothing else is lost. What a device refuses is an error and no panic.
 
 use super::{MIDDLE, click, press_key, row, selected};
 use egui::{Key, Modifiers};

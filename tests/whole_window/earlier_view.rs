@@ -10,7 +10,7 @@ const NONE: Modifiers = Modifiers::NONE;
 /// A change of the view.
 type Does = fn(&mut Offscreen);
 
-/// Off the middle, on the front of the cube.
+/// A point beside the middle, on the front of the cube.
 fn aside() -> Pos2 {
     MIDDLE + vec2(13.0, 7.0)
 }
@@ -82,7 +82,7 @@ fn what_is_copied_repeats_the_pick_after_any_change_of_view() {
         assert_eq!(selected(&window), Some("front"), "{name}");
         assert_eq!(picked_px(&window), at, "{name}");
         assert!(says(&window, "Picked in an earlier view"), "{name}");
-        assert_eq!(says(&window, "leaves it out"), name == "near", "{name}");
+        assert_eq!(says(&window, "show the point"), name == "near", "{name}");
         assert_eq!(copied(&mut window, Key::J), json, "{name}");
         let command = copied(&mut window, Key::C);
         assert_eq!(answer(&command), json, "{name}: {command}");
@@ -110,7 +110,7 @@ fn a_view_that_comes_back_is_the_pick_s_own_again() {
     let again = copied(&mut window, Key::J);
     assert_ne!(json, again, "NDC is by other planes");
     assert_eq!(answer(&copied(&mut window, Key::C)), again);
-    // In another view the pick still belongs to the first.
+    // In another view the pick still belongs to its first view.
     press_key(&mut window, NONE, Key::Num3);
     click_on(&mut window, "show middle");
     assert!(says(&window, "earlier view"));
@@ -127,7 +127,7 @@ fn a_surface_behind_is_among_those_that_the_command_lists() {
     assert!(json.contains("\"front\":false"), "{json}");
     // Seen from the front, the back of the cube is culled.
     press_key(&mut window, NONE, Key::B);
-    assert!(says(&window, "leaves it out"));
+    assert!(says(&window, "show the point"));
     let command = copied(&mut window, Key::C);
     let all: serde_json::Value = serde_json::from_str(&answer(&command)).expect("JSON");
     let one: serde_json::Value = serde_json::from_str(&json).expect("JSON");

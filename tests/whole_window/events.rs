@@ -1,4 +1,4 @@
-//! What the mouse, the keys and dropped files do.
+//! The mouse, the keys and dropped files do what they should, and nothing where they should do nothing.
 
 use super::{
     CTRL, MIDDLE, button, click, click_on, control, drag, open, picked_px, press_key, px, row,
@@ -47,7 +47,7 @@ fn a_drag_turns_and_picks_nothing() {
         .camera
         .forward()
         .angle_between(turned.camera.forward());
-    // 0.008 radians a pixel, counted from the press.
+    // A drag turns by 0.008 radians a pixel, counted from the press.
     let (yaw, pitch) = (60.0 * 0.008_f64, 25.0 * 0.008_f64);
     let expected = (yaw.cos() * pitch.cos()).acos();
     assert!((angle - expected).abs() < 1e-6, "{angle}");
@@ -61,7 +61,7 @@ fn a_drag_turns_and_picks_nothing() {
 fn a_press_on_a_panel_never_moves_the_camera() {
     let (mut window, _folder) = row(1.0);
     let before = *window.state().view();
-    // The list, the panel beside it, the toolbar.
+    // A control of the list, one of the panel of picks, and one of the toolbar.
     for name in ["Objects", "Pick", "Reset"] {
         let panel = control(&window, name).rect.center();
         drag(&mut window, PointerButton::Primary, panel, MIDDLE);
@@ -73,7 +73,7 @@ fn a_press_on_a_panel_never_moves_the_camera() {
     }
     assert_eq!(*window.state().view(), before);
     assert_eq!(selected(&window), None);
-    // The same drag from the scene does, so the test could fail.
+    // The same drag from the scene moves the camera, so the test could fail.
     drag(
         &mut window,
         PointerButton::Primary,
@@ -113,7 +113,7 @@ fn a_double_click_on_what_is_picked_keeps_it() {
     assert_eq!((hit.object.as_str(), hit.front), ("front", true));
 }
 
-/// The lines around the picture belong to panels, and so does the margin that egui gives to the nearest widget.
+/// The lines around the picture belong to panels. So does the margin that egui gives to the nearest widget.
 #[test]
 fn a_click_outside_the_picture_never_picks() {
     for scale in [1.0, 1.5] {
@@ -123,7 +123,7 @@ fn a_click_outside_the_picture_never_picks() {
         let half = DVec2::new(viewport.width().into(), viewport.height().into()) / 2.0;
         let step = 0.5 / scale;
         let (mut inside, mut outside) = (0, 0);
-        // The left one last: it can be moved.
+        // The left border comes last, because a drag can move it.
         for along in [
             vec2(1.0, 0.0),
             vec2(0.0, -1.0),
@@ -176,7 +176,7 @@ fn eye_to_front(window: &Offscreen) -> f64 {
 fn a_trackpad_zooms_with_two_fingers_and_by_pinching_and_pans_with_shift() {
     let (mut window, _folder) = row(1.0);
     assert!((eye_to_front(&window) - 7.5).abs() < 1e-12);
-    // As trackpads send it: many small steps that add up to one line of a wheel.
+    // Trackpads send many small steps. These add up to one line of a wheel.
     window.send([Event::PointerMoved(MIDDLE)]);
     window.send((0..25).map(|_| wheel(vec2(0.0, 2.0), Modifiers::NONE)));
     let near = eye_to_front(&window);
@@ -235,7 +235,7 @@ fn messages_go_one_by_one_or_all_at_once() {
         window.drop_file(folder.path().join(format!("absent {i}.obj")));
     }
     assert_eq!(window.messages().count(), 8);
-    // The cross of the first message shown, under the button for all: the three oldest are not shown.
+    // This dismisses the first message shown, below the button for all. The three oldest messages are not shown.
     click_on(&mut window, "dismiss");
     let left: Vec<_> = window.messages().map(str::to_owned).collect();
     assert_eq!(left.len(), 7);
@@ -262,7 +262,7 @@ fn keys_act_and_typing_does_not() {
     assert!(window.state().view().camera.forward().x > 0.999);
     press_key(&mut window, none, Key::T);
     assert!(window.state().frozen().is_some());
-    // Into the search field of the list.
+    // Keys typed into the search field go there.
     let view = *window.state().view();
     click_on(&mut window, "search");
     press_key(&mut window, none, Key::Num7);

@@ -1,4 +1,4 @@
-//! What files, flags and saving do to what is shown.
+//! After files are opened, flags given or a scene saved, the window shows the right scene under the right name.
 
 use super::*;
 use glam::DVec3;
@@ -52,13 +52,13 @@ fn a_flag_that_cannot_be_is_said_and_not_used() {
     assert_eq!(window.state().name(), "row.toml");
     assert!(has(&window, "--hide") && has(&window, "near"));
     assert_eq!(window.messages().count(), 2);
-    // The flags were for the first scene.
+    // The flags apply only to the first scene.
     let next = folder.path().join("next.toml");
     std::fs::copy(&path, &next).expect("a writable folder");
     window.drop_file(next);
     assert_eq!(window.state().name(), "next.toml");
     assert_eq!(window.messages().count(), 0);
-    // An impossible camera in the file is reported as the file's fault.
+    // If the file's camera is impossible, the message names the file.
     let bad = folder.path().join("bad.toml");
     std::fs::write(&bad, ROW.replace("[camera]", "[camera]\nfov = 200")).expect("writable");
     window.drop_file(bad);
@@ -87,7 +87,7 @@ fn the_command_is_about_the_camera_whatever_shows() {
         click_on(&mut window, &format!("show {}", stage.1));
         assert_eq!(window.state().views(), Views::One(stage.0));
         assert_eq!(command(&mut window), in_world);
-        // Dragging there turns that view alone.
+        // A drag in this view turns this view alone.
         drag(
             &mut window,
             PointerButton::Primary,
@@ -116,7 +116,7 @@ fn what_is_saved_is_what_is_open_from_then_on() {
     click_on(&mut window, "Gallery");
     click_on(&mut window, "leave the gallery");
     assert_eq!(window.state().name(), "kept.toml");
-    // The user did not choose a name that we completed: a file of that name is not overwritten.
+    // A name that Sightline completed is not the user's choice, so a file of that name is not overwritten.
     let before = std::fs::read(&kept).expect("a file");
     key(&mut window, Key::Num7);
     window.save_as(folder.path().join("kept"));

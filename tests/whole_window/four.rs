@@ -1,4 +1,4 @@
-//! Four views side by side: key, labels, mouse, matrices, and that all of them are live.
+//! Four views stand side by side. All of them are live, each turns alone, and a point has one colour in all.
 
 use super::*;
 use egui::{Rect, vec2};
@@ -110,7 +110,7 @@ fn all_views_are_live_and_each_turns_alone() {
     let (mut window, _folder) = four();
     let places = rects(&window);
     let first = away(&mut window);
-    // The lens: P's numbers, the frustum and NDC, and no object's own space.
+    // The lens changes P's numbers, the frustum and NDC, but not the object's own space.
     let slider = control(&window, "P's fov").rect;
     let p_row = control(&window, "P, row x").rect;
     drag(
@@ -122,11 +122,11 @@ fn all_views_are_live_and_each_turns_alone() {
     let slid = away(&mut window);
     assert_eq!(changed(&first, &slid, places), [false, true, true, true]);
     assert!(differing(&first, &slid, p_row) > 20, "P's numbers");
-    // The camera itself: in view space the world moves.
+    // The camera moves, so in view space the world moves.
     press_key(&mut window, Modifiers::NONE, Key::Num7);
     let above = away(&mut window);
     assert_eq!(changed(&slid, &above, places), [false, true, true, true]);
-    // A drag in each.
+    // A drag in a view changes that view alone.
     let (mut before, camera) = (above, *window.state().view());
     for (i, place) in places.into_iter().enumerate() {
         drag(
@@ -193,7 +193,7 @@ fn one_made_large_is_the_single_stage_and_comes_back() {
             "{name}"
         );
     }
-    // A double click does the same, beside the objects: it selects nothing.
+    // A double click beside the objects does the same, and selects nothing.
     let corner = rects(&window)[3].right_bottom() - vec2(6.0, 6.0);
     double_click(&mut window, corner);
     assert_eq!(window.state().views(), Views::One(Stage::Ndc));
@@ -205,11 +205,11 @@ fn one_made_large_is_the_single_stage_and_comes_back() {
 #[test]
 fn a_point_has_one_colour_in_all_views_and_the_numbers() {
     let (mut window, _folder) = four();
-    // Room between the near plane and the cube.
+    // This leaves room between the near plane and the cube.
     type_into(&mut window, "near", "4");
     press_key(&mut window, Modifiers::NONE, Key::Enter);
     let places = rects(&window);
-    // On the cube's front as the view from behind the camera shows it.
+    // The point lies on the cube's front, where the world view shows it.
     let state = window.state();
     let front = state.scene().bounds_of(0).corners()[7]
         .with_x(0.2)
@@ -245,7 +245,7 @@ fn a_point_has_one_colour_in_all_views_and_the_numbers() {
         (Stage::View, Some(world), Some(pixel)),
         (Stage::Ndc, state.ndc_drawn(world), state.ndc_drawn(pixel)),
     ] {
-        // A ring about the point, a dot at the pixel.
+        // A ring marks the point, and a dot its pixel.
         let is_amber = |at, aside: i32| colour_at(stage, at, aside.into()) == Some(amber);
         assert!((-4..=4).any(|aside| is_amber(point, aside)), "{stage:?}");
         let has_pixel = stage != Stage::Object;
@@ -264,7 +264,7 @@ fn a_point_has_one_colour_in_all_views_and_the_numbers() {
     )]
     let dots = (0..12).map(|by| picture.at(x as u32 - by, y as u32));
     assert!(dots.filter(|dot| *dot == amber).count() >= 4);
-    // Its numbers stand beside it in each.
+    // In each view the point's numbers stand beside it.
     let view = window.state().view();
     let ndc = view.project(world).expect("in front").ndc;
     let object = window.state().followed().expect("a point").point_object;
@@ -296,7 +296,7 @@ fn a_row_under_the_cursor_lights_what_it_does() {
             window.send([Event::PointerMoved(at)]);
             assert!(window.state().row().is_some(), "{name}");
             let lit = window.picture().expect("a picture");
-            // The row's hint lies below the cursor, over some of the view beside.
+            // The row's hint lies below the cursor and covers a part of the object view.
             let mut places = places;
             places[0] = places[0].with_max_y(at.y - 8.0);
             let changed = changed(&dark, &lit, places);
@@ -350,7 +350,7 @@ fn a_double_click_on_nothing_makes_a_view_large_and_keeps_the_pick() {
     assert_eq!(window.state().selection(), None);
 }
 
-/// What Shift+F12 writes is what the window shows in the picture's place: the views with all that is written on them.
+/// Shift+F12 writes what the window shows in the picture's place: the four views with their labels.
 #[test]
 fn the_views_are_saved_alone_with_their_labels() {
     let (mut window, folder) = four();
@@ -375,7 +375,7 @@ fn the_views_are_saved_alone_with_their_labels() {
             [saved.size().width(), saved.size().height()],
             [width, height]
         );
-        // The message about the last picture lies over the window; the next picture must not show it.
+        // The message about the last picture lies over the window. The next picture must not show it.
         let part = shown.part([left, top], saved.size());
         let differ = (saved.pixels().iter().zip(part.pixels()))
             .filter(|(a, b)| a != b)
@@ -427,7 +427,7 @@ fn the_four_views_need_no_frozen_camera() {
     );
 }
 
-/// If there is room for one side only, the key brings the matrices to the front.
+/// If there is room for one side only, the key P brings the matrices to the front.
 #[test]
 fn the_key_of_the_matrices_shows_them_in_a_small_window() {
     let (mut window, _folder) = row(1.0);

@@ -1,4 +1,4 @@
-//! The failure gallery, by its keys: a wrong pick is shown, marked as not the default's, and goes with the gallery.
+//! The failure gallery shows a wrong pick, marks it as not the default method's, and takes it away when it is left.
 
 use super::*;
 use glam::DVec3;
@@ -9,7 +9,7 @@ use sightline::{
 
 /// The banner's yellow.
 const BANNER: Rgb = [0xf0, 0xe4, 0x42];
-/// Left of the ball of `small_and_far`, where nothing is.
+/// A point left of the ball of `small_and_far`, where there is no object.
 const BESIDE: Pos2 = pos2(345.0, 480.0);
 
 fn share_of(picture: &Image<Rgb>, colour: Rgb) -> f64 {
@@ -51,7 +51,7 @@ fn a_phantom_is_seen_under_a_banner_until_escape() {
         "{}",
         share_of(&during, BANNER)
     );
-    // Each pixel that the method gets wrong is marked, as V does it.
+    // Each pixel that the method gets wrong is marked, as V marks pixels.
     let wrong = share_of(&during, [0xd5, 0x5e, 0x00]);
     assert!(wrong > 0.05, "{wrong}");
 
@@ -63,8 +63,8 @@ fn a_phantom_is_seen_under_a_banner_until_escape() {
     assert!(share_of(&after, BANNER) < 1e-3);
 }
 
-/// Pixels with the right object but a wrong normal or position are marked as well. Sightline's own picks mark none. The
-/// panel says which of how many scenes this is.
+/// Pixels with the right object but a wrong normal or position are marked as well. With Sightline's own picks no pixel
+/// is marked. The panel gives the scene's number and the count of scenes.
 #[test]
 fn wrong_normals_and_places_are_marked() {
     const WRONG: Rgb = [0xd5, 0x5e, 0x00];
@@ -98,7 +98,7 @@ fn another_file_ends_the_gallery_and_its_method() {
     assert!(window.copied().is_some_and(|text| text.contains("front")));
 }
 
-/// One scene is about the column of pixels that looks straight along a face.
+/// One scene is about the column of pixels whose rays run along a face. It is the middle column of an odd number.
 #[test]
 fn the_picture_is_an_odd_number_of_pixels_wide() {
     for scale in [1.0, 1.25, 1.5, 2.0] {
@@ -111,7 +111,7 @@ fn the_picture_is_an_odd_number_of_pixels_wide() {
     }
 }
 
-/// A scene that was edited and left for the gallery: closing the window asks about it.
+/// A window whose edited scene was left for the gallery. Closing the window asks about that scene.
 fn edited_and_left() -> (Offscreen, TempDir) {
     let (mut window, folder) = row(1.0);
     click(&mut window, MIDDLE);
@@ -138,13 +138,13 @@ fn what_is_saved_first_is_the_scene_whose_edits_would_go() {
     let (mut window, folder) = edited_and_left();
     let kept = folder.path().join("kept.toml");
     press_key(&mut window, CTRL, Key::Q);
-    let asked = "This closes the window. What you have edited in row.toml is in no file yet.";
+    let asked = "This closes the window. Your edits in row.toml are not saved.";
     control(&window, asked);
     click_on(&mut window, "Save first\u{2026}");
     window.save_as(kept.clone());
     assert!(window.has_quit());
     assert_is_the_edited_row(&kept);
-    // Or opens other files.
+    // The same holds when other files are opened.
     let (mut window, folder) = edited_and_left();
     let kept = folder.path().join("kept.toml");
     window.drop_file(folder.path().join("row.toml"));
@@ -165,9 +165,7 @@ fn each_of_two_edited_scenes_is_asked_about() {
     let exhibit = window.state().name().to_owned();
     let count = window.state().scene().objects().len();
     window.close();
-    let asked = |of: &str| {
-        format!("This closes the window. What you have edited in {of} is in no file yet.")
-    };
+    let asked = |of: &str| format!("This closes the window. Your edits in {of} are not saved.");
     control(&window, &asked(&format!("row.toml and {exhibit}")));
     click_on(&mut window, "Save first\u{2026}");
     window.save_as(first.clone());
@@ -205,5 +203,5 @@ fn esc_goes_back_step_by_step_and_out() {
     let mut window = open(vec![PathBuf::from("gallery:needles")], 1.0);
     escape(&mut window);
     assert!(window.state().showing().is_some());
-    control(&window, "Gallery, leave the gallery: opens the demo.");
+    control(&window, "Menu Gallery, leave the gallery: opens the demo.");
 }

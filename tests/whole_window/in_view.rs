@@ -1,4 +1,4 @@
-//! What is open is in view, or a control helps; what cannot be drawn is reported.
+//! An opened scene is in view, or a control brings it there. A scene that cannot be drawn is reported.
 
 use super::*;
 use glam::DVec3;
@@ -15,7 +15,7 @@ fn is_whole(window: &Offscreen) -> bool {
     corners.into_iter().all(is_in)
 }
 
-/// Towers far apart: a wide scene, which a narrow picture crops first.
+/// A wide scene of towers far apart. A narrow picture crops it first.
 fn wide(folder: &Path) -> PathBuf {
     let path = folder.join("wide.obj");
     let tower = |i: u32| {
@@ -63,7 +63,7 @@ fn nothing_in_view_always_offers_a_way_that_helps() {
         for way in ["Frame all (A)", "A", "Reset"] {
             let (mut window, _folder) = row(1.0);
             assert!(!has_control(&window, nothing));
-            // The other plane first: near must stay before far.
+            // The other plane is set first, because near must stay before far.
             for (plane, number) in [other, (plane, typed)] {
                 type_into(&mut window, plane, number);
                 press_key(&mut window, NONE, Key::Enter);
@@ -126,13 +126,13 @@ fn a_scene_too_large_for_the_adapter_is_said_and_the_old_one_stays() {
     assert!(window.is_at_rest());
 }
 
-/// Wider than the texture limit that egui assumes by default.
+/// The picture is wider than the texture limit that egui assumes by default.
 #[test]
 fn a_wide_picture_is_compared() {
     let (mut window, _folder) = row(1.0);
     window.resize(px([2900, 400], 1.0));
     press_key(&mut window, NONE, Key::V);
-    // It stands in its place as soon as the window rests: no later frame moves it there.
+    // The card of results stands in its place as soon as the window rests. No later frame moves it.
     let mut frames = 0..5_000;
     while !(window.is_at_rest() && has_control(&window, "V closes this")) {
         assert!(frames.next().is_some(), "the check does not end");
@@ -147,13 +147,13 @@ fn a_wide_picture_is_compared() {
     assert_eq!(eye_z(&window), 10.0_f64.to_bits());
 }
 
-/// `f32` cannot hold such near planes: V says what follows, and what to do.
+/// `f32` cannot hold such near planes. V says what follows from that, and what to do.
 #[test]
 fn a_view_beyond_f32_says_what_to_do() {
     let (mut window, _folder) = row(1.0);
     let views = [
         ("1", None),
-        ("1e-36", Some("Drawing in f32 cannot hold this view.")),
+        ("1e-36", Some("f32 is too coarse to draw this view.")),
         ("1e-300", Some("Nothing is drawn where picks hit.")),
     ];
     for (near, said) in views {

@@ -1,9 +1,9 @@
-//! Inspecting by keys and clipboard.
+//! Keys save pictures, copy and paste cameras, and step through the hits on a ray. The panels say what is so.
 
 use super::*;
 use sightline::viewer::model::Overlay;
 
-/// What F12 wrote, oldest first.
+/// The files that F12 wrote, oldest first.
 fn screenshots(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("a folder");
     let mut files: Vec<_> = entries
@@ -25,7 +25,7 @@ fn f12_saves_what_is_on_screen_and_never_over_a_file() {
     assert_eq!(files, [folder.path().join("sightline-1.png")]);
     let saved = images::read(&files[0]);
     assert_eq!(saved.size(), shown.size());
-    // Only the message that it was saved is new.
+    // Only the message about saving is new.
     let differ = (saved.pixels().iter().zip(shown.pixels()))
         .filter(|(a, b)| a != b)
         .count();
@@ -76,7 +76,7 @@ fn a_camera_is_copied_and_pasted_by_keys() {
         assert!(window.messages().any(|text| text.contains(word)), "{bad}");
         assert_eq!(*window.state().view(), turned, "{bad}");
     }
-    // While a field is edited, pasted text goes there.
+    // While a field is edited, pasted text goes into the field.
     click_on(&mut window, "search");
     press_key(&mut window, Modifiers::NONE, Key::Num1);
     let before = *window.state().view();
@@ -141,7 +141,7 @@ fn esc_takes_the_measured_distance_away() {
     assert_eq!(window.state().landmarks().len(), 2);
     key(&mut window, Key::Escape);
     assert_eq!(window.state().landmarks().len(), 0);
-    // The next pick is measured from nothing.
+    // The next pick has no earlier point to be measured from.
     click(&mut window, MIDDLE);
     assert_eq!(window.state().landmarks().len(), 1);
 }

@@ -1,4 +1,4 @@
-//! Nothing is lost: undo by keys and buttons, the mark and the question about unsaved edits, saving.
+//! Nothing is lost: edits can be undone, unsaved edits are marked and asked about, and what is saved loads again.
 
 use super::*;
 use glam::DVec3;
@@ -122,7 +122,7 @@ fn edits_are_marked_and_asked_about_before_they_go() {
     assert_eq!(window.state().name(), "row.toml");
     assert_eq!(shown(&window), [false, true, true]);
 
-    // What is hidden stays hidden through a reload: there is nothing to ask.
+    // A reload keeps hidden objects hidden, so there is nothing to ask.
     press_key(&mut window, Modifiers::NONE, Key::R);
     assert!(!is_asked(&window));
     assert_eq!(shown(&window), [false, true, true]);
@@ -136,7 +136,7 @@ fn edits_are_marked_and_asked_about_before_they_go() {
     assert!(window.has_quit(), "nothing to ask");
 }
 
-/// What the Open dialog or Recent would open asks before it drops edits.
+/// Opening by the Open dialog or by Recent asks before edits are dropped.
 #[test]
 fn what_is_chosen_to_open_asks_before_edits_go() {
     type Way = fn(&mut Offscreen, &Path);
@@ -218,7 +218,7 @@ fn dropped_files_can_be_added() {
     assert_eq!(shown(&window), [false, true, true]);
     press_key(&mut window, CTRL, Key::Y);
     assert_eq!(shown(&window).len(), 6);
-    // With Shift, it is added without a question.
+    // With Shift, a dropped file is added without a question.
     window.send([Event::ModifiersChanged(Modifiers::SHIFT)]);
     window.drop_file(other);
     assert!(!is_asked(&window));
@@ -253,7 +253,7 @@ fn a_scene_is_saved_as_it_was_when_asked() {
     }
     assert!(!is_marked(&window), "back at what the file has");
 
-    // Or enters the gallery: the scene from before is saved.
+    // If the user enters the gallery meanwhile, the scene from before is saved.
     press_key(&mut window, Modifiers::NONE, Key::U);
     press_key(&mut window, CTRL, Key::S);
     press_key(&mut window, Modifiers::NONE, Key::E);

@@ -1,4 +1,4 @@
-//! Where keys go: into a field while it is edited, else to their shortcut. Every control has a name.
+//! A key goes into a field while the field is edited, else to its shortcut. Every control has a name.
 
 use super::*;
 use egui::vec2;
@@ -39,7 +39,7 @@ fn enter_commits_a_number_and_leaves_the_view() {
     assert!((window.state().controls().fov_deg - 20.0).abs() < f64::EPSILON);
     assert_eq!(eye(&window), before, "the view is not reset");
     assert_eq!(control(&window, "fov").value, "20");
-    // Nor does leaving the search field by Enter.
+    // Leaving the search field by Enter does not move the view either.
     click_on(&mut window, "search");
     press_key(&mut window, NONE, Key::Enter);
     assert_eq!(eye(&window), before);
@@ -84,13 +84,13 @@ fn arrows_step_a_number() {
         );
         assert_eq!(focused(&window), Some("fov"), "the field keeps the focus");
     }
-    // Steps from the number typed, and never to an invalid one.
+    // An arrow steps from the number typed, and never to an invalid one.
     type_into(&mut window, "fov", "179.5");
     press_key(&mut window, NONE, Key::ArrowUp);
     assert!((window.state().controls().fov_deg - 46.0).abs() < 1e-9);
     press_key(&mut window, NONE, Key::ArrowDown);
     assert!((window.state().controls().fov_deg - 178.5).abs() < 1e-9);
-    // The pose and the model matrix too.
+    // Arrows step the pose too.
     click_on(&mut window, "eye z");
     let before = eye(&window);
     press_key(&mut window, NONE, Key::ArrowUp);
@@ -136,7 +136,7 @@ fn tab_to(window: &mut Offscreen, name: &str) {
     panic!("Tab does not reach {name}");
 }
 
-/// Ctrl+S saves while a button has the focus: the scene as it was when the keys were pressed.
+/// Ctrl+S works while a button has the focus. It saves the scene as it was when the keys were pressed.
 #[test]
 fn ctrl_s_saves_while_a_button_has_the_focus() {
     let (mut window, folder) = row(1.0);
@@ -144,7 +144,7 @@ fn ctrl_s_saves_while_a_button_has_the_focus() {
     press_key(&mut window, Modifiers::SHIFT, Key::H);
     tab_to(&mut window, "Help");
     press_key(&mut window, CTRL, Key::S);
-    // What is done before the dialog is answered is not saved.
+    // Changes made before the dialog is answered are not saved.
     press_key(&mut window, NONE, Key::U);
     assert!(window.state().scene().objects()[0].visible);
     let path = folder.path().join("kept.toml");

@@ -1,21 +1,21 @@
-//! A large file is added, and read again: the window answers meanwhile, and no frame does more than its share.
+//! While a large file is added or read again, the window answers, and no frame does more than its share.
 
 use super::*;
 use egui::vec2;
 
-/// 405,000 triangles: several pieces, even after pieces have grown.
+/// Cells along each side of a ground of 405,000 triangles. It is drawn in several pieces, even after pieces have grown.
 const SIDE: u32 = 450;
 /// A frame uploads fewer objects and triangles than this.
 const LITTLE: usize = 20_000;
-/// In the picture, where nothing is.
+/// A point of the picture that shows no object.
 const NOTHING: Pos2 = pos2(480.0, 80.0);
 
-/// What frames showed until the scene was there.
+/// Counts over the frames until the new scene was there.
 #[derive(Debug, Default)]
 struct Seen {
-    /// Frames that showed the scene before it.
+    /// Frames that showed the old scene.
     before: usize,
-    /// Frames that drew some of it.
+    /// Frames that drew a part of the new scene.
     pieces: usize,
     /// The most that one frame drew.
     most: u64,

@@ -1,9 +1,9 @@
-//! The layout of panels: they fold, are dragged and change sides; the picture keeps half of the window.
+//! Panels fold, are dragged and change sides, and the picture keeps half of the window. Numbers move no control.
 
 use super::*;
 use egui::vec2;
 
-/// The part of the window that the picture has.
+/// The picture's share of the window's area.
 fn share(window: &Offscreen, size: [u32; 2]) -> f64 {
     let picture = window.state().view().viewport;
     f64::from(picture.width()) * f64::from(picture.height())
@@ -71,7 +71,7 @@ fn a_side_is_dragged_folded_and_opened() {
         assert!((now.x - to.x).abs() < 1.0, "{now} {to}");
         drag(&mut window, PointerButton::Primary, now, at);
         assert_eq!(width(&window), before, "{edge}");
-        // Dragged all the way it folds, and comes back as wide as before.
+        // A side that is dragged all the way folds. It opens as wide as before.
         let far = at - vec2(outwards * at.x.min(1280.0 - at.x), 0.0);
         drag(&mut window, PointerButton::Primary, at, far);
         assert!(!control(&window, side).is_on && width(&window) > before + 100);
@@ -105,7 +105,7 @@ fn a_panel_folds_and_changes_sides() {
     assert!(control(&window, "fov").rect.left() > MIDDLE.x);
     click_on(&mut window, "move Camera to the left");
     assert!(control(&window, "fov").rect.right() < MIDDLE.x);
-    // The list stays below it, and works.
+    // The list of objects stays below and works.
     click_on(&mut window, "back");
     assert_eq!(selected(&window), Some("back"));
     click_on(&mut window, "move Objects to the right");
@@ -134,7 +134,7 @@ fn all_of_the_toolbar_can_be_reached_at_any_width() {
         "Grid",
         "Freeze",
         "Overlays",
-        "Pipeline",
+        "Matrices",
         "Compare",
         "Gallery",
         "Look",
@@ -198,7 +198,8 @@ fn numbers_move_nothing() {
     }
 }
 
-/// A long number moves no control, neither while it is typed nor after. The field shows it shortened, its tooltip whole.
+/// A long number moves no control, neither while it is typed nor after. The field shows it shortened, the tooltip in
+/// full.
 #[test]
 fn a_long_number_moves_nothing_and_is_told_whole() {
     let (mut window, _folder) = row(1.0);
@@ -230,7 +231,7 @@ fn a_long_number_moves_nothing_and_is_told_whole() {
     }
 }
 
-/// Where each number of the matrices, and of a point's way through them, begins and ends.
+/// The left and right ends of each number of the matrices and of three steps of a point's way through them.
 fn columns(window: &Offscreen) -> Vec<[f32; 2]> {
     let of_matrix = |matrix: &str| ["x", "y", "z", "w"].map(|row| format!("{matrix}, row {row}"));
     let rows = ["P", "V", "M"].into_iter().flat_map(of_matrix);
@@ -267,7 +268,7 @@ fn the_columns_of_matrices_stay_where_they_are() {
         press_key(&mut window, Modifiers::NONE, Key::Enter);
         assert_eq!(columns(&window), before, "{field}");
     }
-    // A scene of seven digits.
+    // This scene's coordinates have seven digits.
     let large = folder.path().join("large.toml");
     let text = "[camera]\neye = [0, 0, 4e6]\ntarget = [0, 0, 0]\n\
                 [[object]]\nshape = \"cube\"\nscale = 1e6\n";
@@ -276,7 +277,7 @@ fn the_columns_of_matrices_stay_where_they_are() {
     click(&mut window, MIDDLE);
     assert!(picked_px(&window).is_some());
     assert_eq!(columns(&window), before, "large");
-    // There is room for a wider panel where the other side is folded.
+    // Folding the other side makes room for a wider panel.
     click_on(&mut window, "right side");
     let edge = control(&window, "edge of the left side").rect.center();
     let to = edge + vec2(60.0, 0.0);
@@ -299,7 +300,7 @@ fn panels_are_dark_or_light_as_the_desktop_is() {
     window.set_theme(egui::Theme::Dark);
     assert!(light > 600 && unknown < 150, "{light} {unknown}");
     assert_eq!(panel(&mut window), unknown);
-    // Or as the user sets it, whatever the desktop has.
+    // The user's choice overrides the desktop's.
     click_on(&mut window, "Look");
     assert_eq!(panel(&mut window), light);
     click_on(&mut window, "Look");
@@ -309,7 +310,7 @@ fn panels_are_dark_or_light_as_the_desktop_is() {
     assert_eq!(panel(&mut window), light);
 }
 
-/// Texts that are read from the left (keys before words, numbers beside names) are not cut off at either side.
+/// In small windows no field, and no key or text of Help, is cut off at the left or the right.
 #[test]
 fn small_windows_cut_nothing_off_at_their_sides() {
     for points in [[640, 400], [800, 600], [1000, 650], [1280, 720]] {
@@ -339,7 +340,7 @@ fn small_windows_cut_nothing_off_at_their_sides() {
     }
 }
 
-/// A panel that scrolls vertically does not scroll sideways: that bar would cover its last row.
+/// A panel that scrolls vertically does not scroll sideways, because a horizontal bar would cover its last row.
 #[test]
 fn nothing_is_wider_than_its_panel() {
     let (mut window, _folder) = row(1.0);
@@ -356,7 +357,7 @@ fn nothing_is_wider_than_its_panel() {
         has_control(&window, "Depth buffer") && wide.is_empty(),
         "{wide:?}"
     );
-    // Bars have no names, and only the one that scrolls up and down is there.
+    // Scroll bars have no names. Only the vertical one is there.
     let controls = window.controls().iter();
     let bars = controls.filter(|control| control.name.is_empty() && control.rect.left() > 1010.0);
     let lying = bars

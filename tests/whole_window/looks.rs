@@ -1,4 +1,5 @@
-//! What panels say: every word has a tooltip, rows behave as rows, every action is confirmed.
+//! Every word in the panels has a tooltip, a row of the list acts along its whole length, and copying and saving are
+//! confirmed.
 
 use super::*;
 
@@ -62,7 +63,7 @@ fn the_name_leads_the_pick() {
     assert_eq!(first.expect("a text").name, "front");
 }
 
-/// Whether a text needs no tooltip: a number, several, or a sentence.
+/// Whether a text needs no tooltip, because it is numbers or a sentence.
 fn is_value(text: &str) -> bool {
     if text.ends_with(['.', ':', '\u{2026}']) && text.contains(' ') {
         return true;
@@ -134,7 +135,7 @@ fn what_is_copied_or_saved_is_said_for_a_while() {
     assert!(window.messages().any(|text| text.contains("no pick")));
 }
 
-/// How far from grey a message is written: 0 for grey, 255 for a pure colour.
+/// How far from grey a message's text is: 0 for grey, 255 for a pure colour.
 fn colourfulness(window: &mut Offscreen) -> u8 {
     window.send([Event::PointerGone]);
     let text = window.messages().next().expect("a message").to_owned();
@@ -148,7 +149,7 @@ fn colourfulness(window: &mut Offscreen) -> u8 {
     spreads.max().expect("a text")
 }
 
-/// What was saved is told in the colour of plain text. A warning is not.
+/// A message that something was saved has the colour of plain text. A warning has another colour.
 #[test]
 fn what_is_done_is_no_warning() {
     let (mut window, folder) = row(1.0);
@@ -179,7 +180,7 @@ fn the_picture_alone_is_saved() {
         reason = "a place in the window"
     )]
     let (left, top) = (left.round() as u32, 720 - viewport.height() - 25);
-    // Nothing lies over its middle.
+    // Nothing lies over the picture's middle.
     let mut same = 0;
     for (x, y) in (300..460).flat_map(|x| (200..400).map(move |y| (x, y))) {
         same += usize::from(alone.at(x, y) == whole.at(left + x, top + y));

@@ -1,4 +1,5 @@
-//! The whole window without a window system: egui's events in; state, clipboard, messages and pictures out.
+//! The whole window does what its users see and rely on. The tests need no window system: they send egui's events, and
+//! read state, clipboard, messages and pictures.
 #![cfg(feature = "window")]
 
 mod corner;
@@ -49,7 +50,7 @@ const SIZE: [u32; 2] = [1280, 720];
 /// The point at the middle of the scene's rectangle, at any scale.
 const MIDDLE: Pos2 = pos2(590.0, 361.0);
 
-/// Three things in a row along z, the camera before them, as a scene file.
+/// A scene file of three objects in a row along z, with the camera in front of them.
 const ROW: &str = "
 [camera]
 eye = [0, 0, 10]
@@ -77,7 +78,7 @@ fn row(scale: f32) -> (Offscreen, TempDir) {
     row_as(ROW, scale)
 }
 
-/// The same of another text.
+/// A window that shows this text, and the folder of its file.
 fn row_as(text: &str, scale: f32) -> (Offscreen, TempDir) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("row.toml");
@@ -134,7 +135,7 @@ fn drag(window: &mut Offscreen, with: PointerButton, from: Pos2, to: Pos2) {
     window.send([button(to, with, false)]);
 }
 
-/// The control of this name, or else the text.
+/// The control of this name, or else the text of this name.
 #[track_caller]
 fn control<'a>(window: &'a Offscreen, name: &str) -> &'a Control {
     let named = || {
@@ -164,7 +165,7 @@ fn click_on(window: &mut Offscreen, name: &str) {
     click(window, at);
 }
 
-/// Ctrl as winit reports it where it is the command key.
+/// Ctrl as winit reports it on systems where Ctrl is the command key.
 const CTRL: Modifiers = Modifiers::CTRL.plus(Modifiers::COMMAND);
 
 /// Types into a field as a user does: replaces its text.
@@ -193,7 +194,7 @@ fn press_key(window: &mut Offscreen, modifiers: Modifiers, key: Key) {
     window.send([true, false].map(|pressed| key_event(modifiers, key, pressed)));
 }
 
-/// The pixel of the window that begins nearest to a point of it, at scale 1.
+/// The pixel whose top left corner is nearest to a point of the window, at scale 1.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -208,7 +209,7 @@ fn selected(window: &Offscreen) -> Option<&str> {
     Some(&window.state().scene().objects()[selection.object].name)
 }
 
-/// Where the selection was picked.
+/// The pixel position at which the selection was picked.
 fn picked_px(window: &Offscreen) -> Option<DVec2> {
     Some(window.state().selection()?.pick.as_ref()?.px)
 }

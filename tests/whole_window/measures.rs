@@ -1,8 +1,8 @@
-//! Snapping and the list of measures in the window.
+//! Clicks snap to the vertices, edges and faces of a file, and measures of them are listed, copied and undone.
 
 use super::*;
 
-/// A wall of one quad, 4 wide and 2 high.
+/// An OBJ file of a wall: one quad, 4 wide and 2 high.
 const WALL: &str = "v -2 -1 0\nv 2 -1 0\nv 2 1 0\nv -2 1.0 0\nf 1 2 3 4\n";
 
 const SCENE: &str = "
@@ -38,7 +38,7 @@ fn click_near(window: &mut Offscreen, point: [f64; 3], aside: [f32; 2]) {
     #[expect(clippy::cast_possible_truncation, reason = "points of a window")]
     let [x, y, width] =
         [from_middle.x, from_middle.y, view.viewport.size_px().x].map(|px| px as f32);
-    // The right panels are as wide as usual, the left ones wider.
+    // The right panels are as wide as usual, and the left panels wider.
     let middle = pos2(970.0 - 0.5 * width, MIDDLE.y);
     click(window, middle + egui::vec2(x, y) + egui::Vec2::from(aside));
 }
@@ -72,7 +72,7 @@ fn clicks_are_led_to_vertices_and_edges_and_measured() {
     assert_eq!(values(&window), [20.0_f64.sqrt()]);
     let error = window.state().measuring().list[0].measured.error;
     assert!(error > 0.0 && error < 1e-15, "{error}");
-    // The diagonal is not an edge of the file; the lower side is.
+    // The quad's diagonal is not an edge of the file. Its lower side is.
     click_near(&mut window, [0.0, 0.0, 0.0], [0.0, 0.0]);
     assert_eq!(label(&window).as_deref(), Some("face 1 of Wall"));
     click_on(&mut window, "face area");
@@ -92,7 +92,7 @@ fn clicks_are_led_to_vertices_and_edges_and_measured() {
     click_on(&mut window, "copy list");
     assert_eq!(window.copied().map(|text| text.lines().count()), Some(4));
 
-    // Changes of the list can be undone.
+    // Undo takes back changes of the list.
     click_on(&mut window, "remove measure 2");
     assert_eq!(values(&window), [20.0_f64.sqrt(), 4.0, 8.0]);
     click_on(&mut window, "clear list");
@@ -117,7 +117,7 @@ fn points_of_another_scene_are_forgotten_and_the_list_is_kept() {
     assert!(window.state().measuring().points.is_empty());
     assert_eq!(values(&window), [8.0]);
     assert!(window.state().measuring().is_on);
-    // The list is as before.
+    // The list is kept.
     click_on(&mut window, "copy list");
     let copied = window.copied().expect("text");
     assert!(copied.ends_with("\tbefore the scene changed\n"), "{copied}");
@@ -157,7 +157,7 @@ fn the_panel_stays_as_it_is_laid_out() {
     };
     let first = places(&window);
     for name in &NAMES[1..5] {
-        said(&window, name, "tick snap clicks first");
+        said(&window, name, "tick \u{201c}snap clicks\u{201d} first");
     }
     said(&window, "copy list", "nothing was measured yet");
     click_on(&mut window, "snap clicks");

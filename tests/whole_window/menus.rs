@@ -1,4 +1,4 @@
-//! The menu of the right mouse button.
+//! The menu of the right mouse button offers what applies to the object, the row or the view under the cursor.
 
 use super::*;
 
@@ -38,7 +38,7 @@ fn on_an_object_it_does_what_applies_to_it() {
             .copied()
             .is_some_and(|text| text.contains("\"front\""))
     );
-    // In the list, of the row's object.
+    // In the list, the menu is about the row's object.
     let at = control(&window, "back").rect.center();
     open_menu(&mut window, at);
     click_on(&mut window, "Copy its name");

@@ -1,4 +1,4 @@
-//! While something moves, its picture may be coarse in software; at rest it is exact, and picks always are.
+//! While something moves, software may draw a coarse picture. At rest the picture is exact, and picks always are.
 
 use super::*;
 use egui::vec2;
@@ -10,7 +10,7 @@ fn corner(window: &Offscreen) -> [u32; 2] {
     [590 - size.width() / 2, 360 - size.height() / 2]
 }
 
-/// How many pixels of the frame on screen, along each side, show a pixel of the scene's picture: 1 to 4.
+/// The side, in pixels of the frame, of the square that shows one pixel of the scene's picture: 1 to 4.
 fn coarseness(window: &Offscreen) -> u32 {
     let (picture, [left, top]) = (window.drawn().expect("a picture"), corner(window));
     let inner = || (100..400).flat_map(|y| (100..400).map(move |x| (x, y)));
@@ -41,7 +41,7 @@ fn what_moves_is_coarse_and_what_rests_is_exact() {
         .frame(button(last, PointerButton::Primary, false))
         .expect("a frame");
     assert_eq!(coarseness(&window) > 1, is_software, "a moment ago");
-    // A click into the coarse picture is exact, and is marked there.
+    // A click into the coarse picture picks exactly and is marked.
     let bare = window.drawn().expect("a picture");
     click(&mut window, MIDDLE);
     window.draw().expect("a frame");
@@ -79,7 +79,8 @@ fn a_leap_is_exact_at_once_and_steps_in_a_row_move() {
     assert_eq!(coarseness(&window) > 1, is_software);
 }
 
-/// A rasteriser would take the longer the more triangles there are. The picture shows what the rays hit, to the colour.
+/// A software rasteriser's time grows with the count of triangles, so rays make the moving picture. Its colours are
+/// exactly those of the rays' hits.
 #[test]
 fn a_large_scene_moves_by_rays() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -96,7 +97,7 @@ fn a_large_scene_moves_by_rays() {
         window.draw().expect("a frame");
     }
     window.send([button(MIDDLE, PointerButton::Primary, true)]);
-    // On a busy machine rays may be late, and are then tried again some pictures later.
+    // On a busy machine rays may be late. The window then tries them again some pictures later.
     let by_rays = (1_i16..=400).find(|&step| {
         let at = MIDDLE + vec2(f32::from(step % 40) * 3.0, 0.0);
         window.frame(Event::PointerMoved(at)).expect("a frame");
@@ -105,7 +106,7 @@ fn a_large_scene_moves_by_rays() {
     assert!(by_rays.is_some(), "all 400 pictures were drawn");
 }
 
-/// An exact picture of a large scene takes many passes. Who begins to drag meanwhile does not wait for them.
+/// An exact picture of a large scene takes many passes. A drag that begins meanwhile does not wait for them.
 #[test]
 fn an_exact_picture_under_way_gives_way_to_motion() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -138,7 +139,7 @@ fn an_exact_picture_under_way_gives_way_to_motion() {
     panic!("nothing moved");
 }
 
-/// To draw the mask of a million triangles takes several passes.
+/// Drawing the mask of a million triangles takes several passes, so rays make the outline.
 #[test]
 fn a_click_on_a_large_object_outlines_it_at_once() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -168,7 +169,7 @@ fn a_click_on_a_large_object_outlines_it_at_once() {
     assert!(clicks.is_some(), "all 100 masks were drawn");
 }
 
-/// Whether the moving picture of a large ground shows, to the colour, what rays hit.
+/// Whether the colours of a large ground's moving picture are exactly those of the rays' hits.
 fn is_by_rays(window: &Offscreen) -> bool {
     let (side, [left, top]) = (coarseness(window), corner(window));
     if side == 1 {

@@ -1,4 +1,4 @@
-//! The file's own numbers in the window.
+//! The window names the file's own lines, faces and vertices for a pick, and goes to them by number.
 
 use super::*;
 
@@ -39,7 +39,7 @@ fn file_of(text: &str) -> (Offscreen, TempDir) {
     (open(vec![path], 1.0), folder)
 }
 
-/// All texts that can be read.
+/// Whether some text in the window contains this one.
 fn reads(window: &Offscreen, text: &str) -> bool {
     window
         .controls()
@@ -69,7 +69,7 @@ fn a_click_names_line_face_and_corners() {
     assert!(reads(&window, "2, a triangle") && !reads(&window, "1, a quad"));
 }
 
-/// A changed file may be loaded again before the click.
+/// The file is removed, not changed: a changed file may be loaded again before the click.
 #[test]
 fn a_file_that_is_gone_is_said_to_be() {
     let (mut window, folder) = walls();
@@ -85,7 +85,7 @@ fn go(window: &mut Offscreen, field: &str, number: &str) {
     press_key(window, Modifiers::NONE, Key::Enter);
 }
 
-/// A corner of the triangle lies behind the quad, another one above it.
+/// An OBJ file of a quad and a triangle. The quad hides vertex 5 of the triangle, and vertex 7 lies above the quad.
 const BEHIND: &str = "\
 v -1 -1 2
 v 1 -1 2
@@ -100,7 +100,7 @@ v 0.1 4 0
 f 5 6 7
 ";
 
-/// White pixels in a square around where a point shows.
+/// The count of white pixels at the left and right sides of a square around the place where a point shows.
 fn rim_of_mark(window: &mut Offscreen, point: glam::DVec3) -> usize {
     window.send([Event::PointerMoved(MIDDLE)]);
     let middle = window.state().cursor().expect("the picture's middle").px;
@@ -149,7 +149,7 @@ fn what_is_gone_to_is_marked_seen_or_hidden() {
     let picked = hit(&window).expect("a triangle that has it is picked");
     assert!((picked.point_world - hidden).length() < 1e-3);
     let dashed = rim_of_mark(&mut window, hidden);
-    // From behind it is visible: mark and panel say so.
+    // From behind the vertex is visible, and the mark and the panel say so.
     press_key(&mut window, CTRL, Key::Num1);
     assert!(reads(&window, "v 5: 0.6 0.5 0, line 8: seen at"));
     let whole = rim_of_mark(&mut window, hidden);
@@ -162,7 +162,7 @@ fn what_is_gone_to_is_marked_seen_or_hidden() {
     assert!(reads(&window, "v 7: 0.1 4 0, line 10: seen at"));
     assert!(rim_of_mark(&mut window, seen) >= 34);
     assert_eq!(rim_of_mark(&mut window, hidden), 0, "one at a time");
-    // In the four views its name stands beside it.
+    // In the four views the vertex's name stands beside it.
     press_key(&mut window, Modifiers::NONE, Key::Num4);
     assert!(reads(&window, "v 7, seen"));
     press_key(&mut window, Modifiers::NONE, Key::Num4);
@@ -199,7 +199,7 @@ fn what_has_a_number_can_be_gone_to() {
     go(&mut window, "go to vertex", "3");
     assert_eq!(selected(&window), Some("Front"));
     assert!(reads(&window, "v 3: 1.1 1 2, line 3: seen at"));
-    // What is outside the picture is moved to its middle; undo takes that back.
+    // A vertex outside the picture is moved to its middle. Undo takes that back.
     go(&mut window, "go to vertex", "5");
     let turned = *window.state().view();
     assert_ne!(turned, before);
@@ -226,14 +226,14 @@ fn what_has_a_number_can_be_gone_to() {
     }
 }
 
-/// The result of "go to" disappears with its mark. A number that does not exist says why.
+/// The result of "go to" disappears with its mark. For a number that does not exist, the panel says why.
 #[test]
 fn what_is_said_below_go_to_is_so() {
     let (mut window, _folder) = file_of(BEHIND);
     go(&mut window, "go to vertex", "7");
     assert!(reads(&window, "v 7: 0.1 4 0, line 10"));
     go(&mut window, "go to face", "0");
-    assert!(reads(&window, "face 0: numbers run from 1"));
+    assert!(reads(&window, "face 0: type a whole number from 1"));
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     click(&mut window, MIDDLE);
     assert!(!reads(&window, "v 7: 0.1 4 0"), "another pick");

@@ -73,9 +73,9 @@ fn the_panel_names_them_and_the_check_marks_them() {
     press_key(&mut window, Modifiers::NONE, Key::V);
     let checked = window.picture().expect("a picture");
     assert!(has_control(&window, "V closes this"));
-    assert!(has_control(&window, "two in one place"));
+    assert!(has_control(&window, "surfaces in one place"));
     show("marked", &checked);
-    // The wall as drawn, and tinted half.
+    // Beside the poster the wall keeps its colour. At the poster the colour is mixed half and half with the tint.
     let at = |picture: &Image<Rgb>, at: Pos2| {
         #[expect(
             clippy::cast_possible_truncation,

@@ -1,4 +1,4 @@
-//! Lines over the scene are where they should be, in the picture and nowhere else.
+//! Lines over the scene, such as boxes, normals and the grid, appear where they should and disappear again.
 
 use super::*;
 use egui::{Rect, vec2};
@@ -26,7 +26,8 @@ fn about(window: &Offscreen, picture: &Image<Rgb>, point_world: DVec3) -> Vec<Rg
         .collect()
 }
 
-/// Whether a pixel is more than halfway to a colour. A line has smooth edges, so it is mixed with what lies beside it.
+/// Whether some pixel has come more than halfway to a colour. A line has smooth edges, which mix its colour with what
+/// lies beside it.
 fn turned(before: &[Rgb], now: &[Rgb], wanted: Rgb) -> bool {
     let to_wanted = |colour: &Rgb| -> u32 {
         let apart = colour.iter().zip(wanted).map(|(a, b)| a.abs_diff(b));
@@ -42,7 +43,7 @@ fn each_overlay_is_where_it_belongs_and_gone_again() {
     press_key(&mut window, Modifiers::NONE, Key::Num9);
     press_key(&mut window, Modifiers::NONE, Key::G);
     let bare = window.picture().expect("a picture");
-    // The sphere's box sticks out of it, and so does the normal at its top; the cube's edge is on it.
+    // The points are a corner of the sphere's box, the end of the normal at its top, and an edge of the cube.
     let above = DVec3::new(0.0, 0.5 + 0.1 * 0.75_f64.sqrt(), 0.0);
     for (key, point, colour) in [
         (Key::X, DVec3::new(0.5, 0.5, -0.5), look::BOXES.0),
@@ -61,7 +62,7 @@ fn each_overlay_is_where_it_belongs_and_gone_again() {
     }
 }
 
-/// With a selection, the overlay is for that alone.
+/// With a selection, an overlay is drawn for the selected object alone.
 #[test]
 fn overlays_are_about_the_selection() {
     let (mut window, _folder) = row(1.0);
@@ -111,13 +112,13 @@ fn differing(a: &Image<Rgb>, b: &Image<Rgb>, objects: &[Rect]) -> usize {
     differ.count()
 }
 
-/// The grid stays where it is and as large as it is when an object is hidden or moved, even one that lies apart and makes
+/// The grid keeps its place and size when an object is hidden or moved, even an object that lies far apart and makes up
 /// most of the scene's size.
 #[test]
 fn the_grid_stays_when_an_object_is_hidden_or_moved() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("apart.toml");
-    // Fixed planes: those that follow the scene would cut the grid elsewhere.
+    // Near and far are fixed, because planes that follow the scene would cut the grid elsewhere.
     let camera = ROW.replace("[camera]", "[camera]\nnear = 0.1\nfar = 1000");
     let distant = "name = \"distant\"\nshape = \"cube\"\nposition = [60, 0, 0]\n";
     std::fs::write(&path, format!("{camera}\n[[object]]\n{distant}")).expect("writable");

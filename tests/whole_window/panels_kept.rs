@@ -1,10 +1,10 @@
-//! Panels are painted again only where they changed. The picture must equal that of a window that paints all of them.
+//! Panels are painted again only where they changed, and the picture still equals one in which all are painted anew.
 
 use crate::{MIDDLE, click, click_on, drag, press_key, row, type_into};
 use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
 use sightline::viewer::Offscreen;
 
-/// Both pictures are the same, to the bit.
+/// Fails unless the picture stays the same to the bit when a lost device makes the window paint everything anew.
 #[track_caller]
 fn is_as_painted_anew(window: &mut Offscreen, after: &str) {
     let kept = window.picture().expect("draws");
@@ -39,7 +39,7 @@ fn whatever_changes_is_painted() {
         is_as_painted_anew(&mut window, "hovering rows");
         type_into(&mut window, "near", "0.5");
         is_as_painted_anew(&mut window, "typing");
-        click_on(&mut window, "Pipeline");
+        click_on(&mut window, "Matrices");
         is_as_painted_anew(&mut window, "a panel over the picture");
         press_key(&mut window, Modifiers::NONE, Key::P);
         is_as_painted_anew(&mut window, "that it is gone");

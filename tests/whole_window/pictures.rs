@@ -1,5 +1,5 @@
-//! Compares panels with the pictures that were last approved (`goldens/*.png`), and README's pictures with the window.
-//! After a wanted change, run with `SIGHTLINE_GOLDENS=write` and look at each.
+//! Panels look as in the pictures that were last approved (`goldens/*.png`), and README's pictures show the window as
+//! it is. After a wanted change, run with `SIGHTLINE_GOLDENS=write` and look at each picture.
 
 use super::{
     MIDDLE, ROW, click, click_on, control, drag, has_control, here,
@@ -22,7 +22,7 @@ type Part = [u32; 4];
 fn shown(name: &str, text: &str) -> (Offscreen, Part) {
     let (mut window, _folder) = row_as(text, 1.0);
     click(&mut window, MIDDLE);
-    // Off the picture, so that nothing is hovered.
+    // The cursor leaves the window, so that nothing is hovered.
     window.send([Event::PointerGone]);
     match name {
         "panels" => (window, [960, 0, 320, 720]),
@@ -30,7 +30,7 @@ fn shown(name: &str, text: &str) -> (Offscreen, Part) {
             window.set_theme(egui::Theme::Light);
             (window, [960, 0, 320, 720])
         }
-        // The list over the right panels, in the smallest window.
+        // The menu of further tools is open over the right panels, in the smallest window.
         "small" => {
             window.resize(px([640, 400], 1.0));
             click_on(&mut window, "more");
@@ -60,10 +60,11 @@ fn shown(name: &str, text: &str) -> (Offscreen, Part) {
     }
 }
 
-/// The parts of panels that lie over the scene, opaque and the same with every driver. Counts of pixels are not.
+/// The parts of panels that lie over the scene, opaque and the same with every driver. Counts of pixels are left out,
+/// because they differ between drivers.
 fn over_the_scene(name: &str) -> &'static [Part] {
     match name {
-        // The bar, and the names beside the counts.
+        // The bar, and the names beside the counts of pixels.
         "gallery" => &[[276, 25, 686, 50], [778, 470, 121, 208]],
         "help" => &[[150, 46, 980, 628]],
         _ => &[],
@@ -89,8 +90,8 @@ fn holds([left, top, width, height]: Part, [x, y]: [u32; 2]) -> bool {
     (left..left + width).contains(&x) && (top..top + height).contains(&y)
 }
 
-/// A picture for a golden, of a text in place of [`ROW`], and which of its pixels are the panels'. Another driver draws
-/// the scene otherwise.
+/// A picture for a golden, of a text in place of [`ROW`], and which of its pixels belong to panels. The scene's pixels
+/// do not count, because another driver draws them otherwise.
 fn pictured(name: &str, text: &str) -> (Image<Rgb>, Vec<bool>) {
     let (mut window, [left, top, width, height]) = shown(name, text);
     let whole = window.picture().expect("a picture");
@@ -103,8 +104,8 @@ fn pictured(name: &str, text: &str) -> (Image<Rgb>, Vec<bool>) {
     (picture, places.map(is_panels).collect())
 }
 
-/// How many of the pixels that count differ. Drivers blend a level apart, which does not count; a changed digit is
-/// dozens of pixels.
+/// How many of the pixels that count differ. A difference of a few levels is ignored, because drivers blend a level
+/// apart. A changed digit is dozens of pixels.
 fn differing(a: &Image<Rgb>, b: &Image<Rgb>, counts: &[bool]) -> usize {
     let pairs = a.pixels().iter().zip(b.pixels()).zip(counts);
     pairs
@@ -145,7 +146,7 @@ fn panels_look_as_they_did() {
     }
 }
 
-/// A scene that is drawn otherwise, as by another driver, is no change of the panels about it.
+/// A scene that is drawn otherwise, as by another driver, does not count as a change of the panels.
 #[test]
 fn goldens_leave_the_scene_out() {
     let front = "name = \"front\"";
@@ -163,8 +164,8 @@ fn compare_whole(picture: &Image<Rgb>, path: &Path, most: usize) {
     compare(picture, path, most, &vec![true; picture.pixels().len()]);
 }
 
-/// Compares a picture in README with its window: to the pixel on the driver that made it; other drivers may draw edges
-/// and lines differently.
+/// Compares a picture in README with its window. On the driver that made the picture, no pixel may differ. Other
+/// drivers may draw edges and lines differently.
 fn compare_asset(name: &str, mut window: Offscreen) {
     window.send([Event::PointerGone]);
     let picture = window.picture().expect("a picture");
@@ -177,7 +178,7 @@ fn compare_asset(name: &str, mut window: Offscreen) {
     compare_whole(&picture, &path, most);
 }
 
-/// The demo with the cube behind the ring picked: its outline shows through what hides it.
+/// The demo, in which the cube behind the ring is picked. The cube's outline shows through what hides it.
 #[test]
 fn readme_shows_this_window() {
     let mut window = open(Vec::new(), 1.0);
@@ -185,7 +186,7 @@ fn readme_shows_this_window() {
     compare_asset("window", window);
 }
 
-/// That camera frozen, seen from the side.
+/// The demo's camera, frozen and seen from the side.
 #[test]
 fn readme_shows_this_frozen_camera() {
     let mut window = open(Vec::new(), 1.0);
@@ -225,7 +226,7 @@ fn readme_shows_these_four_views() {
     compare_whole(&picture, &path, picture.pixels().len() / 20);
 }
 
-/// The views show what was loaded, even if the file has changed since: it is read once.
+/// The file is read once: the views show what was loaded, even if the file has changed since.
 #[test]
 fn the_views_are_of_what_was_loaded() {
     let folder = tempfile::tempdir().expect("a folder");

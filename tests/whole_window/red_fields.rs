@@ -1,4 +1,4 @@
-//! A refused input is red until it is given up, and only as long as its field is about the same object.
+//! A refused input is red until it is given up, or until its field is about another object.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! What is remembered from run to run (recent scenes, panels), how changed files are read again, and names in any
+//! The window remembers recent scenes and panels from run to run, reads changed files again, and shows names in any
 //! script.
 
 use super::*;
@@ -48,7 +48,7 @@ fn what_was_opened_and_how_panels_stood_is_remembered() {
     assert!(!has_control(&window, "other.toml"));
 }
 
-/// A device that never ends, a pipe that nobody writes into, a file that is too large.
+/// The memory is a device that never ends, a pipe that nobody writes into, or a file that is too large.
 #[test]
 fn a_memory_without_end_is_not_read() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -82,7 +82,7 @@ fn a_broken_memory_is_no_obstacle() {
     }
 }
 
-/// Runs a window's passes until a condition on it holds.
+/// Runs passes of a window until it meets a condition.
 #[track_caller]
 fn wait_until(window: &mut Offscreen, is_so: impl Fn(&Offscreen) -> bool) {
     for _ in 0..200 {
@@ -112,7 +112,7 @@ fn a_file_that_changes_is_read_again() {
             .messages()
             .any(|text| text.contains("was read again"))
     );
-    // Also when it is written beside and renamed.
+    // A file that was written beside and renamed counts as changed, too.
     let beside = folder.path().join("beside");
     fs::write(&beside, ROW).expect("writable");
     fs::rename(&beside, &path).expect("writable");
@@ -138,7 +138,7 @@ fn a_file_that_changes_is_read_again() {
     click_on(&mut window, "Reload, drop the edits");
     assert_eq!(window.state().scene().objects().len(), 4);
 
-    // A file that this program writes does not count as changed.
+    // A file that Sightline writes does not count as changed.
     window.save_as(path);
     window.wait_s(5.0);
     thread::sleep(Duration::from_millis(800));
@@ -168,7 +168,7 @@ fn a_material_that_changes_is_read_again() {
     wait_until(&mut window, |window| {
         colour(window) == Some(Srgb([0, 255, 0]))
     });
-    // A file that was not there before.
+    // This material file was missing before.
     write("later.mtl", "newmtl a\nKd 0 0 1\n");
     wait_until(&mut window, |window| {
         colour(window) == Some(Srgb([0, 0, 255]))

@@ -1,4 +1,4 @@
-//! At rest a picture has smooth edges, in software too, and nothing waits for them.
+//! At rest a picture has smooth edges, in software too, and no action has to wait for them.
 
 use super::*;
 use sightline::{
@@ -6,7 +6,7 @@ use sightline::{
     look, render,
 };
 
-/// Draws a frame, and reads what is on screen then.
+/// Draws a frame, and returns what is then on screen.
 fn next(window: &mut Offscreen) -> Image<Rgb> {
     window.draw().expect("a frame");
     window.drawn().expect("a picture")
@@ -29,7 +29,7 @@ fn edges_get_smooth_at_rest_at_one_blow() {
     press_key(&mut window, Modifiers::NONE, Key::Num9);
     let rough = next(&mut window);
     assert!(window.is_at_rest());
-    // Something may move it again at once.
+    // Something may move the picture again soon, so its edges wait.
     for _ in 0..5 {
         assert_eq!(differing(&next(&mut window), &rough), 0);
     }
@@ -59,7 +59,7 @@ fn edges_get_smooth_at_rest_at_one_blow() {
     }
 }
 
-/// A large picture, which takes several frames to get smooth.
+/// The picture is large and takes several frames to get smooth.
 #[test]
 fn what_happens_meanwhile_is_shown_at_once() {
     let (mut window, _folder) = row(2.0);
@@ -70,7 +70,7 @@ fn what_happens_meanwhile_is_shown_at_once() {
     for _ in 0..2 {
         assert!(!is_software(&window) || differing(&next(&mut window), &rough) == 0);
     }
-    // A click is exact, and shown in the next frame.
+    // A click is exact, and the next frame shows it.
     click(&mut window, MIDDLE);
     assert_eq!(selected(&window), Some("middle"));
     let clicked = next(&mut window);
@@ -82,7 +82,7 @@ fn what_happens_meanwhile_is_shown_at_once() {
     for _ in 0..2 {
         next(&mut window);
     }
-    // So is a turn, which leaves nothing of the old picture.
+    // The next frame shows a turn, too, and nothing of the old picture stays.
     press_key(&mut window, Modifiers::NONE, Key::Num1);
     let turned = next(&mut window);
     assert!(differing(&turned, &clicked) > 1000);

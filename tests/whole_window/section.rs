@@ -1,4 +1,4 @@
-//! The section in the window: placed, typed, dragged, undone, saved. What it cuts away is neither seen nor picked.
+//! A section can be placed, typed, dragged, undone and saved. What it cuts away is neither seen nor picked.
 
 use super::*;
 use glam::DVec3;
@@ -8,7 +8,8 @@ fn section(window: &Offscreen) -> Option<Section> {
     window.state().view().section
 }
 
-/// The front cube, cut through its middle: a click there picks its back from within, which has a colour of its own.
+/// The front cube is cut through its middle. A click there picks its back face from within, which has a colour of its
+/// own.
 #[test]
 fn a_cut_solid_shows_and_picks_its_inside() {
     let (mut window, _folder) = row(1.0);
@@ -38,13 +39,13 @@ fn a_cut_solid_shows_and_picks_its_inside() {
     );
 }
 
-/// As a user types it.
+/// Types a section as a user does.
 fn type_section(window: &mut Offscreen, normal: [f64; 3], offset: f64) {
     if section(window).is_none() {
         click_on(window, "section");
     }
     let names = ["section n x", "section n y", "section n z"];
-    // z first, so that n never becomes 0 in between.
+    // z is typed first, so that n never becomes 0 in between.
     for i in [2, 1, 0] {
         type_into(window, names[i], &normal[i].to_string());
         press_key(window, Modifiers::NONE, Key::Enter);
@@ -62,7 +63,7 @@ fn it_is_laid_flipped_and_taken_back_step_by_step() {
     let mut stood = vec![None];
     click_on(&mut window, "section across x");
     stood.push(section(&window));
-    // The eye looks along -z: the far side is kept.
+    // The eye looks along -z, so the far side is kept.
     click_on(&mut window, "section across z");
     stood.push(section(&window));
     let across = section(&window).expect("a section");
@@ -99,7 +100,8 @@ fn what_makes_no_section_is_refused_in_red() {
     assert!(description.contains("must not be 0,0,0"), "{description}");
 }
 
-/// A drag of the arrow moves the plane by as much as the cursor moves along it, and is one step; it does not turn the view.
+/// A drag of the arrow moves the plane by as much as the cursor moves along the arrow. It is one step of undo, and does
+/// not turn the view.
 #[test]
 fn the_arrow_in_the_picture_drags_it() {
     let (mut window, _folder) = row(1.0);
@@ -143,7 +145,7 @@ fn along_the_picked_face_and_by_three_picks() {
     let along = Section::new(DVec3::NEG_Z, 2.5).expect("a section");
     assert_eq!(section(&window), Some(along));
     press_key(&mut window, Modifiers::NONE, Key::Z);
-    // Counter-clockwise as seen: the side in front of the face would be kept.
+    // The points run counter-clockwise as seen, so the side in front of the face would be kept.
     click_on(&mut window, "section by three points");
     for at in [pos2(560.5, 390.5), pos2(620.5, 390.5)] {
         window.wait_s(1.0);
@@ -189,7 +191,7 @@ fn it_is_saved_and_opened_again_and_no_gallery_scene_has_it() {
     assert!(section(&window).is_some(), "back");
 }
 
-/// The first thing that Esc does.
+/// Before anything else, Esc ends the waiting for picks.
 #[test]
 fn esc_ends_waiting_for_picks() {
     let (mut window, _folder) = row(1.0);
@@ -217,7 +219,7 @@ fn esc_ends_waiting_for_picks() {
     assert_eq!(selected(&window), None);
 }
 
-/// An invalid section from a scene file or a flag: the window shows the scene without it, and says so.
+/// If a scene file or a flag gives an invalid section, the window shows the scene without it and says so.
 #[test]
 fn one_that_names_no_face_is_said_in_the_window() {
     let folder = tempfile::tempdir().expect("a folder");

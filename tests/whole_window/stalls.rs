@@ -1,11 +1,11 @@
-//! What takes long is done in pieces or in the background; the window answers meanwhile.
+//! Work that takes long is done in pieces or in the background, and the window answers meanwhile.
 
 use super::*;
 use std::fmt::Write;
 
-/// Cells along each side of a ground that software draws in two passes, unless it was quick before.
+/// Cells along each side of a ground that software draws in two passes, unless earlier passes were quick.
 const SIDE: u32 = 250;
-/// As many of a ground that it draws in several with its edges, quick or not.
+/// Cells along each side of a ground that software draws with its edges in several passes, quick or not.
 const WIDE: u32 = 450;
 
 /// Rolling ground of two triangles a cell.
@@ -28,7 +28,7 @@ pub(super) fn ground(folder: &Path, side: u32) -> PathBuf {
 fn a_large_scene_is_drawn_in_pieces_and_the_old_picture_stays() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = ground(folder.path(), WIDE);
-    // Quick passes teach it to draw more in each. With edges none is quick, and rays find none.
+    // After quick passes the window draws more in each. With edges no pass is quick, and rays find no edges.
     let open_with_edges = |path| {
         let mut window = open(vec![path], 1.0);
         press_key(&mut window, Modifiers::NONE, Key::W);
@@ -39,11 +39,11 @@ fn a_large_scene_is_drawn_in_pieces_and_the_old_picture_stays() {
     let in_software = window.adapter_name().contains("llvmpipe");
     press_key(&mut window, Modifiers::NONE, Key::Num3);
     let turned = *window.state().view();
-    // It is not complete after its first piece, and there is no older picture to show.
+    // The picture is not complete after its first piece, and there is no older picture to show.
     let anew = window.draw().expect("a frame");
     assert_eq!(anew, !in_software);
     assert_eq!(window.is_at_rest(), !in_software);
-    // The window answers all the same; what is begun is finished first.
+    // The window still answers. The picture that was begun is finished first.
     press_key(&mut window, Modifiers::NONE, Key::G);
     assert!(!window.state().grid());
     press_key(&mut window, Modifiers::NONE, Key::G);
@@ -56,7 +56,7 @@ fn a_large_scene_is_drawn_in_pieces_and_the_old_picture_stays() {
     assert!(passes > 1 || !in_software);
     let second = window.picture().expect("a picture");
     assert_ne!(first.pixels(), second.pixels());
-    // It equals the picture of a window that was always in this view.
+    // The picture equals that of a window that was always in this view.
     let mut fresh = open_with_edges(path);
     press_key(&mut fresh, Modifiers::NONE, Key::Num3);
     assert_eq!(*fresh.state().view(), turned);
@@ -68,7 +68,7 @@ fn a_large_scene_is_drawn_in_pieces_and_the_old_picture_stays() {
 /// Enough objects for a stage to be made in the background.
 pub(super) const MANY: usize = 20_000;
 
-/// So many cubes and balls.
+/// A scene file of `count` cubes and spheres.
 pub(super) fn many(folder: &Path, count: usize) -> PathBuf {
     let mut text = String::new();
     for i in 0..count {
@@ -91,7 +91,7 @@ fn ndc_of_many_objects_is_made_beside_the_window() {
     window.picture().expect("a picture");
     press_key(&mut window, Modifiers::NONE, Key::Num4);
     let first = window.picture().expect("a picture");
-    // The camera keeps moving: the window answers at once, and NDC follows.
+    // While the camera keeps moving, the window answers at once, and NDC follows.
     for _ in 0..3 {
         window.frame(press(Key::Num7)).expect("a frame");
         assert!(!window.is_at_rest());
@@ -119,7 +119,7 @@ fn draw_all(window: &mut Offscreen) {
 fn a_stage_uploads_no_triangle_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = open(vec![ground(folder.path(), SIDE)], 1.0);
-    // With the matrices open from the start, the picture keeps its size.
+    // The matrices are open from the start, so the picture keeps its size.
     press_key(&mut window, Modifiers::NONE, Key::P);
     draw_all(&mut window);
     let whole = window.state().scene().triangle_count() as u64;
@@ -148,8 +148,8 @@ fn a_large_file_is_shown_once_the_adapter_has_it() {
     assert_eq!(dropped.pixels(), fresh.pixels());
 }
 
-/// The world view shares scene and targets with the camera's picture: until its own picture is complete, nothing is
-/// shown there.
+/// The world view shares scene and targets with the camera's picture. Until the world's own picture is complete, the
+/// view shows nothing.
 #[test]
 fn the_picture_is_not_shown_as_the_world() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -181,7 +181,8 @@ fn loaded_percent(window: &Offscreen) -> Option<f64> {
     bar.value.parse().ok()
 }
 
-/// A scene file of many objects says how much of it is read, and can be given up: the old scene stays.
+/// While a scene file of many objects is read, the window shows how much is done. The load can be cancelled, and then
+/// the old scene stays.
 #[test]
 fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
     type Way = fn(&Offscreen) -> Vec<Event>;
@@ -201,7 +202,7 @@ fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
     window.picture().expect("a picture");
     for (way, events) in ways {
         window.begin_to_drop(path.clone());
-        // Its text is parsed first: that is half of it.
+        // Parsing the text comes first and is half of the work.
         while loaded_percent(&window).is_none_or(|percent| percent < 55.0) {
             window.frame(Event::PointerGone).expect("a frame");
             let count = window.state().scene().objects().len();
@@ -218,7 +219,8 @@ fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
     }
 }
 
-/// A pass lays out the rows in view, however many objects there are. A frame without a change draws and uploads none.
+/// A pass lays out only the rows in view, however many objects there are. A frame without a change draws and uploads
+/// nothing.
 #[test]
 fn a_pass_over_many_objects_lays_out_what_one_over_few_does() {
     let folder = tempfile::tempdir().expect("a folder");

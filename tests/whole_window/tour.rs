@@ -1,4 +1,4 @@
-//! The tour: doing what a step's words ask for completes the step.
+//! Doing what the words of a tour's step ask for completes the step, and doing other things does not.
 
 use super::*;
 use sightline::{camera::Projection, pick, study::swap::Found, viewer::tour_text};
@@ -79,7 +79,7 @@ const DEEDS: [Deed; 22] = [
         click_on(window, "standard");
         click_object(window, "Tower");
         assert!(!has_control(window, "step done"), "the numbers are folded");
-        // Far down: the panel above is folded to make room.
+        // The control is far down, so the panel above is folded to make room.
         click_on(window, "Camera");
         click_on(window, "Depth buffer");
         window.wait_s(1.0);
@@ -139,7 +139,7 @@ fn click_object(window: &mut Offscreen, name: &str) {
     click(window, at);
 }
 
-/// Where an object is seen.
+/// A point of the window where an object is seen.
 fn place_of(window: &mut Offscreen, name: &str) -> Pos2 {
     let (scene, view) = (window.state().scene().clone(), *window.state().view());
     place_where(window, |px| {
@@ -148,7 +148,7 @@ fn place_of(window: &mut Offscreen, name: &str) -> Pos2 {
     })
 }
 
-/// Of the places beside the card whose pixel meets a condition, the middle one.
+/// The middle one of the places beside the card whose pixel meets a condition.
 fn place_where(window: &mut Offscreen, is_it: impl Fn(DVec2) -> bool) -> Pos2 {
     let card = control(window, &task(window).expect("a step")).rect;
     window.send([Event::PointerMoved(MIDDLE)]);
@@ -214,7 +214,7 @@ fn each_step_can_be_done_and_is_noticed_only_then() {
     assert_eq!(task(&window), None, "the tour is over");
 }
 
-/// In the picture and in the four views, in large windows and small ones, and after resizing.
+/// This holds in the picture and in the four views, in large and small windows, and after resizing.
 #[test]
 fn the_step_lies_over_no_view_and_follows_the_window() {
     let mut window = tour();
@@ -292,7 +292,8 @@ fn steps_are_skipped_and_gone_back_to() {
     assert_eq!(task(&window), first);
 }
 
-/// Computed by hand: n = 1, f = 10, 90 degrees; the height is the picture's.
+/// The expected numbers are computed by hand for n = 1, f = 10 and 90 degrees. The aspect and the orthographic height
+/// are the window's.
 #[test]
 fn the_card_works_out_the_lectures_points() {
     let mut window = tour();
@@ -322,7 +323,7 @@ fn the_card_works_out_the_lectures_points() {
     );
 }
 
-/// From Help over another scene: the demo comes, and the tour with it.
+/// Over another scene, Help opens the demo and the tour in it.
 #[test]
 fn help_opens_it_in_the_demo() {
     let (mut window, _folder) = row(1.0);
@@ -358,7 +359,7 @@ fn readme_has_its_very_words() {
     assert!(readme.contains(&words(&tour_text())), "{}", tour_text());
 }
 
-/// In the four views a drag does not do what the step asks for in the picture: the strip says so.
+/// In the four views a drag does not do what the step asks for in the picture, and the step's card says so.
 #[test]
 fn in_the_four_views_steps_of_the_picture_say_where_to_go() {
     let mut window = tour();
@@ -373,7 +374,7 @@ fn in_the_four_views_steps_of_the_picture_say_where_to_go() {
     assert_eq!(says(&window), 1);
 }
 
-/// `cargo run` installs nothing: the step that says to paste a command also says how a shell comes to know `sightline`.
+/// `cargo run` installs nothing, so the step that says to paste a command also says how to install `sightline`.
 #[test]
 fn the_step_of_the_command_says_how_to_install_it() {
     let mut window = tour();

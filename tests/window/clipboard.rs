@@ -1,4 +1,4 @@
-//! Text goes from one program to another by the system's clipboard.
+//! A camera that one window copies to the system's clipboard can be pasted into another window.
 
 use super::{Screen, Viewer, scene, value};
 
@@ -19,7 +19,7 @@ fn a_camera_that_one_window_copies_another_pastes() {
     let from = open(&["--eye", "5,4,3", "--target", "0,1,0"]);
     screen.xdotool("key shift+c");
     from.wait_for("the camera is copied");
-    // Its window lies over the other.
+    // The second window lies over the first.
     let to = open(&[]);
     screen.xdotool("key ctrl+v");
     screen.xdotool("mousemove 640 360 click 1");

@@ -1,5 +1,5 @@
-//! The real window under Xvfb, with real pointer events: what it prints for a click is what `sightline pick` prints
-//! for the same view.
+//! For a click, the real window prints what `sightline pick` prints for the same view. The window runs under Xvfb and
+//! gets real pointer events.
 #![cfg(feature = "window")]
 
 mod clipboard;
@@ -13,11 +13,11 @@ use std::{
     time::Duration,
 };
 
-/// Longest wait for the window to answer: a first frame on a busy machine.
+/// The longest wait for the window to answer. It allows for a first frame on a busy machine.
 const PATIENCE: Duration = Duration::from_mins(1);
 const SIGHTLINE: &str = env!("CARGO_BIN_EXE_sightline");
 
-/// A screen of its own, gone when dropped.
+/// A virtual screen, which ends when dropped.
 struct Screen {
     server: Child,
     display: String,
@@ -83,7 +83,7 @@ impl Viewer {
             .env("DISPLAY", &screen.display)
             // Tests put their own desktop there.
             .env("PATH", folder)
-            // It must not touch what the user's window remembers.
+            // The test must not touch what the user's window remembers.
             .env("XDG_STATE_HOME", folder)
             .env("WINIT_X11_SCALE_FACTOR", scale)
             .env_remove("WAYLAND_DISPLAY")
@@ -114,7 +114,7 @@ impl Viewer {
         }
     }
 
-    /// The pick that the window printed, and the command that it names for the same pick.
+    /// The pick that the window printed, and the command that it logs for the same pick.
     fn picked(&self) -> (String, String) {
         let printed = self
             .picks
@@ -264,7 +264,8 @@ fn clicks_print_what_pick_prints_at_scale_2() {
     clicks_print_what_pick_prints("2");
 }
 
-/// All that the file says of a face is printed, in the order of the clicks, however quickly they follow each other.
+/// Each pick is printed with all that the file says of the face. The order is that of the clicks, however quickly they
+/// follow each other.
 #[test]
 fn picks_of_a_file_s_faces_are_printed_whole() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -301,7 +302,7 @@ fn picks_of_a_file_s_faces_are_printed_whole() {
     );
 }
 
-/// The key V finds what `sightline verify` finds for the same view, each time it is pressed.
+/// Each time it is pressed, the key V finds what `sightline verify` finds for the same view.
 #[test]
 fn the_key_v_compares_what_is_on_screen() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -335,7 +336,7 @@ fn the_key_v_compares_what_is_on_screen() {
     }
 }
 
-/// On Linux winit is not told of the desktop's theme: the portal is asked whenever the window gets the focus.
+/// On Linux winit is not told of the desktop's theme, so Sightline asks the portal whenever the window gets the focus.
 #[test]
 #[cfg(unix)]
 fn panels_follow_the_desktop() {
@@ -363,14 +364,14 @@ fn panels_follow_the_desktop() {
             .expect("a PNG");
         let mut pixels = vec![0; reader.output_buffer_size().expect("small")];
         reader.next_frame(&mut pixels).expect("whole");
-        // In the panel at the right.
+        // A pixel of the panel at the right.
         let at = 3 * (500 * 1280 + 1270);
         pixels[at..at + 3].iter().copied().max().expect("three")
     };
     let light = shot(1);
     assert!(light > 200, "{light}");
     is_now(1);
-    // Takes the focus away, and gives it back.
+    // The window loses the focus and gets it back.
     screen.xdotool("search --maxdepth 0 .* windowfocus");
     screen.xdotool(focus);
     viewer.wait_for("the desktop is Dark");

@@ -7,7 +7,7 @@ use sightline::{
     viewer::model::{PickView, RayHits},
 };
 
-/// Whatever happens, a pick is what its own view finds now, and so is what copies repeat.
+/// After any action, the pick is what its own view finds in the scene as it is now.
 #[test]
 fn a_pick_is_always_what_its_own_view_finds() {
     let lens = |change: fn(&mut LensControls)| {
@@ -50,7 +50,7 @@ fn a_pick_is_always_what_its_own_view_finds() {
     for action in actions {
         state.apply(action);
         let pick = state.selection().and_then(|it| it.pick.clone());
-        // A click on nothing counts too, but picks nothing.
+        // A click on nothing keeps its ray too, but picks nothing.
         let ray = state.pick_ray().filter(|ray| !ray.picks.is_empty());
         assert_eq!(ray.map(RayHits::line), pick, "{action:?}");
         let Some(ray) = ray else { continue };
@@ -86,7 +86,7 @@ fn what_a_view_leaves_out_is_not_in_it() {
     let cull = |state: &mut State| drop(state.apply(Action::ToggleSides));
     let ortho = |state: &mut State| drop(state.apply(Action::ToggleProjection));
     let turn = |state: &mut State| drop(state.apply(Action::LookFrom(DVec3::NEG_Z)));
-    // The front of the cube at 7.5, its back at 8.5.
+    // The cube's front is at depth 7.5, its back at 8.5.
     assert_eq!(view_of(0, &|_| ()), Own);
     assert_eq!(view_of(0, &planes(Some(7.4), None)), Earlier);
     assert_eq!(view_of(0, &planes(Some(7.5), None)), Earlier, "near counts");
@@ -161,7 +161,7 @@ fn the_view_that_the_scene_opened_with_comes_back_to_the_bit() {
                 "{change:?}"
             );
         }
-        // What is hidden and shown again moves nothing either.
+        // Hiding and showing an object moves nothing either.
         state.apply(Action::SetVisible(2, false));
         state.apply(Action::SetVisible(2, true));
         assert_eq!(*state.view(), view, "{choice:?}");

@@ -1,4 +1,4 @@
-//! Editing model matrices: picks follow, invalid matrices are refused, and what is saved is what is shown.
+//! When a model matrix is edited, picks follow, invalid matrices are refused, and the saved scene is the one shown.
 
 use super::*;
 use crate::inspect::STILL;
@@ -49,10 +49,10 @@ fn a_moved_object_s_pick_follows() {
         },
     );
     let turned = state.picked().expect("its edge").distance;
-    // Half a pixel beside the edge.
+    // The pick is half a pixel beside the edge.
     assert!((turned - (8.0 - 0.5_f64.sqrt())).abs() < 1e-2, "{turned}");
 
-    // Away from under the pixel it stays selected, without a point; back again, it has one.
+    // An object moved away from the pixel stays selected, without a point. Moved back, it has a point again.
     place(
         &mut state,
         0,
@@ -67,7 +67,7 @@ fn a_moved_object_s_pick_follows() {
     assert_eq!(state.hits().map(|hits| hits.picks.len()), Some(5));
 }
 
-/// Its pick is on its own surface, whatever is in front of it.
+/// A selected object's pick stays on its own surface, whatever is in front of it.
 #[test]
 fn an_object_behind_another_keeps_its_own_pick() {
     let mut state = front_view();
@@ -137,7 +137,7 @@ fn an_edited_scene_saves_as_it_is_and_reads_again_as_it_was() {
     let loaded = scene::load(&[path], &Progress::default()).expect("it loads");
     let model = loaded.scene.objects()[0].placement.model();
     assert_eq!(model, trs.to_model(), "to the bit");
-    // Where position, rotation and scale give a matrix to the bit, they are written instead of it.
+    // If position, rotation and scale give a matrix to the bit, they are written in its place.
     let plain = description::to_toml(&row().scene, &state.camera_choice(), &[]).expect("saved");
     assert!(!plain.contains("matrix"), "{plain}");
     state.reload(row());
@@ -179,7 +179,7 @@ fn a_matrix_in_parts_is_the_matrix() {
             };
             let parts = Trs::of(given.to_model()).expect("no shear");
             let (a, b) = (given.to_model().matrix3, parts.to_model().matrix3);
-            // Column by column, each as long as its scale.
+            // Columns are compared relative to their lengths.
             for axis in 0..3 {
                 let apart = a.col(axis).distance(b.col(axis)) / a.col(axis).length();
                 assert!(apart < 1e-14, "{given:?} and {parts:?}: {apart}");
@@ -187,7 +187,7 @@ fn a_matrix_in_parts_is_the_matrix() {
             assert_eq!(parts.translation, given.translation);
         }
     }
-    // In the documented order, checked against glam's quaternions.
+    // The rotations apply in the documented order, checked against glam's quaternions.
     let given = Trs {
         rotation_deg: DVec3::new(10.0, 20.0, 30.0),
         ..STILL
@@ -199,7 +199,7 @@ fn a_matrix_in_parts_is_the_matrix() {
     assert!((given.to_model().matrix3 - turned).abs_diff_eq(DMat3::ZERO, 1e-15));
     let parts = Trs::of(given.to_model()).expect("no shear");
     assert!(parts.rotation_deg.distance(given.rotation_deg) < 1e-12);
-    // A shear has no such parts.
+    // A sheared matrix has no such parts.
     let mut leaning = DAffine3::IDENTITY;
     leaning.matrix3.x_axis.y = 1e-6;
     assert_eq!(Trs::of(leaning), None);

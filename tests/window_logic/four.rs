@@ -1,4 +1,4 @@
-//! The four views: each shows its stage, the mouse moves each alone, and a point is the same point in all.
+//! Each of the four views shows its own stage, the mouse moves each alone, and a point is the same point in all.
 
 use super::*;
 use sightline::viewer::model::projected;
@@ -13,7 +13,7 @@ fn four(camera: CameraChoice) -> State {
     state
 }
 
-/// Does something in one of them.
+/// Applies an action in one of the views.
 fn within(state: &mut State, stage: Stage, action: Action) {
     state.apply(Action::Enter(Some(stage)));
     state.apply(action);
@@ -48,7 +48,7 @@ fn a_point_clicked_in_any_view_is_the_point_that_the_picture_gives() {
     };
     for camera in [CameraChoice::default(), ortho, standard] {
         let mut state = four(camera);
-        // So large that a pixel of a view is smaller than one of the picture.
+        // The views are so large that their pixels are smaller than the picture's.
         let large = Viewport::new(16_000, 12_000).expect("a viewport");
         for stage in STAGES {
             within(&mut state, stage, Action::Resize(large));
@@ -59,12 +59,12 @@ fn a_point_clicked_in_any_view_is_the_point_that_the_picture_gives() {
             let Some(expected) = pick::pick(state.scene(), state.view(), px) else {
                 continue;
             };
-            // Its object's space is the one that is shown.
+            // The object view shows the space of the picked object.
             state.apply(Action::Select(Some(expected.id - 1)));
             for (i, stage) in STAGES.into_iter().enumerate() {
                 let at = px_in(&state, stage, expected.id - 1, expected.point_world);
                 within(&mut state, stage, Action::Click(at.expect("in front"), 0.0));
-                // Other objects may be in front of it there.
+                // In a view, other objects may be in front of the point.
                 same[i] += u32::from(state.picked() == Some(&expected));
             }
         }
@@ -142,7 +142,7 @@ fn the_view_stage_stands_still_while_the_camera_turns() {
         assert!(was.distance(is) < 1e-6, "{was} and {is}");
     }
     assert_eq!(eyes(&state)[1], world, "and in the world the camera moves");
-    // Right is right, up is up, and forward leads away from whoever looks from behind: nothing is mirrored.
+    // Nothing is mirrored: right is right, up is up, and forward leads away from somebody who looks from behind.
     let [right, up, _] = before;
     let eye = state.view().camera.eye();
     let eye = state
@@ -209,14 +209,14 @@ fn ndc_is_what_the_camera_projects_and_is_cut_at_its_near_plane() {
     let apart = (bounds.min - expected.min).length() + (bounds.max - expected.max).length();
     assert!(apart < 1e-6, "{bounds:?}, not {expected:?}");
     assert!(!made.objects()[2].visible, "what is hidden stays hidden");
-    // It is drawn in the same place, whichever depth is stored.
+    // NDC is drawn in the same place with either depth mapping.
     let reversed = LensControls {
         depth: DepthMapping::Reversed,
         ..state.controls()
     };
     state.apply(Action::Lens(reversed));
     assert_eq!(projected(state.scene(), state.view()).bounds_of(0), bounds);
-    // Fronts stay fronts, even where M mirrors.
+    // Front faces stay front faces, even if M mirrors.
     let mirrored = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
     state.apply(Action::Place(1, mirrored));
     let made = projected(state.scene(), state.view());
@@ -254,7 +254,7 @@ fn ndc_is_what_the_camera_projects_and_is_cut_at_its_near_plane() {
     );
 }
 
-/// NDC has what the section leaves of each object, up to the plane and no further.
+/// NDC shows what the section leaves of each object, up to the plane and no further.
 #[test]
 fn ndc_ends_at_the_section() {
     let mut state = front_view();
@@ -287,11 +287,11 @@ fn ndc_ends_at_the_section() {
         };
         for object in 0..3 {
             let (before, after) = (positions(&whole, object), positions(&cut, object));
-            // The most that f32 rounds, and a distance far beyond that.
+            // An upper bound of the rounding in f32, and a distance far beyond it.
             let (rounding, off) = (1e-4, 1e-2);
             assert!(after.iter().all(|at| side(at) > -rounding), "{object}");
             let on_plane = after.iter().filter(|at| side(at).abs() < rounding).count();
-            // A square is cut in two places, a solid in more.
+            // The plane cuts the square's border in two places, and a solid in more.
             assert!(on_plane >= [4, 4, 2][object], "{object}: {on_plane}");
             let (kept, gone): (Vec<_>, Vec<_>) = before.iter().partition(|at| side(at) > -rounding);
             assert!(!gone.is_empty() && !kept.is_empty(), "{object}");
@@ -341,7 +341,7 @@ fn views_follow_edits_undo_and_another_scene() {
                 .contains(seen.project(corner).expect("in front").px)
         );
     }
-    // They show the camera themselves: it cannot be frozen.
+    // The four views show the camera themselves, so it cannot be frozen.
     state.apply(Action::ToggleFreeze);
     assert_eq!(state.frozen(), None);
 }

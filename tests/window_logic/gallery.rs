@@ -1,4 +1,4 @@
-//! The gallery: picks by methods that break, compared with Sightline's own.
+//! In the gallery, picks by methods that break are compared with Sightline's own, and leaving it restores those.
 
 use super::*;
 use sightline::{
@@ -11,7 +11,7 @@ use std::collections::HashMap;
 fn opened(name: &str) -> State {
     let path = format!("gallery:{name}").into();
     let loaded = scene::load(&[path], &Progress::default()).expect("it loads");
-    // An odd width, as the window makes it: one column of pixels looks straight along a face.
+    // The width is odd, as the window makes it, so that the rays of one column of pixels run along a face.
     let viewport = Viewport::new(801, 600).expect("a viewport");
     State::new(loaded, CameraChoice::default(), viewport, Sides::Both).expect("a camera")
 }
@@ -54,21 +54,21 @@ fn each_break_is_seen_in_the_window() {
         let most = most.entry(broken.exhibit).or_default();
         *most = wrong.max(*most);
         let px = worst.unwrap_or_else(|| panic!("nobody sees {broken:?}"));
-        // The same click by the default is what the command line says.
+        // With the default method, the same click gives what the command line prints.
         state.apply(Action::PickBy(None));
         let line = state
             .apply(Action::Click(px + DVec2::X, 9.0))
             .expect("a pick");
         assert_eq!(line.hit, own(&state, px + DVec2::X));
     }
-    // On each scene one method fails so widely that everybody sees it: at so many of 1640 pixels.
+    // On each scene one method fails so widely that everybody sees it: at 30 or more of 1640 pixels.
     assert_eq!(most.len(), GALLERY.len());
     assert!(most.values().all(|wrong| *wrong >= 30), "{most:?}");
 }
 
 #[test]
 fn a_method_s_miss_selects_nothing_and_its_phantom_something() {
-    // Unprojecting the far plane in f32 divides by zero: it picks nothing anywhere.
+    // Unprojecting the far plane in f32 divides by zero, so the method picks nothing anywhere.
     let mut state = opened("far_over_near");
     let broken = the_break("far_over_near", "inverse(P V), far - near");
     let compared = compare(&mut state, broken, MIDDLE);
@@ -110,7 +110,7 @@ fn switching_back_leaving_or_opening_a_file_restores_the_default() {
     let mut state = opened("far_over_near");
     state.apply(Action::Click(MIDDLE, 0.0));
     assert_eq!((selected(&state), state.method()), (Some("Near"), None));
-    // The click that is there is picked again by each method that is set.
+    // When a method is set, it picks again at the last click.
     state.apply(Action::PickBy(broken.swap()));
     assert_eq!((selected(&state), state.method()), (None, broken.swap()));
     state.apply(Action::PickBy(None));

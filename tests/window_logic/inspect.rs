@@ -1,4 +1,5 @@
-//! Inspecting: surfaces behind each other, distances, triangles, depth steps, levels of trees.
+//! The inspector tells the truth about surfaces behind each other, distances, triangles, depth steps and levels of
+//! trees.
 
 use super::*;
 use sightline::{
@@ -43,10 +44,10 @@ fn every_surface_on_the_ray_is_listed_and_stepped_through() {
     );
     assert_eq!(state.apply(Action::StepTo(5)), None);
     assert_eq!(state.picked(), Some(&hits.picks[2]), "there is no sixth");
-    // A click goes on from there.
+    // A click goes on from the current surface.
     state.apply(Action::Click(MIDDLE, 10.0));
     assert_eq!(state.picked(), Some(&hits.picks[3]));
-    // What is hidden is on no ray.
+    // A hidden object is on no ray.
     state.apply(Action::HideSelection);
     let left: Vec<_> = state
         .hits()
@@ -202,7 +203,7 @@ fn surfaces_closer_than_a_depth_step_are_known() {
     let pick = state.picked().expect("the poster");
     assert_eq!(pick.object, "poster");
     let steps = state.depth_steps().expect("a pick");
-    // They are the clicked picture's, wherever the camera goes.
+    // The depth steps stay those of the clicked picture, wherever the camera goes.
     state.apply(Action::Zoom(MIDDLE, 0.001));
     assert_eq!(state.depth_steps(), Some(steps));
     let [(reversed, fine), (standard, coarse)] = steps.steps;
@@ -226,8 +227,8 @@ fn surfaces_closer_than_a_depth_step_are_known() {
     assert_eq!(steps.in_use, DepthMapping::Reversed);
 }
 
-/// Through every lens: depths a step apart are stored as different numbers, depths well within a step as the same number or
-/// as neighbours.
+/// Through every lens, depths a step apart are stored as different numbers. Depths well within a step are stored as the
+/// same number or as neighbours.
 #[test]
 fn a_depth_step_is_what_the_buffer_tells_apart() {
     let projections = [

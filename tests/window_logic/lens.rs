@@ -1,4 +1,5 @@
-//! Field of view, projection, near and far.
+//! Near and far follow the scene until they are set, an invalid lens or pose is refused, and a change of projection
+//! keeps the target's size.
 
 use super::*;
 

@@ -1,4 +1,5 @@
-//! The window's logic, by replaying its own actions: no window, no GPU.
+//! The window's state answers every action as a user expects. The tests apply the window's own actions to it, without a
+//! window or a GPU.
 #![cfg(feature = "window")]
 
 #[path = "../common/mod.rs"]
@@ -30,7 +31,7 @@ fn at(shape: Shape, name: &str, position: [f64; 3]) -> Object {
     Object::new(name, shape, Placement::new(model).expect("invertible"))
 }
 
-/// Three things in a row along z, seen from the front.
+/// Three objects in a row along z.
 fn row() -> Loaded {
     Loaded {
         scene: Scene::new(vec![

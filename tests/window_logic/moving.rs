@@ -1,4 +1,4 @@
-//! Orbit, pan, zoom, framing, and a camera that stays.
+//! Orbit, pan, zoom and framing keep the right point in place, and a frozen camera stays and is not clipped.
 
 use super::*;
 
@@ -172,7 +172,8 @@ fn a_double_click_centres_the_point_and_on_nothing_frames_all() {
     );
 }
 
-/// Eyes about the row: its own corners lie exactly on the rim of a picture from some, beside it by rounding from others.
+/// Eyes about the row. From some, the corners of the eye's own frustum lie exactly on the picture's rim; from others,
+/// rounding puts them beside it.
 fn eyes() -> impl Iterator<Item = DVec3> {
     let of = |i: i32| {
         let i = f64::from(i);
@@ -183,7 +184,7 @@ fn eyes() -> impl Iterator<Item = DVec3> {
         .chain((0..40).map(of))
 }
 
-/// The row from an eye.
+/// The row seen from an eye.
 fn from_eye(eye: DVec3, ortho: Option<f64>) -> State {
     let camera = CameraChoice {
         eye: Some(eye),
@@ -198,7 +199,7 @@ fn near(state: &State) -> f64 {
     state.view().camera.lens().near
 }
 
-/// Else freezing would change the very P that is to be looked at, and depth would lose its digits.
+/// Otherwise freezing would change the P that the user wants to look at, and depth would lose digits.
 #[test]
 fn freezing_the_camera_leaves_its_planes_and_a_look_about_leaves_near_close() {
     for (eye, ortho) in eyes().flat_map(|eye| [(eye, None), (eye, Some(3.0))]) {
@@ -218,7 +219,7 @@ fn freezing_the_camera_leaves_its_planes_and_a_look_about_leaves_near_close() {
     }
 }
 
-/// The frozen eye is just in front of the eye: near stays where depth has digits.
+/// The frozen eye is just in front of the eye, and near stays far enough out for depth to keep its digits.
 #[test]
 fn a_step_back_from_a_frozen_camera_leaves_near_its_floor() {
     for eye in eyes() {
@@ -285,7 +286,7 @@ fn a_frozen_eye_beside_a_parallel_camera_is_not_clipped() {
     );
 }
 
-/// What the picture shows of a frozen camera depends on the picture's size.
+/// The picture's size decides how much of a frozen camera it shows, and so where near must be.
 #[test]
 fn planes_follow_the_size_of_the_picture() {
     let mut state = from_eye(DVec3::new(0.0, 0.0, 10.0), None);

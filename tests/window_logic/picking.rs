@@ -1,4 +1,5 @@
-//! Clicks, selection and visibility.
+//! A click selects what its pixel shows, the same pixel again selects the surface behind, and hidden objects are not
+//! picked.
 
 use super::*;
 
@@ -34,7 +35,7 @@ fn the_same_pixel_again_goes_behind_but_a_double_click_does_not() {
         seen.push(side(&state));
         time += 10.0;
     }
-    // In and out of the cube, in and out of the sphere, the square, and round again.
+    // The ray goes in and out of the cube, in and out of the sphere, through the square, and starts again.
     let expected = [
         ("front", true),
         ("front", false),
@@ -158,7 +159,7 @@ fn the_pipeline_follows_a_pick_to_its_own_pixel() {
         assert_near(steps.px, px, 1e-9);
         let ray = state.view().ray(px);
         assert!(steps.ray.direction.distance(ray.direction) < 1e-12);
-        // The product of the matrices says the same in one step.
+        // The product of the matrices gives the same in one step.
         let clip =
             Matrices::of(state.view(), Some(object)).product() * pick.point_object.extend(1.0);
         assert!((clip.truncate() / clip.w).distance(pick.ndc) < 1e-12);
@@ -186,7 +187,7 @@ fn the_cursor_knows_the_point_that_a_pick_there_reports() {
     );
 }
 
-/// A mesh of many triangles without a tree: a ray would have to test each of them.
+/// The mesh has many triangles and no tree yet, so a ray would have to test each of them.
 #[test]
 fn what_follows_the_mouse_waits_for_no_tree() {
     let side = 150_u16;
@@ -217,7 +218,7 @@ fn what_follows_the_mouse_waits_for_no_tree() {
     assert_eq!(state.hover(), Some(0));
 }
 
-/// A row of a list lights its object, whatever lies under the cursor, and selects nothing.
+/// A row of the list lights its object, whatever lies under the cursor, and selects nothing.
 #[test]
 fn a_row_lights_its_object() {
     let mut state = front_view();

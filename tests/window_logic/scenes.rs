@@ -1,4 +1,4 @@
-//! Opening, reading again and saving scenes.
+//! Scenes open only when they are whole, keep the view when read again, and save what is shown.
 
 use super::*;
 

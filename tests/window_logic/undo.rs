@@ -1,4 +1,4 @@
-//! Undo and redo: what was there before is there again, to the bit.
+//! Undo and redo bring back what was there before, to the bit.
 
 use super::*;
 use crate::inspect::STILL;
@@ -7,7 +7,7 @@ use sightline::{
     viewer::model::{RayHits, Selection},
 };
 
-/// All that a user sees of scene and view.
+/// Everything that a user sees of scene and view.
 #[derive(Clone, Debug, PartialEq)]
 struct Seen {
     models: Vec<[u64; 12]>,
@@ -94,7 +94,7 @@ fn every_change_is_undone_and_done_again_to_the_bit() {
     }
 }
 
-/// A long history of everything, there and back again.
+/// A long history of all kinds of changes is undone and done again.
 #[test]
 fn a_history_is_walked_there_and_back() {
     let mut state = front_view();
@@ -140,7 +140,7 @@ fn a_history_is_walked_there_and_back() {
     for _ in 0..done {
         state.apply(Action::Redo);
     }
-    // Selecting is not a step of its own: undo restores the selection of the step.
+    // Selecting is not a step of its own. Undo restores the selection that the step had.
     let last = pictures.last().expect("one");
     assert_eq!(
         (&seen(&state).models, &seen(&state).visible),
@@ -179,7 +179,7 @@ fn what_is_dragged_or_slid_is_one_step() {
     state.apply(Action::Undo);
     assert_eq!(seen(&state), before);
     assert_eq!(state.next_step(true), None);
-    // Another object's drag is another's.
+    // The drag of another object is another step.
     state.apply(moved(0.1));
     state.apply(Action::Place(1, DAffine3::from_translation(DVec3::X)));
     state.apply(Action::Undo);
@@ -259,7 +259,7 @@ fn leaving_the_gallery_brings_back_scene_edits_view_and_selection() {
     assert_eq!(seen(&state), before);
     assert!(state.edited() && state.showing().is_none());
     assert_ne!(state.scene_revision(), revision, "it is drawn anew");
-    // It still has its history, and redo leads into the gallery.
+    // The scene still has its history, and redo leads into the gallery.
     for _ in 0..6 {
         state.apply(Action::Redo);
     }
@@ -271,7 +271,7 @@ fn leaving_the_gallery_brings_back_scene_edits_view_and_selection() {
     assert_eq!(state.next_step(true), None);
 }
 
-/// However long the user stays in the gallery.
+/// This holds however many steps the user makes in the gallery.
 #[test]
 fn the_way_out_of_the_gallery_is_never_forgotten() {
     let mut state = front_view();

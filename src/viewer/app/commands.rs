@@ -57,7 +57,7 @@ impl App {
             Command::CopyCamera => {
                 let camera = self.state.camera_choice();
                 if let Ok(text) = description::to_toml(&Scene::default(), &camera, &[]) {
-                    self.copy(text, "the camera is copied: Ctrl+V takes it over");
+                    self.copy(text, "the camera is copied: Ctrl+V applies it");
                 }
             }
             Command::Paste(text) => {

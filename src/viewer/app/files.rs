@@ -210,7 +210,7 @@ fn scene_file(mut path: PathBuf) -> Result<PathBuf, String> {
     path.add_extension("toml");
     if path.exists() {
         return Err(format!(
-            "{} exists already: choose that very file, or another name",
+            "{} exists already: choose that file itself to replace it, or another name",
             path.display()
         ));
     }

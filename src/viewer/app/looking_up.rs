@@ -105,7 +105,7 @@ impl App {
         let Some(object) = id.checked_sub(1).filter(|index| *index < objects.len()) else {
             let count = objects.len();
             return self.tell(format!(
-                "there is no object {id}: they run from 1 to {count}"
+                "there is no object {id}: ids run from 1 to {count}"
             ));
         };
         let hidden = if objects[object].visible {
@@ -199,10 +199,10 @@ fn file_in_question(state: &State) -> Result<MeshFile, &'static str> {
     let mut with_numbers = files.iter().filter(|file| file.contents.is_some());
     let only = match (with_numbers.next(), with_numbers.next()) {
         (Some(only), None) => Some(only),
-        (None, _) => return Err("faces and vertices have numbers where an OBJ file is shown"),
+        (None, _) => return Err("only OBJ files number faces and vertices: none is open"),
         _ => None,
     };
     let file = of_selected.filter(|file| file.contents.is_some()).or(only);
     file.cloned()
-        .ok_or("there are several OBJ files: select an object of the one you mean")
+        .ok_or("the scene has several OBJ files: select an object from the one you mean")
 }

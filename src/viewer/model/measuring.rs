@@ -112,13 +112,15 @@ impl Measuring {
     #[must_use]
     pub fn lacks(&self, what: What) -> &'static str {
         match what {
-            _ if !self.is_on => "tick snap clicks first, then click what is to be measured",
+            _ if !self.is_on => {
+                "tick \u{201c}snap clicks\u{201d} first, then click what is to be measured"
+            }
             What::Distance if self.points.is_empty() => "click two points",
             What::Distance => "click a second point",
             _ if self.points.is_empty() => "click what is to be measured",
             What::Length => "the last click did not snap to an edge: click one",
             What::FaceArea | What::ObjectArea => {
-                "the file leaves out part of the face that was clicked last"
+                "a corner of that face is not three numbers in the file"
             }
         }
     }

@@ -124,7 +124,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y",
-        does: "undo; the others redo",
+        does: "undo, redo, redo",
         shortcuts: &[
             (CTRL.plus(SHIFT), Key::Z, act(Action::Redo)),
             (CTRL, Key::Y, act(Action::Redo)),
@@ -171,7 +171,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "K, Shift+K",
-        does: "boxes of the meshes' trees: a level deeper, less deep",
+        does: "boxes of the meshes' search trees: one level down, one up",
         shortcuts: &[
             (SHIFT, Key::K, act(Action::TreeLevel { deeper: false })),
             (NONE, Key::K, act(Action::TreeLevel { deeper: true })),
@@ -215,7 +215,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "Shift+C",
-        does: "copy the camera; Ctrl+V takes over a copied one",
+        does: "copy the camera; Ctrl+V applies a copied one",
         shortcuts: &[(SHIFT, Key::C, Command::CopyCamera)],
     },
     Binding {
@@ -233,7 +233,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "C",
-        does: "copy the pick in its view as a command, else the view",
+        does: "copy a command that repeats the pick; no pick: the view",
         shortcuts: &[(NONE, Key::C, Command::CopyCommandLine)],
     },
     Binding {
@@ -243,7 +243,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "Esc",
-        does: "stop waiting or loading, close, select nothing, leave gallery",
+        does: "cancel, close, deselect, leave the gallery",
         shortcuts: &[(NONE, Key::Escape, Command::Escape)],
     },
     Binding {
@@ -275,7 +275,7 @@ pub(in crate::viewer) const MOUSE: &[(&str, &str)] = &[
     ("right click", "a menu for what is under the cursor"),
     (
         "double click",
-        "set pivot and centre; on nothing: frame all",
+        "centre the point, turn about it; on nothing: frame all",
     ),
     (
         "click on the cross of axes",

@@ -7,7 +7,7 @@ use super::{
 };
 use std::cmp::Ordering;
 
-/// A corner and the two sides from it: a triangle, or a parallelogram centred on the corner.
+/// A point and two sides: a triangle with that corner, or a parallelogram about that point.
 pub struct Flat {
     corner: Vector,
     sides: [Vector; 2],
@@ -33,13 +33,13 @@ impl Flat {
         }
     }
 
-    /// Cramer's rule for `origin + t direction = corner + u side + v side`; `None` within the plane or beside it.
+    /// Cramer's rule for `origin + t direction = corner + u side + v side`; `None` for a line parallel to the plane.
     pub fn crossing(&self, line: &Line) -> Option<Crossing> {
         let along = dot(&self.normal, &line.direction);
         if along.is_zero() {
             return None;
         }
-        // Relative to the corner, and times `scale`: the shares have to be divided by it, t has not.
+        // Relative to the corner, and times `scale`. The shares must be divided by `scale`, t must not.
         let from_corner = minus(&line.origin, &times(&line.scale, &self.corner));
         let moment = cross(&line.direction, &from_corner);
         let [a, b] = &self.sides;
@@ -70,7 +70,7 @@ impl Crossing {
         Parameter::fraction(&self.t, &self.determinant)
     }
 
-    /// In a triangle: whether on its border, and the weights of its corners.
+    /// For a triangle: whether the crossing is on its border, and the weights of its corners. `None` outside.
     pub fn in_triangle(&self, line: &Line) -> Option<(bool, [f64; 3])> {
         let [u, v] = &self.shares;
         if u.sign().is_lt() || v.sign().is_lt() {
@@ -86,7 +86,8 @@ impl Crossing {
         Some((on_border, weights.map(|weight| weight.over(&whole))))
     }
 
-    /// In a parallelogram centred on its corner, half a side each way: whether on its border.
+    /// For a parallelogram, half a side each way about its point: whether the crossing is on its border. `None`
+    /// outside.
     pub fn in_parallelogram(&self, line: &Line) -> Option<bool> {
         let whole = self.whole(line);
         let mut on_border = false;

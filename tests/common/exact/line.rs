@@ -20,7 +20,7 @@ pub struct Line {
     pub scale: Dyadic,
     pub near: Dyadic,
     pub far: Dyadic,
-    /// n and c.
+    /// Normal n and offset c.
     pub section: Option<(Vector, Dyadic)>,
 }
 
@@ -88,7 +88,7 @@ impl Line {
             .into()
     }
 
-    /// The largest coordinate of the start and of the point at `t`, divided by the direction's: in units of `t`.
+    /// In units of `t`: the largest coordinate of the start and of the point at `t`, over the direction's largest.
     pub fn reach(&self, t: &Parameter) -> f64 {
         let rounded = |v: &Vector| DVec3::from(v.each_ref().map(|c| c.over(&self.scale)));
         let start = rounded(&self.origin).abs().max_element();

@@ -69,7 +69,7 @@ impl Dyadic {
         self
     }
 
-    /// The exponent of the greatest power of two up to its size; 0 for zero.
+    /// The exponent of the greatest power of two that is at most its size; 0 for zero.
     pub fn magnitude(&self) -> i64 {
         let (_, digits) = self.digits.clone().into_parts();
         if digits.is_zero() {
@@ -79,7 +79,7 @@ impl Dyadic {
         }
     }
 
-    /// The root of a number that is a square; `None` of others.
+    /// The square root of a square; `None` for other numbers.
     pub fn exact_root(&self) -> Option<Self> {
         let odd = self.exponent.rem_euclid(2);
         let digits = UBig::try_from(&self.digits << shift(odd)).ok()?;
@@ -90,7 +90,7 @@ impl Dyadic {
         })
     }
 
-    /// The root of a number that is at least 0, rounded down to a multiple of `2^-places`.
+    /// The square root of a number that is at least 0, rounded down to a multiple of `2^-places`.
     pub fn root_below(&self, places: i64) -> Self {
         let by = self.exponent + 2 * places;
         let digits = UBig::try_from(self.digits.clone()).expect("not negative");
@@ -105,7 +105,7 @@ impl Dyadic {
         }
     }
 
-    /// The nearest `f64` to `self / divisor`, of two equally near the even one. `divisor` is above 0.
+    /// The nearest `f64` to `self / divisor`; ties go to even. `divisor` is above 0.
     pub fn over(&self, divisor: &Self) -> f64 {
         let (sign, digits) = self.digits.clone().into_parts();
         let divisor_digits = UBig::try_from(divisor.digits.clone()).expect("above 0");
@@ -118,7 +118,7 @@ impl Dyadic {
     }
 }
 
-/// The nearest `f64` to `digits * 2^exponent` and, if `more`, a little above it; of two equally near the even one.
+/// The nearest `f64` to `digits * 2^exponent`, or if `more` to a number slightly above it; ties go to even.
 fn nearest(digits: &UBig, exponent: i64, more: bool) -> f64 {
     let length = bits(digits);
     // Subnormal numbers keep fewer digits.

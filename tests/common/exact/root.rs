@@ -36,7 +36,7 @@ impl Parameter {
         Self { p, sign, r, q }
     }
 
-    /// The difference to another, without its positive denominator: a number, and two roots with their signs.
+    /// `self - other` times its positive denominator: a number, and two roots with their signs.
     fn difference(&self, other: &Self) -> (Dyadic, [(i8, Dyadic); 2]) {
         let rational = &(&self.p * &other.q) - &(&other.p * &self.q);
         let root = |sign: i8, r: &Dyadic, factor: &Dyadic| {
@@ -170,7 +170,7 @@ fn rounded(rational: Dyadic, roots: [(i8, Dyadic); 2], q: &Dyadic) -> f64 {
     let Some(largest) = left.iter().map(|(_, r)| r.magnitude()).max() else {
         return rational.over(q);
     };
-    // What is left is irrational, so it never lies halfway between two `f64`s.
+    // The roots that are left make the value irrational, so it never lies halfway between two `f64`s.
     let mut places = 70 - largest / 2;
     let mut more = 64;
     loop {

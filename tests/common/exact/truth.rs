@@ -1,5 +1,5 @@
-//! The exact truth of what a position shows: every hit of its ray on every shape, by brute force, from the numbers that
-//! camera, placements and meshes hold. The program computes nothing here.
+//! The exact truth of what a position shows: every hit of its ray on every shape, by brute force. It starts from the
+//! numbers that camera, placements and meshes hold. The program computes nothing here.
 
 use super::{
     flat::{Flat, faces},
@@ -32,7 +32,7 @@ pub struct Hit {
 
 /// A shape where it stands in the world.
 enum Solid {
-    /// The first one's index in its mesh.
+    /// The first triangle's index in its mesh, and all triangles.
     Triangles(u32, Vec<Flat>),
     Square(Flat),
     /// Faces with their axis and side, in the order of axes.
@@ -196,7 +196,7 @@ impl Placed {
                 let into_object =
                     |v: &Vector| -> Vector { std::array::from_fn(|i| dot(&adjugate[i], v)) };
                 let (o, d) = (into_object(&from_centre), into_object(&line.direction));
-                // Both are `determinant * scale` too long, and so is the radius of 1/2.
+                // Both are times `determinant * scale`, and so is the radius of 1/2.
                 let radius = (determinant * &line.scale).shifted(-1);
                 let a = dot(&d, &d);
                 let b = dot(&o, &d);
@@ -222,8 +222,8 @@ impl Placed {
     }
 }
 
-/// Entry and exit of a convex solid, from the faces met in the order of axes. Each is the first such face met from the
-/// right side. A single entry if both coincide.
+/// Entry and exit of a convex solid, from the faces met in the order of axes. Of several faces met at one end, the
+/// first that the line crosses in the right direction counts. If both ends coincide, only the entry is returned.
 fn ends(met: &[Hit]) -> Vec<Hit> {
     let Some(first) = met.iter().min_by(|a, b| a.t.compare(&b.t)).cloned() else {
         return Vec::new();

@@ -1,5 +1,5 @@
-//! An MTL file that a good OBJ file names: whatever is in it, the mesh loads, and what is
-//! wrong with it is told in a few lines.
+//! An MTL file that a good OBJ file names: whatever is in it, the mesh loads, and a few warnings of one line each say
+//! what is wrong.
 
 #![no_main]
 

@@ -1,5 +1,5 @@
-//! An OBJ file and the MTL file it may name, parted by a byte 1: it is refused in a line, or what loads can be shown
-//! and picked.
+//! An OBJ file and the MTL file it may name, parted by a byte 1. Either an error names the file, or what loads has
+//! finite bounds and can be picked.
 
 #![no_main]
 

@@ -1,4 +1,4 @@
-//! A scene file: it is refused in a line, or what it says can be shown, and reads back the same once it is saved.
+//! A scene file is refused in one line, or what loads has bounds and reads back the same once it is saved.
 
 #![no_main]
 

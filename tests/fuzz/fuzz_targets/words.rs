@@ -1,4 +1,4 @@
-//! A command line, a word a line: it is refused in words, or every value in it is one that the program can use.
+//! A command line, a word a line: it is refused in words, or a pick's positions and radius in it can be used.
 
 #![no_main]
 

@@ -377,7 +377,7 @@ impl Faces {
                 let at = |vertex| position(vertex).unwrap_or_default();
                 let split = splitter.face(vertices, at);
                 face.left_out = (split.is_none())
-                    .then(|| "it has too many corners, of which too many are the same".to_owned());
+                    .then(|| "it has too many corners that repeat a vertex".to_owned());
                 let split = split.unwrap_or_default().iter();
                 let with_area = split.filter(|corners| {
                     has_area(corners.map(|corner| at(vertices[corner as usize])))

@@ -3,7 +3,7 @@
 
 use super::names::Hint;
 use crate::{
-    verify::{COLOURS, IN_ONE_PLACE, Verdict},
+    verify::{COLOURS, Class, IN_ONE_PLACE, Verdict},
     viewer::{
         jobs::{Check, Checked, Checking},
         screen::SceneRect,
@@ -52,9 +52,10 @@ fn table(ui: &mut Ui, check: &Check, found: &Checked) {
         ui.label("same").hint("pixels that show what a click there picks");
         ui.monospace(report.same().to_string());
         ui.end_row();
-        for (class, colour, hint) in COLOURS {
+        for (class, colour, in_words) in COLOURS {
             swatch(ui, color32(colour));
-            ui.label(class.name()).hint(hint);
+            ui.label(class.name())
+                .hint(format!("{in_words}: {}", meaning(class)));
             ui.monospace(report.count(class).to_string());
             ui.end_row();
         }
@@ -62,7 +63,7 @@ fn table(ui: &mut Ui, check: &Check, found: &Checked) {
         let pixels = found.in_one_place.len();
         if pixels > 0 {
             swatch(ui, color32(IN_ONE_PLACE.0));
-            ui.label("two in one place").hint(
+            ui.label("surfaces in one place").hint(
                 "Surfaces closer together than drawing can tell apart, whether the pixel differs or not. Click for their names.",
             );
             ui.monospace(pixels.to_string());
@@ -84,6 +85,18 @@ fn table(ui: &mut Ui, check: &Check, found: &Checked) {
     ui.weak("V closes this").hint("or Esc");
 }
 
+/// Why pixels of this class differ.
+fn meaning(class: Class) -> &'static str {
+    match class {
+        Class::Edge => "the pixel's centre lies on an outline, where drawing rounds",
+        Class::Depth => "two surfaces are equally deep there, to the depth buffer",
+        Class::Section => "the section passes the surface there, as far as drawing can tell",
+        Class::F32Limit => "the pixel's centre lies on an outline, as far as f32 can tell",
+        Class::BeyondF32 => "f32 is too coarse to draw this view there",
+        Class::Unexplained => "drawing does not explain it: the picture or the pick is wrong",
+    }
+}
+
 fn swatch(ui: &mut Ui, colour: Color32) {
     let (rect, _) = ui.allocate_exact_size(Vec2::splat(10.0), Sense::hover());
     ui.painter().rect_filled(rect, 0.0, colour);
@@ -94,7 +107,7 @@ fn advice(verdict: Verdict) -> Option<&'static str> {
     match verdict {
         Verdict::Agrees | Verdict::Unexplained(_) => None,
         Verdict::BeyondF32(_) => Some(
-            "Drawing in f32 cannot hold this view.\nPicks are right, and so is\nsightline render --by raycast",
+            "f32 is too coarse to draw this view.\nPicks are right, and so is\nsightline render --by raycast",
         ),
         Verdict::NothingDrawn(_) => Some(
             "Nothing is drawn where picks hit.\nPicks are right, and so is\nsightline render --by raycast",

@@ -64,7 +64,7 @@ pub(super) fn show(
     ui.weak(match (showing.method, state.has_outside()) {
         (Some(_), _) => "Esc: pick by Sightline's own method again.",
         (None, true) => "Esc, with nothing selected, leaves the gallery.",
-        (None, false) => "Gallery, leave the gallery: opens the demo.",
+        (None, false) => "Menu Gallery, leave the gallery: opens the demo.",
     });
     ui.separator();
     methods(ui, showing, commands);
@@ -78,7 +78,7 @@ pub(super) fn show(
                 let now = showing.method.map(|method| method.info());
                 let now = now.map(|info| (info.name, info.precision));
                 plot::show(ui, &family(rows, subject.value, now));
-                ui.weak("In this view's pixels. Dashed: f32. Solid: f64 or exact. Black: Sightline's. Wide: what picks now.");
+                ui.weak("Pixels: this view's. Dashed: f32. Solid: f64 or exact. Black: Sightline's. Thick: the method that picks now.");
                 ui.label(others(rows));
             }
             None => {
@@ -91,15 +91,15 @@ pub(super) fn show(
     }
 }
 
-/// Which other methods are right here.
+/// Which other methods are correct here.
 fn others(rows: &[Row]) -> String {
     let names: Vec<String> = as_good(rows)
         .map(|row| format!("{} {}", row.info.name, row.info.precision))
         .collect();
     if names.is_empty() {
-        return "No other method of this step is right here.".to_owned();
+        return "No other method of this step is correct here.".to_owned();
     }
-    format!("Nothing wrong shows here with: {}.", names.join("; "))
+    format!("Also correct here: {}.", names.join("; "))
 }
 
 /// A method's name with its precision.
@@ -229,7 +229,7 @@ fn verdict(state: &State, compared: &Compared) -> (String, Color32) {
             format!("Wrong: it picks {theirs}, but {ours} is there."),
             WRONG,
         ),
-        Some(Fault::Off(by)) if !by.shows() => ("Right here.".to_owned(), RIGHT),
+        Some(Fault::Off(by)) if !by.shows() => ("Correct here.".to_owned(), RIGHT),
         Some(Fault::Off(by)) => {
             let place = format!("{} px and {} units", short(by.px), short(by.world));
             let normal = format!("{}\u{b0}", short(by.normal_deg));

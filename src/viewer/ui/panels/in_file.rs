@@ -29,7 +29,7 @@ pub(super) fn show(ui: &mut Ui, hit: &Pick) {
     let Some(path) = &said.file else { return };
     if let Some(error) = &said.file_error {
         ui.colored_label(ui.visuals().warn_fg_color, error)
-            .hint("what the file writes of a face is not kept: it is read again at each pick");
+            .hint("the file is read again at each pick; this time that failed");
         return;
     }
     let (Some(line), Some(face), Some(vertices)) = (said.line, said.face, &said.vertices) else {
@@ -103,12 +103,12 @@ pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &m
             ("object", "an object by its number in the list", GoTo::Object),
             (
                 "face",
-                "a face by its number among the f lines of the file: of the selected object, or of the only file",
+                "a face by its number among the f lines of the selected object's file, or of the only file",
                 GoTo::Face,
             ),
             (
                 "vertex",
-                "a vertex by its number in the file: of the selected object, or of the only file",
+                "a vertex by its number in the selected object's file, or in the only file",
                 GoTo::Vertex,
             ),
         ];
@@ -120,7 +120,7 @@ pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &m
             let number = text.trim().parse::<usize>().ok().filter(|number| *number > 0);
             let is_wrong = number.is_none() && !text.trim().is_empty();
             if is_wrong {
-                wrong = Some(format!("{name} {}: numbers run from 1", text.trim()));
+                wrong = Some(format!("{name} {}: type a whole number from 1", text.trim()));
             }
             let mut field = TextEdit::singleline(&mut text)
                 .id(id)

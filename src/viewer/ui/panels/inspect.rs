@@ -89,7 +89,7 @@ fn corners(ui: &mut Ui, state: &State, hit: &Pick, digits: Digits, commands: &mu
 }
 
 fn distance(ui: &mut Ui, state: &State, digits: Digits, commands: &mut Vec<Command>) {
-    let hint = "from the previous pick to this one, in world units; surfaces on one ray count too";
+    let hint = "from the previous pick to this one, in world units; stepping to a surface behind counts as a pick";
     section(ui, "distance", "Distance".to_owned(), hint, |ui| {
         let [from, to] = state.landmarks() else {
             ui.weak("Pick a second point to see how far apart they are.")
@@ -133,7 +133,7 @@ fn depth(ui: &mut Ui, steps: &DepthSteps, commands: &mut Vec<Command>) {
                     let text = if step.is_finite() {
                         format!("{} units", short(step))
                     } else {
-                        "none before far".to_owned()
+                        "past the far plane".to_owned()
                     };
                     ui.label(value_text(text)).hint(hint);
                     let in_use = if mapping == steps.in_use {
@@ -161,8 +161,10 @@ fn depth(ui: &mut Ui, steps: &DepthSteps, commands: &mut Vec<Command>) {
         }
         for (mapping, _) in steps.steps {
             if steps.confuses(mapping) && mapping != steps.in_use {
-                ui.weak(format!("With {mapping} depth these surfaces would be one."))
-                    .hint("its step is larger than the gap between them");
+                ui.weak(format!(
+                    "With {mapping} depth these surfaces could not be told apart."
+                ))
+                .hint("its step is larger than the gap between them");
             }
         }
     });

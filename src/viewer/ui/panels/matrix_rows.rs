@@ -88,7 +88,7 @@ pub(super) fn determinant(
     match matrix {
         Matrix::Projection => {
             let depth = match lens.depth {
-                DepthMapping::Reversed => "z turns, right-handed",
+                DepthMapping::Reversed => "z reversed, right-handed",
                 DepthMapping::Standard => "stays left-handed",
             };
             (
@@ -104,7 +104,7 @@ pub(super) fn determinant(
             let hand = if entries.determinant() < 0.0 {
                 ", mirrored"
             } else {
-                ", same hand"
+                ", not mirrored"
             };
             (
                 format!(

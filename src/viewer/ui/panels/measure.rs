@@ -19,7 +19,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let mut actions = Vec::new();
     let mut is_on = measuring.is_on;
     let toggle = ui.checkbox(&mut is_on, "snap clicks");
-    let hint = "snap each click to the nearest visible vertex within 8 pixels, else to an edge of the file, else to the surface";
+    let hint = "snap each click to the nearest visible vertex within 8 pixels, else to an edge of the file's polygons, else to the surface";
     if toggle.hint(hint).clicked() {
         actions.push(MeasureAction::Toggle);
     }

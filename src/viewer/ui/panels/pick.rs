@@ -203,7 +203,7 @@ fn certainty(hit: &Pick, digits: Digits) -> [Row; 4] {
     let decided = if hit.exact {
         "exact arithmetic"
     } else {
-        "f64, for certain"
+        "f64 with error bound"
     };
     [
         (
@@ -234,7 +234,7 @@ fn whose_view(ui: &mut Ui, state: &State) {
     let text = match state.pick_view() {
         Some(PickView::Earlier) => "Picked in an earlier view. Copies repeat it there.",
         Some(PickView::LeftOut) => {
-            "Picked in an earlier view. Copies repeat it there. This one leaves it out: near, far, culling or the section."
+            "Picked in an earlier view. Copies repeat it there. This view does not show the point: near, far, culling or the section removes it."
         }
         Some(PickView::Own) | None => return,
     };

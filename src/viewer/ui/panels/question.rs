@@ -19,7 +19,7 @@ pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut
     Modal::new(Id::unique("question")).show(ctx, |ui| {
         ui.heading("Unsaved edits");
         ui.label(format!(
-            "This {what}. What you have edited in {scenes} is in no file yet."
+            "This {what}. Your edits in {scenes} are not saved."
         ));
         ui.add_space(8.0);
         ui.horizontal(|ui| {

@@ -166,7 +166,7 @@ fn showing(state: &State) -> Vec<Tool> {
     let freeze = act(
         "\u{2744}",
         "Freeze",
-        "leave this camera standing, with the pick's ray, and look at it from elsewhere (T)",
+        "leave a copy of this camera in the scene, with the pick's ray, and look at it from elsewhere (T)",
         Action::ToggleFreeze,
     );
     vec![
@@ -201,7 +201,7 @@ fn learning(shown: &Shown) -> Vec<Tool> {
         .switched(!shown.state.stages().is_empty()),
         ask(
             "\u{25a4}",
-            "Pipeline",
+            "Matrices",
             "the matrices P, V and M, and the pick on its way through them (P)",
             Command::TogglePipeline,
         )
@@ -299,11 +299,11 @@ fn tree_level(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         let level = state.overlays().tree_level;
         let shown = level.map_or("off".to_owned(), |level| level.to_string());
-        let hint = "boxes of the trees that picks walk through, of meshes that are worth one; level 0 is the box around a mesh";
+        let hint = "boxes of the meshes' search trees (BVH); small meshes have none; level 0 is the box around a mesh";
         ui.label(format!("tree level: {shown}")).hint(hint);
         for (name, deeper, hint) in [("\u{2212}", false, "(Shift+K)"), ("+", true, "(K)")] {
             let button = ui.small_button(name).hint(hint);
-            named(&button, if deeper { "a level deeper" } else { "a level less deep" });
+            named(&button, if deeper { "one level down" } else { "one level up" });
             if button.clicked() {
                 commands.push(Command::Act(Action::TreeLevel { deeper }));
             }
