@@ -1,6 +1,6 @@
 //! Rays in object space, with upper bounds on their rounding errors.
 
-use super::{Placement, Ray, RayError, WorldRay, ray::Line};
+use super::{Placement, Ray, RayError, WorldRay, line::Line};
 use glam::DVec3;
 
 /// A world-space ray in the object space of a placement: rounded, with bounds on its error.
@@ -39,6 +39,38 @@ pub(super) struct Exactly<'a> {
     pub line: Line<'a>,
     /// Leads from object space to the line's space; `None` where they are the same.
     pub placement: Option<&'a Placement>,
+}
+
+impl Placement {
+    /// A world-space ray in object space as picks take it, with the same `t`.
+    ///
+    /// Bounds: a component errs by the placement's own error (the field `error`) plus the vector's error times the row's
+    /// sum.
+    #[inline]
+    #[must_use]
+    pub fn local_ray<'a>(&'a self, world: &'a WorldRay<'a>) -> PlacedRay<'a> {
+        let error = world.error();
+        if self.is_identity {
+            return PlacedRay::new(**world, error, world, self);
+        }
+        let from_translation = world.origin - self.model.translation;
+        let ray = Ray {
+            origin: self.inverse_linear * from_translation,
+            direction: self.inverse_linear * world.direction,
+            ..**world
+        };
+        let of = |vector: DVec3, error: DVec3| {
+            let rounded = self.error * vector.abs().max_element();
+            // With slack for underflow.
+            let slack = DVec3::splat(f64::MIN_POSITIVE);
+            self.row_sums * (1.01 * (rounded + error.max_element() + f64::MIN_POSITIVE)) + slack
+        };
+        let error = RayError {
+            origin: of(from_translation, error.origin),
+            direction: of(world.direction, error.direction),
+        };
+        PlacedRay::new(ray, error, world, self)
+    }
 }
 
 impl<'a> PlacedRay<'a> {
@@ -140,3 +172,6 @@ impl<'a> From<&LocalRay<'a>> for LocalRay<'a> {
         *ray
     }
 }
+
+#[cfg(test)]
+mod tests;

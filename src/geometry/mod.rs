@@ -20,28 +20,37 @@ mod bounds;
 mod bvh;
 mod clip;
 mod cuboid;
+mod cuboid_hits;
 pub(crate) mod double_double;
 mod exact;
+mod hit;
 mod interval;
+mod line;
 mod local_ray;
 mod mesh;
 mod normals;
+mod pixel_grid;
+mod pixel_rays;
 mod placed_point;
 mod placement;
 mod pyramid;
 #[cfg(test)]
 pub(crate) mod random;
 mod ray;
+mod rounded_line;
 mod section;
 pub(crate) mod shares;
+mod slab_test;
 mod sphere;
+mod sphere_hits;
 mod square;
+mod square_hits;
 mod triangle;
 mod trs;
 mod vertex_ray;
+mod world_ray;
 
 pub use bounds::Aabb;
-pub(crate) use bounds::entry;
 pub(crate) use bvh::Entry;
 pub use bvh::{Bvh, Simd, Visit};
 pub(crate) use clip::clip;
@@ -51,82 +60,31 @@ pub(crate) use exact::{
     Corners, Parameter, Surface, are_coplanar, are_in_one_plane, area, compare_surfaces,
     compare_to_point, is_point_within, keeps,
 };
+pub use hit::{Hit, OnTriangle, Sides, TriangleHit};
 pub(crate) use interval::HALF_OF_THE_DIGITS;
+pub use line::ThroughPoint;
 pub use local_ray::{LocalRay, PlacedRay};
 pub(crate) use mesh::BLOCK;
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
 pub use normals::{CornerNormals, crease_normals, face_normal};
-pub use placed_point::{PlacedPoint, ThroughPoint};
+pub use pixel_grid::PixelGrid;
+pub(crate) use pixel_grid::RayDifferential;
+pub use pixel_rays::PixelRays;
+pub use placed_point::PlacedPoint;
 pub(crate) use placement::sin_cos_quarters;
 pub use placement::{Placement, PlacementError};
 pub(crate) use pyramid::Pyramid;
-pub(crate) use ray::RayDifferential;
-pub use ray::{PixelGrid, PixelRays, Ray, RayError, WorldRay};
+pub use ray::{Ray, RayError};
 pub(crate) use section::Across;
 pub use section::{Section, SectionError};
+pub(crate) use slab_test::entry;
 pub use sphere::Sphere;
 pub use square::Square;
 pub(crate) use triangle::overlap;
-pub use triangle::{TriangleHit, TriangleTest, exact_volume, guarded_volume, signed_volume};
+pub use triangle::{TriangleTest, exact_volume, guarded_volume, signed_volume};
 pub use trs::Trs;
 pub use vertex_ray::VertexRay;
-
-use glam::DVec3;
+pub use world_ray::WorldRay;
 
 /// The unit roundoff of `f64`: the relative error of one operation is at most this.
 const U: f64 = 0.5 * f64::EPSILON;
-
-/// One intersection of a ray and a surface, in the shape's object space.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
-    /// Ray parameter.
-    pub t: f64,
-    /// How far `t` may be from the exact parameter.
-    pub t_error: f64,
-    /// Outward normal; any non-zero length.
-    pub normal: DVec3,
-    /// Whether the ray meets the surface from outside; the rounded normal cannot tell for a grazing ray.
-    pub front: bool,
-    /// Where on which triangle; `None` for analytic shapes.
-    pub on_triangle: Option<OnTriangle>,
-}
-
-impl Hit {
-    /// On a shape other than a mesh.
-    fn analytic(t: f64, t_error: f64, normal: DVec3, front: bool) -> Self {
-        Self {
-            t,
-            t_error,
-            normal,
-            front,
-            on_triangle: None,
-        }
-    }
-}
-
-/// Which triangle of a mesh, and where on it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OnTriangle {
-    /// Index into [`MeshData::triangles`].
-    pub triangle: u32,
-    /// Weights of its corners, in order.
-    pub barycentric: [f64; 3],
-}
-
-/// Which sides of a surface a ray may hit and a picture shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Sides {
-    /// Front and back alike.
-    #[default]
-    Both,
-    /// Front only: back faces are culled.
-    Front,
-}
-
-impl Sides {
-    /// Whether a hit counts.
-    #[must_use]
-    pub fn shows(self, hit: &Hit) -> bool {
-        self == Self::Both || hit.front
-    }
-}

@@ -1,10 +1,6 @@
-//! Exact points of shapes, and the rays of a picture through them.
+//! Exact points of shapes.
 
-use super::{
-    PixelGrid, Placement, Ray, RayError, U, WorldRay,
-    exact::{self, Rounded},
-    ray::Line,
-};
+use super::Placement;
 use glam::{DAffine3, DVec3};
 
 /// An exact point of a shape: a share of the way from one point of object space to another, both given about an origin
@@ -49,63 +45,5 @@ impl PlacedPoint {
             model: placement.model(),
             ..*self
         }
-    }
-
-    /// Where it is in the world, each coordinate rounded once.
-    #[must_use]
-    pub fn world(&self) -> DVec3 {
-        exact::point_world(self)
-    }
-
-    /// Where it is in object space, each coordinate rounded once.
-    #[must_use]
-    pub fn object(&self) -> DVec3 {
-        let model = DAffine3::IDENTITY;
-        exact::point_world(&Self { model, ..*self })
-    }
-}
-
-/// A point and a picture: what the picture's ray through the point is made of.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ThroughPoint {
-    /// The picture.
-    pub grid: PixelGrid,
-    /// The point.
-    pub point: PlacedPoint,
-    /// The interval of view depth that counts.
-    pub interval: [f64; 2],
-}
-
-impl ThroughPoint {
-    /// The ray of the picture through the point: [`PixelGrid::ray`] at the position that shows it, which need not be an
-    /// `f64`. Its exact line passes through the exact point, at its exact depth. `None` where the point lies at or behind
-    /// the eye in perspective, or where the axes span no space.
-    ///
-    /// Each number is the exact one to within three roundings, which are its bound.
-    #[must_use]
-    pub fn ray(&self) -> Option<WorldRay<'_>> {
-        let line = Line::Through(self);
-        let Rounded { origin, direction } = exact::rounded_line(&line)?;
-        let [t_min, t_max] = self.interval;
-        let ray = Ray {
-            origin,
-            direction,
-            t_min,
-            t_max,
-        };
-        let error = RayError {
-            origin: origin.map(error_of),
-            direction: direction.map(error_of),
-        };
-        Some(WorldRay::of_line(ray, error, line))
-    }
-}
-
-/// How far three roundings may move a number; infinite for numbers too small for a relative bound.
-fn error_of(rounded: f64) -> f64 {
-    if rounded == 0.0 || rounded.abs() >= super::binary::power_of_two(-900) {
-        4.0 * U * rounded.abs()
-    } else {
-        f64::INFINITY
     }
 }

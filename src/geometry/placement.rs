@@ -1,7 +1,7 @@
 //! Model matrices: where a shape stands in the world.
 
 use super::{
-    PlacedRay, Ray, RayError, U, WorldRay,
+    Ray, U,
     binary::{power_of_two, power_of_two_below},
     exact,
 };
@@ -12,15 +12,15 @@ use std::f64::consts::FRAC_PI_2;
 /// and shear alike.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
-    model: DAffine3,
-    inverse_linear: DMat3,
+    pub(super) model: DAffine3,
+    pub(super) inverse_linear: DMat3,
     /// The sums of absolute values in each row of the inverse.
-    row_sums: DVec3,
+    pub(super) row_sums: DVec3,
     /// Upper bound on the error of a component of inverse times vector, relative to its row's sum times the vector's
     /// largest component. It covers the inverse's own error and the product's roundings.
-    error: f64,
+    pub(super) error: f64,
     mirrors: bool,
-    is_identity: bool,
+    pub(super) is_identity: bool,
 }
 
 /// Why a model matrix was refused.
@@ -136,36 +136,6 @@ impl Placement {
         DMat3::from_cols(x_axis.abs(), y_axis.abs(), z_axis.abs()) * sizes
     }
 
-    /// A world-space ray in object space as picks take it, with the same `t`.
-    ///
-    /// Bounds: a component errs by the placement's own error (the field `error`) plus the vector's error times the row's
-    /// sum.
-    #[inline]
-    #[must_use]
-    pub fn local_ray<'a>(&'a self, world: &'a WorldRay<'a>) -> PlacedRay<'a> {
-        let error = world.error();
-        if self.is_identity {
-            return PlacedRay::new(**world, error, world, self);
-        }
-        let from_translation = world.origin - self.model.translation;
-        let ray = Ray {
-            origin: self.inverse_linear * from_translation,
-            direction: self.inverse_linear * world.direction,
-            ..**world
-        };
-        let of = |vector: DVec3, error: DVec3| {
-            let rounded = self.error * vector.abs().max_element();
-            // With slack for underflow.
-            let slack = DVec3::splat(f64::MIN_POSITIVE);
-            self.row_sums * (1.01 * (rounded + error.max_element() + f64::MIN_POSITIVE)) + slack
-        };
-        let error = RayError {
-            origin: of(from_translation, error.origin),
-            direction: of(world.direction, error.direction),
-        };
-        PlacedRay::new(ray, error, world, self)
-    }
-
     /// A world-space ray in object space, rounded, with the same `t`.
     #[inline]
     #[must_use]
@@ -268,87 +238,5 @@ pub(crate) fn sin_cos_quarters(quarter_turns: f64) -> (f64, f64) {
         2.0 => (-sin, -cos),
         3.0 => (-cos, sin),
         _ => (sin, cos),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::geometry::{PixelGrid, exact, random::Random};
-    use glam::DVec2;
-
-    /// Model matrices as files may hold them: turned, stretched, sheared, small and large.
-    fn matrix(random: &mut Random, i: u32) -> DAffine3 {
-        let mut linear = DMat3::from_cols(random.point(), random.point(), random.point());
-        let stretch = [1.0, 1e3, 1e-7, 1e14][i as usize % 4];
-        linear.x_axis *= stretch;
-        if i.is_multiple_of(3) {
-            linear = DMat3::from_rotation_y(random.next()) * linear;
-        }
-        if i.is_multiple_of(5) {
-            // Nearly flat: two columns that differ in their last digits.
-            linear.y_axis = linear.z_axis + 1e-12 * random.point();
-        }
-        let size = [1.0, 1e-30, 1e30][i as usize % 3];
-        DAffine3 {
-            matrix3: linear * size,
-            translation: [1.0, 1e6][i as usize % 2] * size * random.point(),
-        }
-    }
-
-    /// The bounds of [`PixelGrid::ray`] and [`Placement::local_ray`] hold against exact arithmetic.
-    #[test]
-    fn local_rays_are_within_their_bounds() {
-        let mut random = Random(11);
-        let mut worst = [0.0_f64; 2];
-        let mut by_exact = 0;
-        for i in 0..60_000_u32 {
-            let placed = matrix(&mut random, i);
-            let placement = if i % 7 == 0 {
-                Placement::IDENTITY
-            } else {
-                Placement::new(placed).expect("random matrices are invertible")
-            };
-            by_exact += u32::from(placement.error < 8.0 * U && !placement.is_identity);
-            let away = 10_f64.powi(i32::from((i % 13) as u8)) * placed.matrix3.x_axis.length();
-            let camera = PixelGrid {
-                eye: away * random.point(),
-                right: random.point(),
-                up: random.point(),
-                forward: random.point(),
-                half_height: 10_f64.powi(i32::from((i % 9) as u8) - 8) * (1.5 + random.next()),
-                size_px: [1280, 721],
-                is_orthographic: i % 2 == 0,
-            };
-            let px = DVec2::new(640.0, 360.0) + 640.0 * random.point().truncate();
-            // Sometimes the middle, where nothing is added to F.
-            let px = if i % 11 == 0 {
-                DVec2::new(640.0, 360.5)
-            } else {
-                px
-            };
-            let world = camera.ray(px, [0.0, 1.0]);
-            let placed = placement.local_ray(&world);
-            let local = crate::geometry::LocalRay::from(&placed);
-            let errors = exact::errors(&local);
-            let bounds = [local.error.origin, local.error.direction];
-            for (of, (error, bound)) in errors.into_iter().zip(bounds).enumerate() {
-                for axis in 0..3 {
-                    let (error, bound) = (error[axis], bound[axis]);
-                    assert!(
-                        error <= bound,
-                        "{error:e} is more than {bound:e}: {camera:?} {placed:?}"
-                    );
-                    if bound > 0.0 {
-                        worst[of] = worst[of].max(error / bound);
-                    }
-                }
-            }
-        }
-        println!(
-            "worst errors over their bounds: {worst:.2?}; {by_exact} inverses by exact arithmetic"
-        );
-        assert!(worst.iter().all(|worst| *worst > 0.15), "{worst:?}");
-        assert!((5_000..55_000).contains(&by_exact), "{by_exact}");
     }
 }

@@ -104,7 +104,7 @@ impl Section {
                 continue;
             }
             let mut step = (U * terms).max(f64::from_bits(1));
-            while !exact::keeps_point(&self, placement, [origin, point]) {
+            while !exact::keeps_point((self.normal, self.offset), placement, [origin, point]) {
                 self = Self::new(self.normal, self.offset + step)?;
                 step *= 2.0;
             }

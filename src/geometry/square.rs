@@ -1,9 +1,6 @@
 //! The unit square in the xy plane.
 
-use super::{
-    Aabb, Hit, LocalRay, Ray, U, exact,
-    interval::{Approximate, InDoubt},
-};
+use super::Aabb;
 use glam::DVec3;
 
 /// The square of side 1 about the origin in the xy plane, facing +z; other rectangles and parallelograms are
@@ -31,65 +28,4 @@ impl Square {
         [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
             .map(|(x, y)| Self::HALF_SIDE * DVec3::new(x, y, 0.0))
     }
-
-    /// Where `ray` meets the square, rim included, within its interval. A ray in its plane misses.
-    ///
-    /// Decided in `f64` where rounding cannot change the answer, else by exact arithmetic.
-    #[must_use]
-    pub fn hit<'a>(ray: impl Into<LocalRay<'a>>) -> Option<Hit> {
-        let ray = ray.into();
-        filter(&ray).unwrap_or_else(|InDoubt| exact::square(&ray.exactly(), ray.ray))
-    }
-
-    /// Whether `f64` leaves [`Square::hit`] to exact arithmetic.
-    pub(crate) fn is_in_doubt(ray: &LocalRay) -> bool {
-        filter(ray).is_err()
-    }
-}
-
-/// The hit as far as `f64` decides it.
-///
-/// The line meets the plane `z = 0` at `x = (o_x d_z - o_z d_x) / d_z`, which is compared without dividing. Two products
-/// and their difference round by `2 U` of their sizes. Errors `p` of `o` and `f` of `d` add their part of each product.
-#[inline]
-fn filter(ray: &LocalRay) -> Result<Option<Hit>, InDoubt> {
-    let Ray {
-        origin: o,
-        direction: d,
-        ..
-    } = *ray.ray;
-    let (p, f) = (ray.error.origin, ray.error.direction);
-    if d.z == 0.0 && f.z == 0.0 {
-        return Ok(None);
-    }
-    let rim = Square::HALF_SIDE * d.z.abs();
-    // Lower and upper bound on how far the point is past the rim. Both axes come before the decision, which costs a
-    // branch.
-    let past = |axis: usize| {
-        let (a, b) = (o[axis] * d.z, o.z * d[axis]);
-        let through = (o[axis].abs() + p[axis]) * f.z + p[axis] * d.z.abs();
-        let across = (o.z.abs() + p.z) * f[axis] + p.z * d[axis].abs();
-        // With slack for underflow.
-        let error =
-            4.0 * U * (a.abs() + b.abs()) + 1.01 * (through + across) + f.z + f64::MIN_POSITIVE;
-        let point = (a - b).abs();
-        [point - (rim + error), point - (rim - error)]
-    };
-    let [x, y] = [past(0), past(1)];
-    if x[0] > 0.0 || y[0] > 0.0 {
-        return Ok(None);
-    }
-    // NaN is in doubt.
-    if !(x[1] < 0.0 && y[1] < 0.0) {
-        return Err(InDoubt);
-    }
-    let way = Approximate {
-        value: -o.z,
-        error: p.z,
-    };
-    let at = way.over(Approximate {
-        value: d.z,
-        error: f.z,
-    })?;
-    at.hit(ray.ray, DVec3::Z, d.z < 0.0)
 }

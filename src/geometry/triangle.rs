@@ -9,7 +9,7 @@
 )]
 
 use super::{
-    Corners, Hit, OnTriangle, U, VertexRay,
+    Corners, TriangleHit, U, VertexRay,
     binary::power_of_two,
     exact,
     interval::{Approximate, HALF_OF_THE_DIGITS, InDoubt},
@@ -20,36 +20,6 @@ use std::cmp::Ordering;
 /// `2^-600`: slack for underflow, which takes at most `2^-1075` times two lengths below `2^402`. Two edges of `f32`
 /// triangles and a direction of `2^-200` make a larger product.
 const LOST: f64 = power_of_two(-600);
-
-/// Where a ray meets a triangle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TriangleHit {
-    /// Ray parameter.
-    pub t: f64,
-    /// How far `t` may be from the exact parameter of the given ray and corners; 0 where the method has no bound.
-    pub t_error: f64,
-    /// Whether the ray meets the side from which the corners are counter-clockwise.
-    pub front: bool,
-    /// Weights of the corners, in order; sum 1.
-    pub barycentric: [f64; 3],
-}
-
-impl TriangleHit {
-    /// As a hit on this triangle of a mesh, which has these corners.
-    #[inline]
-    pub(super) fn on(self, triangle: u32, [a, b, c]: [DVec3; 3]) -> Hit {
-        Hit {
-            t: self.t,
-            t_error: self.t_error,
-            normal: (b - a).cross(c - a),
-            front: self.front,
-            on_triangle: Some(OnTriangle {
-                triangle,
-                barycentric: self.barycentric,
-            }),
-        }
-    }
-}
 
 /// A ray-triangle test, for corners of `f32` components. Picks take it as a parameter, so that methods can be compared.
 /// `None` outside the ray's interval.

@@ -4,7 +4,7 @@ use super::{
     enclosure::Enclosure,
     integer::Ring,
     number::{Number, Vector},
-    world::way,
+    point::way,
 };
 use crate::geometry::{Placement, U};
 use glam::DVec3;

@@ -4,8 +4,8 @@ use super::{
     enclosure::Enclosure,
     integer::{Bits, Formula, Integer, Ring, solve},
     number::Number,
+    point::{point, way},
     triangle::Corners,
-    world::{point, way},
 };
 use crate::geometry::binary::{power_of_two, power_of_two_below};
 use glam::DVec3;

@@ -1,6 +1,10 @@
-//! Inverses and signs of determinants, for matrices too close to singular for `f64`.
+//! Matrices in exact numbers: products, inverses and signs of determinants.
 
-use super::{root::Root, world::Adjugate};
+use super::{
+    integer::Ring,
+    number::{Number, Vector},
+    root::Root,
+};
 use glam::{DMat3, DVec3};
 use num_bigint::BigInt;
 
@@ -19,4 +23,35 @@ pub(in super::super) fn inverse(matrix: DMat3) -> Option<DMat3> {
 /// Whether the determinant is negative.
 pub(in super::super) fn mirrors(matrix: DMat3) -> bool {
     Adjugate::<BigInt>::new(matrix).determinant.sign().is_lt()
+}
+
+/// A matrix's inverse times its determinant, by rows.
+pub(super) struct Adjugate<I> {
+    pub rows: [Vector<I>; 3],
+    pub determinant: Number<I>,
+}
+
+impl<I: Ring> Adjugate<I> {
+    pub fn new(matrix: DMat3) -> Self {
+        let [x, y, z] = &columns(matrix);
+        let rows = [y.cross(z), z.cross(x), x.cross(y)];
+        let determinant = x.dot(&rows[0]);
+        Self { rows, determinant }
+    }
+}
+
+/// A matrix times a vector.
+pub(super) fn turned_by<I: Ring>(matrix: DMat3, object: &Vector<I>) -> Vector<I> {
+    let columns = columns(matrix);
+    let [x, y, z] = [0, 1, 2].map(|i| columns[i].times(&object.component(i)));
+    x.plus(&y).plus(&z)
+}
+
+/// A matrix, by rows, times a vector.
+pub(super) fn product<I: Ring>(rows: &[Vector<I>; 3], v: &Vector<I>) -> Vector<I> {
+    Vector::of(&rows.each_ref().map(|row| row.dot(v)))
+}
+
+fn columns<I: Ring>(matrix: DMat3) -> [Vector<I>; 3] {
+    [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(Vector::new)
 }

@@ -2,12 +2,13 @@
 
 use super::{
     super::{WorldRay, interval::InDoubt, local_ray::Exactly},
-    Surface,
     enclosure::{Enclosure, rounded_quotient},
+    exact_line::LocalLine,
     number::Number,
     root::Root,
-    solids, triangle,
-    world::LocalLine,
+    solids,
+    surface::{Surface, parameter},
+    triangle,
 };
 use crate::geometry::{Cuboid, Placement, Sphere};
 use glam::DVec3;
@@ -39,7 +40,7 @@ impl<'a> Parameter<'a> {
 
     /// The exact parameter; `None` where a number is not finite.
     fn root(&self) -> Option<&Root> {
-        let root = || super::root(self.ray, &self.surface);
+        let root = || parameter(self.ray, &self.surface);
         self.root.get_or_init(root).as_ref()
     }
 

@@ -95,9 +95,7 @@ impl Root {
     /// Whether it lies in the interval, which includes its start but not its end. False where either is NaN.
     pub(super) fn is_within(&self, interval: &Ray) -> bool {
         let Ray { t_min, t_max, .. } = *interval;
-        super::has_interval(interval)
-            && self.compare_to(t_min).is_ge()
-            && self.compare_to(t_max).is_lt()
+        interval.has_interval() && self.compare_to(t_min).is_ge() && self.compare_to(t_max).is_lt()
     }
 
     /// Which of the two is less.
@@ -168,6 +166,11 @@ impl Root {
             denominator: &self.r << bits,
         })
     }
+}
+
+/// How far a parameter may be off after a few roundings, also if it underflowed to 0.
+pub(super) fn rounding_of(t: f64) -> f64 {
+    4.0 * f64::EPSILON * t.abs() + f64::from_bits(2)
 }
 
 /// The sign of `x + a sqrt(q) + b sqrt(r)`.

@@ -1,29 +1,28 @@
 //! Decides in integers whether a section keeps what a ray hits.
 
 use super::{
-    super::{Placement, Section, WorldRay, ray::Line},
-    Surface, dyadic,
+    super::{Section, WorldRay, line::Line},
+    exact_line::ExactLine,
     integer::{Bits, Formula, Integer, Ring, solve},
     number::{Number, Vector},
     root::Root,
+    surface::{Surface, parameter},
     triangle::{Corners, Seen},
-    world::{ExactLine, point},
 };
-use glam::DVec3;
 use num_bigint::BigInt;
 use std::cmp::Ordering;
 
 /// Whether a section keeps the point where a ray meets a surface. The ray must meet it.
 pub(crate) fn keeps(ray: &WorldRay, section: &Section, surface: &Surface) -> bool {
     let line = ray.line();
-    if !super::is_finite(line) {
+    if !line.is_finite() {
         return false;
     }
     if let Surface::Triangle(triangle) = surface {
         return triangle.is_finite() && solve(&OfTriangle(line, triangle, section));
     }
     let [start, ahead] = along(&ExactLine::<BigInt>::new(line), section);
-    let Some(at) = super::root(ray, surface) else {
+    let Some(at) = parameter(ray, surface) else {
         return false;
     };
     let from_plane = |start: Number<BigInt>, ahead| {
@@ -34,29 +33,6 @@ pub(crate) fn keeps(ray: &WorldRay, section: &Section, surface: &Surface) -> boo
         Ordering::Greater => from_plane(start, ahead).is_some_and(Ordering::is_ge),
         Ordering::Less => from_plane(start, ahead).is_some_and(Ordering::is_le),
     }
-}
-
-/// Whether a section keeps a point of an object, given as the sum of two finite vectors in its space.
-pub(in super::super) fn keeps_point(
-    section: &Section,
-    placement: &Placement,
-    point_object: [DVec3; 2],
-) -> bool {
-    let normal = Vector::<BigInt>::new(section.normal());
-    let offset = Number::new(section.offset());
-    let at = point(Some(placement), point_object);
-    normal.dot(&at).plus(&offset).sign().is_ge()
-}
-
-/// The normal of the plane through three finite points, of a size near 1 and each component rounded once; `None` where
-/// they lie on one line.
-pub(in super::super) fn normal_of(points: [DVec3; 3]) -> Option<DVec3> {
-    let [a, b, c] = points.map(Vector::<BigInt>::new);
-    let normal = b.minus(&a).cross(&c.minus(&a));
-    let components = [0, 1, 2].map(|i| normal.component(i));
-    let unit = components.iter().filter_map(Number::magnitude).max()?;
-    let rounded = components.map(|n| dyadic::rounded(&n.integer, n.exponent - unit));
-    Some(rounded.into())
 }
 
 /// `n . p + c` at a ray's start, and its growth per unit of t; both times the ray's weight, which is above 0.

@@ -2,10 +2,10 @@
 
 use super::{
     super::{Cuboid, Hit, Ray, Sphere, Square, interval::InDoubt, local_ray::Exactly},
+    exact_line::LocalLine,
     integer::Decided,
     number::Number,
-    root::Root,
-    world::LocalLine,
+    root::{Root, rounding_of},
 };
 use glam::DVec3;
 use num_bigint::BigInt;
@@ -30,7 +30,7 @@ impl Crossing {
 /// A ray in object space; `None` where a number is not finite. Where the placement mirrors, all its numbers are negated,
 /// so that [`LocalLine::one`] is positive.
 fn local(exactly: &Exactly) -> Option<Integers> {
-    if !super::is_finite(&exactly.line) {
+    if !exactly.line.is_finite() {
         return None;
     }
     let mut line = Integers::new(exactly);
@@ -145,7 +145,7 @@ pub(in super::super) fn sphere(exactly: &Exactly, ray: &Ray) -> [Option<Hit>; 2]
         let t = within(root, ray)?;
         Some(Hit::analytic(
             t,
-            super::rounding_of(t),
+            rounding_of(t),
             at_root(&line, root)?,
             front,
         ))
@@ -171,7 +171,7 @@ pub(in super::super) fn cube(exactly: &Exactly, ray: &Ray) -> [Option<Hit>; 2] {
     };
     let hit = |(root, normal): (Root, DVec3), front: bool| {
         let t = within(&root, ray)?;
-        Some(Hit::analytic(t, super::rounding_of(t), normal, front))
+        Some(Hit::analytic(t, rounding_of(t), normal, front))
     };
     let exit = if touches { None } else { hit(leave, false) };
     [hit(enter, true), exit]
@@ -182,7 +182,7 @@ pub(in super::super) fn square(exactly: &Exactly, ray: &Ray) -> Option<Hit> {
     let line = local(exactly)?;
     let t = within(&square_crossing(&line)?, ray)?;
     let front = line.direction.component(2).sign().is_lt();
-    Some(Hit::analytic(t, super::rounding_of(t), DVec3::Z, front))
+    Some(Hit::analytic(t, rounding_of(t), DVec3::Z, front))
 }
 
 /// The point at a parameter in object space, each coordinate within three roundings. The coordinate along one axis may be

@@ -4,18 +4,17 @@ use super::{
     super::{
         Placement, Ray, TriangleHit,
         interval::{Approximate, InDoubt},
+        line::Line,
         local_ray::Exactly,
-        ray::Line,
     },
     enclosure::Enclosure,
+    exact_line::ExactLine,
     integer::{Bits, Formula, Integer, Ring, solve},
     number::{Number, Vector},
-    root::Root,
-    world::{ExactLine, point, way},
+    point::{point, way},
+    root::{Root, rounding_of},
 };
 use glam::DVec3;
-#[cfg(test)]
-use num_bigint::BigInt;
 use std::cmp::Ordering;
 
 /// A triangle by its corners about an origin, in the space of a placement.
@@ -149,7 +148,7 @@ impl Formula for Hit<'_> {
         let t = plane.numerator.ratio(&plane.denominator);
         let rounded = Approximate {
             value: t,
-            error: super::rounding_of(t),
+            error: rounding_of(t),
         };
         let counts = match rounded.is_within(self.interval) {
             Ok(counts) => counts,
@@ -181,8 +180,7 @@ pub(in super::super) fn hit(
         origin,
         corners,
     };
-    let is_finite =
-        super::has_interval(interval) && triangle.is_finite() && super::is_finite(&exactly.line);
+    let is_finite = interval.has_interval() && triangle.is_finite() && exactly.line.is_finite();
     let formula = Hit {
         line: exactly.line,
         triangle,
@@ -207,7 +205,7 @@ pub(super) fn plane_parameter(line: &Line, triangle: &Corners) -> Option<Root> {
             plane.root()
         }
     }
-    let is_finite = triangle.is_finite() && super::is_finite(line);
+    let is_finite = triangle.is_finite() && line.is_finite();
     is_finite
         .then(|| solve(&Parameter(line, triangle)))
         .flatten()
@@ -252,7 +250,7 @@ pub(super) fn weights(line: &Line, triangle: &Corners) -> Option<[f64; 3]> {
             weights.sum.sign().is_ne().then(|| weights.rounded())
         }
     }
-    let is_finite = triangle.is_finite() && super::is_finite(line);
+    let is_finite = triangle.is_finite() && line.is_finite();
     is_finite.then(|| solve(&Rounded(line, triangle))).flatten()
 }
 
@@ -282,7 +280,7 @@ pub(in super::super) fn compare(line: &Line, a: &Corners, b: &Corners) -> Orderi
             }
         }
     }
-    let is_finite = a.is_finite() && b.is_finite() && super::is_finite(line);
+    let is_finite = a.is_finite() && b.is_finite() && line.is_finite();
     if is_finite {
         solve(&Both(line, [a, b]))
     } else {
@@ -299,28 +297,4 @@ pub(in super::super) fn reaches_plane(
 ) -> bool {
     plane_parameter(line, triangle)
         .is_none_or(|t| t.is_within(interval) && t.compare_to(limit).is_le())
-}
-
-/// How far computed volumes are from the exact ones, for a ray that is exact as it stands.
-#[cfg(test)]
-pub(in super::super) fn volume_errors(
-    ray: &Ray,
-    origin: DVec3,
-    corners: [DVec3; 3],
-    computed: [f64; 3],
-) -> [f64; 3] {
-    let line = Line::Given {
-        origin: ray.origin,
-        direction: ray.direction,
-    };
-    let triangle = Corners {
-        placement: None,
-        origin,
-        corners,
-    };
-    let volumes = Seen::<BigInt>::new(&line, &triangle).weights().corners;
-    [0, 1, 2].map(|i| {
-        let error = volumes[i].minus(&Number::new(computed[i]));
-        error.ratio(&Number::new(1.0)).abs()
-    })
 }

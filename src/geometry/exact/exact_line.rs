@@ -1,14 +1,14 @@
-//! Turns rays, points and placements into exact numbers, in world space and in object space.
+//! The lines of rays in exact numbers, in world space and in object space.
 
-#[cfg(test)]
-use super::super::LocalRay;
 use super::{
-    super::{PixelGrid, PlacedPoint, Placement, ThroughPoint, local_ray::Exactly, ray::Line},
+    super::{PixelGrid, ThroughPoint, line::Line, local_ray::Exactly},
     integer::Ring,
+    matrix::{Adjugate, product},
     number::{Number, Vector},
+    point::{moved, placed},
     root::Root,
 };
-use glam::{DAffine3, DMat3, DVec2, DVec3};
+use glam::{DVec2, DVec3};
 use num_bigint::BigInt;
 
 /// A ray: `(origin + t direction) / weight`, which avoids dividing by the picture's height.
@@ -86,64 +86,6 @@ pub(super) fn factors<I: Ring>(grid: &PixelGrid, px: DVec2) -> [Number<I>; 2] {
     [x.minus(&width), height.minus(&y)].map(|factor| factor.times(&half_height))
 }
 
-/// Where a placement puts the sum of two vectors of object space.
-pub(super) fn point<I: Ring>(placement: Option<&Placement>, sum_of: [DVec3; 2]) -> Vector<I> {
-    let object = match sum_of {
-        [DVec3::ZERO, point] => Vector::new(point),
-        [a, b] => Vector::new(a).plus(&Vector::new(b)),
-    };
-    match moved(placement) {
-        Some(placement) => {
-            turned(placement, &object).plus(&Vector::new(placement.model().translation))
-        }
-        None => object,
-    }
-}
-
-/// The vector from one point of object space to another, in the world of the placement.
-pub(super) fn way<I: Ring>(placement: Option<&Placement>, from: DVec3, to: DVec3) -> Vector<I> {
-    let object = Vector::new(to).minus(&Vector::new(from));
-    match moved(placement) {
-        Some(placement) => turned(placement, &object),
-        None => object,
-    }
-}
-
-/// The placement, unless it is the identity.
-fn moved(placement: Option<&Placement>) -> Option<&Placement> {
-    placement.filter(|placement| !placement.is_identity())
-}
-
-/// A point of a shape in the world.
-pub(super) fn placed<I: Ring>(point: &PlacedPoint) -> Vector<I> {
-    let from = Vector::new(point.from);
-    // A share of 0 adds nothing, but the exponent of `to` would still lengthen the integers.
-    let here = if point.share == 0.0 {
-        from
-    } else {
-        let way = Vector::new(point.to).minus(&from);
-        from.plus(&way.times(&Number::new(point.share)))
-    };
-    let object = match point.origin {
-        DVec3::ZERO => here,
-        origin => here.plus(&Vector::new(origin)),
-    };
-    if point.model == DAffine3::IDENTITY {
-        return object;
-    }
-    turned_by(point.model.matrix3, &object).plus(&Vector::new(point.model.translation))
-}
-
-/// Where a placement puts a point of object space. Both points are given times `weight`.
-pub(super) fn moved_by(
-    placement: &Placement,
-    point: &Vector<BigInt>,
-    weight: &Number<BigInt>,
-) -> Vector<BigInt> {
-    let translation = Vector::new(placement.model().translation);
-    turned(placement, point).plus(&translation.times(weight))
-}
-
 /// The depth of a point in a picture as a quotient: with n = U x R, n . (P - eye) over n . F.
 fn depth_of<I: Ring>(grid: &PixelGrid, point: &Vector<I>) -> [Number<I>; 2] {
     let normal = Vector::new(grid.up).cross(&Vector::new(grid.right));
@@ -172,7 +114,7 @@ pub(in super::super) struct Rounded {
 /// The numbers of a line, each within three roundings; `None` where a number is not finite, or the line's weight is not
 /// above 0.
 pub(in super::super) fn rounded_line(line: &Line) -> Option<Rounded> {
-    if !super::is_finite(line) {
+    if !line.is_finite() {
         return None;
     }
     let exact = ExactLine::<BigInt>::new(line);
@@ -182,38 +124,12 @@ pub(in super::super) fn rounded_line(line: &Line) -> Option<Rounded> {
     })
 }
 
-/// Where a point is in the world, each coordinate rounded once.
-pub(in super::super) fn point_world(point: &PlacedPoint) -> DVec3 {
-    divided(&placed(point), &Number::new(1.0))
-}
-
-/// A point divided by a number other than 0, each coordinate rounded once.
-pub(crate) fn divided(point: &Vector<BigInt>, by: &Number<BigInt>) -> DVec3 {
-    let nearest = |axis| Root::quotient(point.component(axis), by.clone());
-    DVec3::from_array([0, 1, 2].map(|axis| nearest(axis).map_or(f64::NAN, |root| root.to_f64())))
-}
-
 fn rounded(v: &Vector<BigInt>, weight: &Number<BigInt>) -> DVec3 {
     DVec3::from_array([0, 1, 2].map(|axis| v.component(axis).ratio(weight)))
 }
 
-/// A vector of object space times the placement's linear part.
-fn turned<I: Ring>(placement: &Placement, object: &Vector<I>) -> Vector<I> {
-    turned_by(placement.model().matrix3, object)
-}
-
-fn turned_by<I: Ring>(matrix: DMat3, object: &Vector<I>) -> Vector<I> {
-    let columns = columns(matrix);
-    let [x, y, z] = [0, 1, 2].map(|i| columns[i].times(&object.component(i)));
-    x.plus(&y).plus(&z)
-}
-
-fn columns<I: Ring>(matrix: DMat3) -> [Vector<I>; 3] {
-    [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(Vector::new)
-}
-
 /// A ray in object space, times [`LocalLine::one`].
-pub(super) struct LocalLine<I> {
+pub(in super::super) struct LocalLine<I> {
     pub origin: Vector<I>,
     pub direction: Vector<I>,
     /// What stands for 1: the ray's weight times the determinant. Where it is negative, origin and direction have to be
@@ -241,38 +157,4 @@ impl<I: Ring> LocalLine<I> {
             one: determinant.times(&line.weight),
         }
     }
-}
-
-/// A matrix's inverse times its determinant, by rows.
-pub(super) struct Adjugate<I> {
-    pub rows: [Vector<I>; 3],
-    pub determinant: Number<I>,
-}
-
-impl<I: Ring> Adjugate<I> {
-    pub fn new(matrix: DMat3) -> Self {
-        let [x, y, z] = &columns(matrix);
-        let rows = [y.cross(z), z.cross(x), x.cross(y)];
-        let determinant = x.dot(&rows[0]);
-        Self { rows, determinant }
-    }
-}
-
-/// A matrix, by rows, times a vector.
-fn product<I: Ring>(rows: &[Vector<I>; 3], v: &Vector<I>) -> Vector<I> {
-    Vector::of(&rows.each_ref().map(|row| row.dot(v)))
-}
-
-/// How far a local ray's origin and direction are from the exact ones, by component.
-#[cfg(test)]
-pub(in super::super) fn errors(ray: &LocalRay) -> [DVec3; 2] {
-    let LocalLine {
-        origin,
-        direction,
-        one,
-    } = LocalLine::<BigInt>::new(&ray.exactly());
-    [(origin, ray.ray.origin), (direction, ray.ray.direction)].map(|(exact, rounded)| {
-        let error = exact.minus(&Vector::new(rounded).times(&one));
-        DVec3::from_array([0, 1, 2].map(|axis| error.component(axis).ratio(&one).abs()))
-    })
 }

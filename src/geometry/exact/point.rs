@@ -1,0 +1,100 @@
+//! Where placements put points of shapes, in exact numbers and rounded once.
+
+use super::{
+    super::{PlacedPoint, Placement},
+    integer::Ring,
+    matrix::turned_by,
+    number::{Number, Vector},
+    root::Root,
+};
+use glam::{DAffine3, DVec3};
+use num_bigint::BigInt;
+
+impl PlacedPoint {
+    /// Where it is in the world, each coordinate rounded once.
+    #[must_use]
+    pub fn world(&self) -> DVec3 {
+        point_world(self)
+    }
+
+    /// Where it is in object space, each coordinate rounded once.
+    #[must_use]
+    pub fn object(&self) -> DVec3 {
+        let model = DAffine3::IDENTITY;
+        point_world(&Self { model, ..*self })
+    }
+}
+
+/// Where a placement puts the sum of two vectors of object space.
+pub(super) fn point<I: Ring>(placement: Option<&Placement>, sum_of: [DVec3; 2]) -> Vector<I> {
+    let object = match sum_of {
+        [DVec3::ZERO, point] => Vector::new(point),
+        [a, b] => Vector::new(a).plus(&Vector::new(b)),
+    };
+    match moved(placement) {
+        Some(placement) => {
+            turned(placement, &object).plus(&Vector::new(placement.model().translation))
+        }
+        None => object,
+    }
+}
+
+/// The vector from one point of object space to another, in the world of the placement.
+pub(super) fn way<I: Ring>(placement: Option<&Placement>, from: DVec3, to: DVec3) -> Vector<I> {
+    let object = Vector::new(to).minus(&Vector::new(from));
+    match moved(placement) {
+        Some(placement) => turned(placement, &object),
+        None => object,
+    }
+}
+
+/// The placement, unless it is the identity.
+pub(super) fn moved(placement: Option<&Placement>) -> Option<&Placement> {
+    placement.filter(|placement| !placement.is_identity())
+}
+
+/// A point of a shape in the world.
+pub(super) fn placed<I: Ring>(point: &PlacedPoint) -> Vector<I> {
+    let from = Vector::new(point.from);
+    // A share of 0 adds nothing, but the exponent of `to` would still lengthen the integers.
+    let here = if point.share == 0.0 {
+        from
+    } else {
+        let way = Vector::new(point.to).minus(&from);
+        from.plus(&way.times(&Number::new(point.share)))
+    };
+    let object = match point.origin {
+        DVec3::ZERO => here,
+        origin => here.plus(&Vector::new(origin)),
+    };
+    if point.model == DAffine3::IDENTITY {
+        return object;
+    }
+    turned_by(point.model.matrix3, &object).plus(&Vector::new(point.model.translation))
+}
+
+/// Where a placement puts a point of object space. Both points are given times `weight`.
+pub(super) fn moved_by(
+    placement: &Placement,
+    point: &Vector<BigInt>,
+    weight: &Number<BigInt>,
+) -> Vector<BigInt> {
+    let translation = Vector::new(placement.model().translation);
+    turned(placement, point).plus(&translation.times(weight))
+}
+
+/// A vector of object space times the placement's linear part.
+fn turned<I: Ring>(placement: &Placement, object: &Vector<I>) -> Vector<I> {
+    turned_by(placement.model().matrix3, object)
+}
+
+/// Where a point is in the world, each coordinate rounded once.
+fn point_world(point: &PlacedPoint) -> DVec3 {
+    divided(&placed(point), &Number::new(1.0))
+}
+
+/// A point divided by a number other than 0, each coordinate rounded once.
+pub(crate) fn divided(point: &Vector<BigInt>, by: &Number<BigInt>) -> DVec3 {
+    let nearest = |axis| Root::quotient(point.component(axis), by.clone());
+    DVec3::from_array([0, 1, 2].map(|axis| nearest(axis).map_or(f64::NAN, |root| root.to_f64())))
+}

@@ -1,0 +1,107 @@
+//! The numbers that a pixel's ray is made of, and how the ray changes from pixel to pixel.
+
+use super::double_double::{Number, Vector};
+use glam::{DVec2, DVec3};
+
+/// The camera's numbers that make a ray through a position. All are taken as exact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PixelGrid {
+    /// World position of the eye.
+    pub eye: DVec3,
+    /// R: to the right in the picture.
+    pub right: DVec3,
+    /// U: upwards in the picture.
+    pub up: DVec3,
+    /// F: into the picture.
+    pub forward: DVec3,
+    /// h: half the picture's height, at view depth 1 in perspective.
+    pub half_height: f64,
+    /// W and H: the picture's size in pixels.
+    pub size_px: [u32; 2],
+    /// Whether all rays run along F.
+    pub is_orthographic: bool,
+}
+
+/// A pixel's ray, `origin + t direction`, and its change per pixel (Igehy, "Tracing Ray Differentials", SIGGRAPH 1999):
+/// of the direction in perspective, of the origin in orthographic projection.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RayDifferential<N> {
+    pub origin: Vector<N>,
+    pub direction: Vector<N>,
+    /// For one pixel to the right.
+    pub right: Vector<N>,
+    /// For one pixel down.
+    pub down: Vector<N>,
+}
+
+impl<N> RayDifferential<N> {
+    /// Its image under a linear map.
+    pub fn map(self, linear: impl Fn(Vector<N>) -> Vector<N>) -> Self {
+        let [origin, direction, right, down] =
+            [self.origin, self.direction, self.right, self.down].map(linear);
+        Self {
+            origin,
+            direction,
+            right,
+            down,
+        }
+    }
+}
+
+impl PixelGrid {
+    /// The same picture in view space: seen from the origin along z, with x to the right and y upwards.
+    #[must_use]
+    pub(crate) fn in_view_space(&self) -> Self {
+        Self {
+            eye: DVec3::ZERO,
+            right: DVec3::X,
+            up: DVec3::Y,
+            forward: DVec3::Z,
+            ..*self
+        }
+    }
+
+    /// `a` of [`PixelGrid::ray`]: from the middle of the picture to a position, at view depth 1 in perspective.
+    #[must_use]
+    pub fn aside(&self, px: DVec2) -> DVec3 {
+        let [right, up] = self.factors::<f64>(px);
+        right * self.right + up * self.up
+    }
+
+    /// h / H: a factor of R or U for half a pixel.
+    #[inline]
+    pub(super) fn per_half_px<N: Number>(&self) -> N {
+        N::from(self.half_height) / N::from(self.size_px[1].into())
+    }
+
+    /// The factors of R and U.
+    #[inline]
+    fn factors<N: Number>(&self, px: DVec2) -> [N; 2] {
+        let [width, height] = self.size_px.map(|size| N::from(size.into()));
+        let [x, y] = [px.x, px.y].map(|at| N::from(2.0 * at));
+        let per_half_px = self.per_half_px::<N>();
+        [per_half_px * (x - width), per_half_px * (height - y)]
+    }
+
+    /// [`PixelGrid::ray`] relative to `origin`, without bounds, and its change per pixel. In `f64`, or in pairs of them
+    /// where that is too coarse.
+    pub(crate) fn differential<N: Number>(&self, px: DVec2, origin: DVec3) -> RayDifferential<N> {
+        let [right, up] = [self.right, self.up].map(Vector::<N>::from);
+        let [of_right, of_up] = self.factors::<N>(px);
+        let aside = right * of_right + up * of_up;
+        let eye = Vector::from(self.eye) - origin.into();
+        let forward = Vector::from(self.forward);
+        let (origin, direction) = if self.is_orthographic {
+            (eye + aside, forward)
+        } else {
+            (eye, forward + aside)
+        };
+        let per_px = N::from(2.0) * self.per_half_px::<N>();
+        RayDifferential {
+            origin,
+            direction,
+            right: right * per_px,
+            down: up * -per_px,
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! The rays through a picture's pixels, rounded, with bounds on their errors.
+
+use super::{PixelGrid, Ray, RayError, Section, U, WorldRay, binary::power_of_two, line::Line};
+use glam::{DVec2, DVec3};
+
+/// Factors between this and its reciprocal make products that neither underflow nor overflow.
+const MODERATE: f64 = power_of_two(300);
+
+/// Whether a factor is 0, or moderate enough for relative bounds on products of three. False for NaN.
+fn is_moderate(factor: f64) -> bool {
+    factor == 0.0 || (1.0 / MODERATE..=MODERATE).contains(&factor.abs())
+}
+
+impl PixelGrid {
+    /// The ray through a position in pixels, with the interval of view depth that counts. The direction is not normalised,
+    /// so `t` is view depth.
+    ///
+    /// With `a = (h / H) ((2 px - W) R + (H - 2 py) U)`: `eye + t (F + a)` in perspective, `eye + a + t F` in orthographic
+    /// projection.
+    #[inline]
+    #[must_use]
+    pub fn ray(&self, px: DVec2, interval: [f64; 2]) -> WorldRay<'static> {
+        self.rays(interval).ray(px)
+    }
+
+    /// The rays of the whole picture, with the interval of view depth that counts.
+    #[inline]
+    #[must_use]
+    pub fn rays(&self, interval: [f64; 2]) -> PixelRays {
+        let per_half_px = self.per_half_px::<f64>();
+        let are_moderate = |v: DVec3| is_moderate(v.x) && is_moderate(v.y) && is_moderate(v.z);
+        let [right, up] = [self.right, self.up].map(|axis| per_half_px * axis);
+        // A step that underflowed would look like 0.
+        let is_bounded = is_moderate(per_half_px)
+            && per_half_px != 0.0
+            && [self.right, self.up, right, up]
+                .into_iter()
+                .all(are_moderate);
+        PixelRays {
+            grid: *self,
+            interval,
+            section: None,
+            right,
+            up,
+            is_bounded,
+        }
+    }
+}
+
+/// The rays through a picture's pixels; what all of them share is computed once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PixelRays {
+    grid: PixelGrid,
+    interval: [f64; 2],
+    section: Option<Section>,
+    /// For half a pixel to the right: `(h / H) R`.
+    right: DVec3,
+    /// For half a pixel upwards: `(h / H) U`.
+    up: DVec3,
+    /// Whether the steps are moderate enough for the bounds to hold.
+    is_bounded: bool,
+}
+
+impl PixelRays {
+    /// These rays, whose hits count only where a section keeps them; `None` keeps all.
+    #[must_use]
+    pub fn cut_by(self, section: Option<Section>) -> Self {
+        Self { section, ..self }
+    }
+
+    /// The ray through a position in pixels; see [`PixelGrid::ray`].
+    ///
+    /// Bounds: a component of a step rounds twice (quotient, product), the factor `2 px - W` once, their product once,
+    /// the sum of both products once, and adding F or the eye once. With `A` and `B` the two products, that is below
+    /// `6 U (|A| + |B|)` plus `U` of the result, and 0 where both products are 0.
+    #[inline]
+    #[must_use]
+    pub fn ray(&self, px: DVec2) -> WorldRay<'static> {
+        let (ray, [a, b]) = self.rounded_with_aside(px);
+        let is_orthographic = self.grid.is_orthographic;
+        let moved = if is_orthographic {
+            ray.origin
+        } else {
+            ray.direction
+        };
+        let size = a.abs() + b.abs();
+        let rounded_base = DVec3::select(size.cmpgt(DVec3::ZERO), U * moved.abs(), DVec3::ZERO);
+        let [right, up] = self.half_pixels(px);
+        let error = if self.is_bounded && is_moderate(right) && is_moderate(up) {
+            7.0 * U * size + rounded_base
+        } else {
+            DVec3::INFINITY
+        };
+        let [origin, direction] = if is_orthographic {
+            [error, DVec3::ZERO]
+        } else {
+            [DVec3::ZERO, error]
+        };
+        let line = Line::Pixel {
+            grid: self.grid,
+            px,
+        };
+        let ray = WorldRay::of_line(ray, RayError { origin, direction }, line);
+        match &self.section {
+            None => ray,
+            Some(section) => ray.cut_by(section),
+        }
+    }
+
+    /// The same without its bounds.
+    #[inline]
+    #[must_use]
+    pub fn rounded(&self, px: DVec2) -> Ray {
+        self.rounded_with_aside(px).0
+    }
+
+    /// The rounded ray, and the two products that are summed in it.
+    #[inline]
+    fn rounded_with_aside(&self, px: DVec2) -> (Ray, [DVec3; 2]) {
+        let [right, up] = self.half_pixels(px);
+        let (a, b) = (right * self.right, up * self.up);
+        let &PixelGrid { eye, forward, .. } = &self.grid;
+        let (origin, direction) = if self.grid.is_orthographic {
+            (eye + (a + b), forward)
+        } else {
+            (eye, forward + (a + b))
+        };
+        let [t_min, t_max] = self.interval;
+        let ray = Ray {
+            origin,
+            direction,
+            t_min,
+            t_max,
+        };
+        (ray, [a, b])
+    }
+
+    /// From the middle of the picture, to the right and upwards, in half pixels.
+    #[inline]
+    fn half_pixels(&self, px: DVec2) -> [f64; 2] {
+        let [width, height] = self.grid.size_px.map(f64::from);
+        [2.0 * px.x - width, height - 2.0 * px.y]
+    }
+}

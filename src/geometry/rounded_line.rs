@@ -1,0 +1,42 @@
+//! Rounds the ray of a picture through an exact point, with bounds on the errors.
+
+use super::{
+    Ray, RayError, ThroughPoint, U, WorldRay,
+    binary::power_of_two,
+    exact::{self, Rounded},
+    line::Line,
+};
+
+impl ThroughPoint {
+    /// The ray of the picture through the point: [`PixelGrid::ray`](super::PixelGrid::ray) at the position that shows it,
+    /// which need not be an `f64`. Its exact line passes through the exact point, at its exact depth. `None` where the
+    /// point lies at or behind the eye in perspective, or where the axes span no space.
+    ///
+    /// Each number is the exact one to within three roundings, which are its bound.
+    #[must_use]
+    pub fn ray(&self) -> Option<WorldRay<'_>> {
+        let line = Line::Through(self);
+        let Rounded { origin, direction } = exact::rounded_line(&line)?;
+        let [t_min, t_max] = self.interval;
+        let ray = Ray {
+            origin,
+            direction,
+            t_min,
+            t_max,
+        };
+        let error = RayError {
+            origin: origin.map(error_of),
+            direction: direction.map(error_of),
+        };
+        Some(WorldRay::of_line(ray, error, line))
+    }
+}
+
+/// How far three roundings may move a number; infinite for numbers too small for a relative bound.
+fn error_of(rounded: f64) -> f64 {
+    if rounded == 0.0 || rounded.abs() >= power_of_two(-900) {
+        4.0 * U * rounded.abs()
+    } else {
+        f64::INFINITY
+    }
+}

@@ -1,0 +1,88 @@
+//! Rays in world space as picks take them.
+
+use super::{Across, Ray, RayError, Section, line::Line};
+use std::ops::Deref;
+
+/// A world-space ray as picks take it: its rounded numbers, bounds on their errors, and the exact numbers behind them.
+/// Decisions are about the exact ray; reading it as a [`Ray`] gives the rounded one.
+///
+/// A [`Ray`] that is converted into one is exact as it stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WorldRay<'a> {
+    ray: Ray,
+    error: RayError,
+    line: Line<'a>,
+    section: Option<Across>,
+}
+
+impl<'a> WorldRay<'a> {
+    /// This ray, whose hits count only where a section keeps them. Its interval shrinks to the kept part, rounded
+    /// outwards; the caller decides about hits close to the cut.
+    #[must_use]
+    pub fn cut_by(mut self, section: &Section) -> Self {
+        let across = Across::new(*section, &self.ray, &self.error);
+        [self.ray.t_min, self.ray.t_max] = across.of_interval([self.ray.t_min, self.ray.t_max]);
+        self.section = Some(across);
+        self
+    }
+
+    /// The section that cuts it.
+    pub(crate) fn section(&self) -> Option<&Across> {
+        self.section.as_ref()
+    }
+
+    /// How far its rounded numbers may be off.
+    #[must_use]
+    pub fn error(&self) -> RayError {
+        self.error
+    }
+
+    pub(super) fn line(&self) -> &Line<'a> {
+        &self.line
+    }
+
+    /// A line, rounded to `ray`, with bounds on the error.
+    #[inline]
+    pub(super) fn of_line(ray: Ray, error: RayError, line: Line<'a>) -> Self {
+        Self {
+            ray,
+            error,
+            line,
+            section: None,
+        }
+    }
+}
+
+impl Deref for WorldRay<'_> {
+    type Target = Ray;
+
+    fn deref(&self) -> &Ray {
+        &self.ray
+    }
+}
+
+impl From<Ray> for WorldRay<'_> {
+    fn from(ray: Ray) -> Self {
+        Self {
+            ray,
+            error: RayError::default(),
+            line: Line::Given {
+                origin: ray.origin,
+                direction: ray.direction,
+            },
+            section: None,
+        }
+    }
+}
+
+impl From<&Ray> for WorldRay<'_> {
+    fn from(ray: &Ray) -> Self {
+        (*ray).into()
+    }
+}
+
+impl From<&Self> for WorldRay<'_> {
+    fn from(ray: &Self) -> Self {
+        *ray
+    }
+}
