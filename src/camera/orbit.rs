@@ -62,10 +62,7 @@ impl Orbit {
     /// The view of a camera. Its own up becomes the orbit's axis, unless the camera is upright for `up_axis`.
     #[must_use]
     pub fn of_camera(camera: &Camera, up_axis: UpAxis) -> Self {
-        let upright = up_axis.up();
-        let level = camera.right().dot(upright).abs() <= 8.0 * f64::EPSILON
-            && camera.up().dot(upright) >= -8.0 * f64::EPSILON;
-        let frame = if level {
+        let frame = if Self::is_upright(camera, up_axis) {
             up_axis.frame()
         } else {
             DMat3::from_cols(camera.right(), camera.up(), -camera.forward())
@@ -79,6 +76,14 @@ impl Orbit {
             yaw: (-right.z).atan2(right.x),
             pitch: back.y.atan2(up.y),
         }
+    }
+
+    /// Whether the camera's horizon is level, and what is up in the world is up in its picture.
+    #[must_use]
+    pub fn is_upright(camera: &Camera, up_axis: UpAxis) -> bool {
+        let upright = up_axis.up();
+        camera.right().dot(upright).abs() <= 8.0 * f64::EPSILON
+            && camera.up().dot(upright) >= -8.0 * f64::EPSILON
     }
 
     /// A view of all of `bounds_world`, from a little to the right and above. Empty bounds count as the box from -1 to

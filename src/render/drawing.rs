@@ -246,7 +246,7 @@ impl Renderer {
             let resolve = self.resolve.get_or_init(|| Resolve::new(gpu));
             resolve.encode(gpu, &mut encoder, targets);
         }
-        gpu.queue.submit([encoder.finish()]);
+        gpu.submit([encoder.finish()]);
         begin_at(tables, draws, &step.surfaces, |_, draw| {
             draw.shape.triangles().start
         });

@@ -3,7 +3,7 @@
 use super::{abilities::Numbers, rasteriser::Rasteriser};
 use crate::camera::Viewport;
 use std::sync::{
-    Arc, Mutex,
+    Arc, Mutex, PoisonError,
     atomic::{AtomicBool, AtomicU64, Ordering},
 };
 
@@ -23,6 +23,8 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
     reports: Arc<Reports>,
+    /// Held by the thread that submits.
+    submitting: Arc<Mutex<()>>,
     /// How many triangles of meshes were uploaded.
     triangles: Arc<AtomicU64>,
     pub(super) numbers: Numbers,
@@ -54,6 +56,7 @@ impl Gpu {
             device,
             queue,
             reports,
+            submitting: Arc::default(),
             triangles: Arc::default(),
             numbers,
             smooth_samples,
@@ -169,7 +172,7 @@ impl Gpu {
         let mut at = 0;
         for piece in bytemuck::cast_slice::<T, u8>(elements).chunks(PIECE_BYTES) {
             if at > 0 {
-                self.queue.submit([]);
+                self.submit([]);
             }
             self.queue.write_buffer(&buffer, at, piece);
             at += piece.len() as u64;
@@ -192,6 +195,20 @@ impl Gpu {
     pub(crate) fn encoder(&self) -> wgpu::CommandEncoder {
         self.device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default())
+    }
+
+    /// Submits commands. Threads do so in turn.
+    pub(crate) fn submit<const N: usize>(&self, commands: [wgpu::CommandBuffer; N]) {
+        self.alone(|| self.queue.submit(commands));
+    }
+
+    /// Does what fails if another thread submits meanwhile.
+    pub(crate) fn alone<T>(&self, act: impl FnOnce() -> T) -> T {
+        let _turn = self
+            .submitting
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        act()
     }
 
     /// Runs an allocation. Running out of memory is an error for the user, not a panic.

@@ -120,7 +120,7 @@ impl Renderer {
                 pass.draw(0..3, 0..1);
             }
         }
-        gpu.queue.submit([encoder.finish()]);
+        gpu.submit([encoder.finish()]);
     }
 
     /// Puts the picture with its marks into a destination: the only pass that a mouse move needs.
@@ -179,7 +179,7 @@ impl Renderer {
                 pass.draw(0..3, 0..1);
             }
         }
-        gpu.queue.submit([encoder.finish()]);
+        gpu.submit([encoder.finish()]);
     }
 
     /// Half the outline's width in pixels: at least 1, since a thinner one would vanish from a coarse picture.

@@ -114,7 +114,7 @@ impl Renderer {
             pass.set_vertex_buffer(0, line_buffer.slice(..));
             pass.draw(line_ends, 0..1);
         }
-        gpu.queue.submit([encoder.finish()]);
+        gpu.submit([encoder.finish()]);
         Ok(())
     }
 }

@@ -36,7 +36,7 @@ pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
         pass.set_pipeline(&pipeline);
         pass.draw(0..4 * LANES * 3, 0..1);
     }
-    gpu.queue.submit([encoder.finish()]);
+    gpu.submit([encoder.finish()]);
     let pixels = read(gpu, &texture, [0, 0], SIZE, |id: [u32; 2]| id)?;
     Ok(found(&pixels))
 }

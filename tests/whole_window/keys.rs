@@ -52,6 +52,27 @@ fn enter_commits_a_number_and_leaves_the_view() {
     assert!((window.state().controls().fov_deg - 45.0).abs() < f64::EPSILON);
 }
 
+/// All keys of a slow frame arrive at once: the field gets the whole number, and no other field gets a part of it.
+#[test]
+fn a_number_that_is_typed_within_one_frame_is_whole() {
+    for end in [Key::Enter, Key::Tab] {
+        let (mut window, _folder) = row(1.0);
+        let near = control(&window, "near").value.clone();
+        click_on(&mut window, "fov");
+        press_key(&mut window, CTRL, Key::A);
+        let mut events: Vec<Event> = ["6", "5", ".", "2", "5"]
+            .map(|c| Event::Text(c.into()))
+            .into();
+        events.extend([key_event(NONE, end, true), key_event(NONE, end, false)]);
+        window.send_at_once(events);
+        assert!(
+            (window.state().controls().fov_deg - 65.25).abs() < f64::EPSILON,
+            "{end:?}"
+        );
+        assert_eq!(control(&window, "near").value, near);
+    }
+}
+
 #[test]
 fn esc_gives_a_number_up_and_nothing_else() {
     let (mut window, _folder) = row(1.0);
@@ -254,4 +275,29 @@ fn every_control_has_a_name() {
     click_on(&mut window, "Gallery");
     check(&window);
     assert!(count > 100, "{count}");
+}
+
+/// A typed eye keeps the horizon level, as orbiting does.
+#[test]
+fn a_typed_eye_leaves_the_horizon_level() {
+    let (mut window, _folder) = turned();
+    type_into(&mut window, "eye x", "65");
+    press_key(&mut window, NONE, Key::Enter);
+    let camera = window.state().view().camera;
+    assert_eq!(camera.eye().x.to_bits(), 65_f64.to_bits());
+    assert!(
+        camera.right().y.abs() < 1e-15 && camera.up().y > 0.5,
+        "{camera:?}"
+    );
+    // An up that is typed is taken as it is.
+    type_into(&mut window, "up z", "0.5");
+    press_key(&mut window, NONE, Key::Enter);
+    let tilted = window.state().view().camera;
+    assert!(tilted.right().y.abs() > 0.1, "{tilted:?}");
+    type_into(&mut window, "eye x", "60");
+    press_key(&mut window, NONE, Key::Enter);
+    assert!(
+        window.state().view().camera.right().y.abs() > 0.1,
+        "it stays tilted"
+    );
 }

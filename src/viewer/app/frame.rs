@@ -3,6 +3,7 @@
 
 use super::{
     checks::painted,
+    in_turn::in_turn,
     program::{App, Host, Shot},
     rest::REST_S,
 };
@@ -57,7 +58,7 @@ impl App {
             dropped_files: Vec::new(),
             ..input.clone()
         };
-        let mut pass = self.run_pass(input);
+        let mut pass = self.run_passes(input);
         if pass.is_outdated {
             let told = pass.platform;
             pass = self.run_pass(again);
@@ -111,7 +112,7 @@ impl App {
     /// slow frames are: within one pass, egui sees only the final state.
     pub fn pass(&mut self, input: egui::RawInput) -> egui::PlatformOutput {
         self.take_finished();
-        let pass = self.run_pass(input);
+        let pass = self.run_passes(input);
         if pass.is_outdated {
             self.context.request_repaint();
         }
@@ -134,6 +135,20 @@ impl App {
             let size = scene.size();
             let_go(scene, size);
         }
+    }
+
+    /// Runs a pass on each part of an input. Returns the last one, with what all of them tell the system.
+    fn run_passes(&mut self, input: egui::RawInput) -> Pass {
+        let mut told = egui::PlatformOutput::default();
+        let mut parts = in_turn(input);
+        let last = parts.pop().unwrap_or_default();
+        for part in parts {
+            told.append(self.run_pass(part).platform);
+        }
+        let mut pass = self.run_pass(last);
+        let own = mem::replace(&mut pass.platform, told);
+        pass.platform.append(own);
+        pass
     }
 
     /// Runs the panels on the input since the last pass, and executes their commands.

@@ -7,6 +7,7 @@ mod commands;
 mod exhibits;
 mod files;
 mod frame;
+mod in_turn;
 mod intents;
 mod looking_up;
 mod memory;

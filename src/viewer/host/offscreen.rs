@@ -106,6 +106,13 @@ impl Offscreen {
         self.settle();
     }
 
+    /// Runs one pass for all of the events, as after a slow frame.
+    pub fn send_at_once(&mut self, events: Vec<egui::Event>) {
+        let input = self.input(events);
+        self.pass(input);
+        self.settle();
+    }
+
     /// Drops a file on the window and waits for what comes of it.
     pub fn drop_file(&mut self, path: PathBuf) {
         self.begin_to_drop(path);

@@ -231,7 +231,7 @@ impl Canvas {
                     depth_or_array_layers: 1,
                 },
             );
-            self.gpu.queue.submit([encoder.finish()]);
+            self.gpu.submit([encoder.finish()]);
         } else {
             self.panels.draw_page(&self.gpu, &self.page, onto);
         }

@@ -130,7 +130,7 @@ impl PanelsPicture {
             }
             self.renderer.render(&mut pass, &painted, screen);
         }
-        gpu.queue.submit([encoder.finish()]);
+        gpu.submit([encoder.finish()]);
         kept.primitives = primitives.to_vec();
         kept.tiles = Tiles::under(primitives, screen);
         rects
@@ -152,7 +152,7 @@ impl PanelsPicture {
             };
             encoder.copy_texture_to_texture(at(&kept.texture), at(onto), size);
         }
-        gpu.queue.submit([encoder.finish()]);
+        gpu.submit([encoder.finish()]);
     }
 
     /// Blends the picture over a place, where it is not empty.
@@ -169,7 +169,7 @@ impl PanelsPicture {
                 pass.draw(0..3, 0..1);
             }
         }
-        gpu.queue.submit([encoder.finish()]);
+        gpu.submit([encoder.finish()]);
     }
 
     /// Draws a whole frame onto a texture that cannot be copied to.
@@ -183,7 +183,7 @@ impl PanelsPicture {
             pass.set_bind_group(0, &bindings(gpu, &self.over, &page), &[]);
             pass.draw(0..3, 0..1);
         }
-        gpu.queue.submit([encoder.finish()]);
+        gpu.submit([encoder.finish()]);
     }
 }
 

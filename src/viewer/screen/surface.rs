@@ -83,9 +83,11 @@ impl Surface {
         Ok(None)
     }
 
+    /// Waits for all that was submitted. An upload on another thread goes on afterwards: while others submit, wgpu refuses.
     fn configure(&self) {
         if self.config.width > 0 && self.config.height > 0 {
-            self.screen.configure(&self.canvas.gpu.device, &self.config);
+            let gpu = &self.canvas.gpu;
+            gpu.alone(|| self.screen.configure(&gpu.device, &self.config));
         }
     }
 }
@@ -165,7 +167,12 @@ fn configuration(
 mod tests {
     use super::*;
     use crate::{camera::CameraChoice, geometry::Sides, scene::Loaded, viewer::screen::Motion};
-    use std::{env, process::Command};
+    use std::{
+        env,
+        process::Command,
+        sync::atomic::{AtomicBool, Ordering},
+        thread,
+    };
     use winit::{
         application::ApplicationHandler,
         event::WindowEvent,
@@ -208,11 +215,34 @@ mod tests {
             let drawn = surface.draw(&state.expect("nothing is framed"), &laid);
             drawn.unwrap_or_else(|error| panic!("{error}"));
             assert!(!surface.canvas.unshown, "it is presented");
+            is_resized_while_others_submit(&mut surface);
             self.is_done = true;
             event_loop.exit();
         }
 
         fn window_event(&mut self, _: &ActiveEventLoop, _: WindowId, _: WindowEvent) {}
+    }
+
+    /// Uploads submit on threads of their own.
+    fn is_resized_while_others_submit(surface: &mut Surface) {
+        let gpu = surface.canvas.gpu.clone();
+        let is_over = AtomicBool::new(false);
+        thread::scope(|scope| {
+            let submitted = scope.spawn(|| {
+                let mut count = 0;
+                while !is_over.load(Ordering::Relaxed) {
+                    gpu.submit([gpu.encoder().finish()]);
+                    count += 1;
+                }
+                count
+            });
+            for width in 100..140 {
+                surface.resize(width, 100);
+            }
+            is_over.store(true, Ordering::Relaxed);
+            assert!(submitted.join().expect("no panic") > 40);
+        });
+        assert_eq!(gpu.check(), Ok(()));
     }
 
     /// A window whose device is lost goes on with another, on the same window. Windows need a display: the test runs

@@ -8,7 +8,7 @@ use super::{
     section,
 };
 use crate::{
-    camera::{CameraChoice, DepthMapping, Projection, UpAxis},
+    camera::{CameraChoice, DepthMapping, Orbit, Projection, UpAxis},
     geometry::Sides,
     viewer::{
         model::{Action, LensControls, State},
@@ -206,6 +206,7 @@ const POSE: [(&str, &str); 3] = [
 fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let camera = &state.view().camera;
     let pose = [camera.eye(), camera.target(), camera.up()];
+    let is_level = Orbit::is_upright(camera, state.up_axis());
     // In a small window the fields share the width beside the names.
     let width = ((ui.available_width() - NAME) / 3.0 - ui.spacing().item_spacing.x).min(WIDTH);
     Grid::new("pose").num_columns(4).show(ui, |ui| {
@@ -220,7 +221,14 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                 let with = |number| {
                     let mut next = pose;
                     next[row][axis] = number;
-                    Action::Pose(next)
+                    let level = Action::Pose([next[0], next[1], state.up_axis().up()]);
+                    // A new eye or target keeps a level horizon.
+                    let keeps_level = is_level && row < 2 && state.check(&level).is_ok();
+                    if keeps_level {
+                        level
+                    } else {
+                        Action::Pose(next)
+                    }
                 };
                 let check = |number| state.check(&with(number));
                 let field = Field {

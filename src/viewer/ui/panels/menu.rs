@@ -71,6 +71,8 @@ pub(super) fn of_object(
         let is_selected = state.selected() == Some(index);
         let select = (!is_selected).then_some(Action::Select(Some(index)));
         let mut selected = |name, key, hint, action| {
+            // The key acts on what is selected.
+            let key = if is_selected { key } else { "" };
             let asked: Vec<_> = select.into_iter().chain([action]).collect();
             lines.add(name, key, hint, &asked);
         };
