@@ -126,6 +126,24 @@ fn a_part_that_is_not_there_is_no_panic() {
     }
 }
 
+/// Functions count objects from 0, ids run from 1; an index that names no object hides nothing.
+#[test]
+fn ids_are_numbers_for_people_and_functions_take_indices() {
+    let ball = Object::new("ball", Shape::Sphere, Placement::IDENTITY);
+    let mut scene = Scene::new(vec![ball; 3]);
+    let shown = |scene: &Scene| [0, 1, 2].map(|object| scene.objects()[object].visible);
+    scene.hide(&[2, 0, 2]);
+    assert_eq!(shown(&scene), [false, true, false]);
+    assert_eq!(scene.hidden_count(), 2);
+    assert_eq!(scene.index_of(3), Ok(2));
+    for id in [0, 4, usize::MAX] {
+        assert_eq!(scene.index_of(id), Err(NoSuchObject { id, objects: 3 }));
+    }
+    let refused = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| scene.hide(&[1, 3])));
+    assert!(refused.is_err());
+    assert_eq!(shown(&scene), [false, true, false]);
+}
+
 /// Invalid mesh data is refused.
 #[test]
 fn triangles_of_ones_own_are_checked() {

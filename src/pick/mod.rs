@@ -92,7 +92,7 @@ use nearest::{is_in_doubt, is_tied, nearest};
 /// A hit on an object of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SceneHit {
-    /// Index of the object.
+    /// The object's index, from 0; its id is one more.
     pub object: usize,
     /// The hit in the object's space; its `t` is the world ray's.
     pub hit: Hit,

@@ -14,7 +14,7 @@ use serde::Serialize;
 pub struct Pick {
     /// The object's name.
     pub object: String,
-    /// The object's number, from 1.
+    /// The object's id: its number for people, from 1. Its index is one less.
     pub id: usize,
     /// Triangle of the object, from 0; `None` for analytic shapes.
     pub triangle: Option<u32>,

@@ -22,7 +22,7 @@ pub use files::{
 pub(crate) use files::{is_scene_file, matrix_rows, title};
 pub use in_file::{FaceInFile, InFile, VertexInFile};
 pub use object::{Object, Shape};
-pub use section::NoSection;
+pub use section::{FlatFaces, NoSection};
 
 use crate::geometry::{Aabb, Mesh, Placement, Pyramid, WorldRay};
 use changes::Changes;
@@ -35,11 +35,11 @@ use std::{
 use sums::Sums;
 use tree::SceneTree;
 
-/// An id names no object.
+/// An id that a person wrote names no object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no object {id}: ids run from 1 to {objects}; see 'sightline list'")]
+#[error("there is no object {id}: ids run from 1 to {objects}")]
 pub struct NoSuchObject {
-    /// The id that was named.
+    /// The id as it was written: a number from 1, no index.
     pub id: usize,
     /// How many objects there are.
     pub objects: usize,
@@ -63,7 +63,8 @@ impl SceneKey {
     }
 }
 
-/// Objects in order. Ids for people are index + 1. A clone shares its data until one of the two is changed.
+/// Objects in order. Functions count them from 0: an `object` is an index. What people read and write (an `id`) counts
+/// them from 1; [`Scene::index_of`] takes it to an index. A clone shares its data until one of the two is changed.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
     objects: Arc<Vec<Object>>,
@@ -240,20 +241,24 @@ impl Scene {
         self.changes.since(then)
     }
 
-    /// Hides the objects with these ids (from 1).
+    /// The index of the object that people call `id`: ids run from 1.
     ///
     /// # Errors
-    /// When an id names no object.
-    pub fn hide(&mut self, ids: &[usize]) -> Result<(), NoSuchObject> {
+    /// When the id names no object.
+    pub fn index_of(&self, id: usize) -> Result<usize, NoSuchObject> {
         let objects = self.objects.len();
-        let index = |&id: &usize| {
-            let index = id.checked_sub(1).filter(|index| *index < objects);
-            index.ok_or(NoSuchObject { id, objects })
-        };
-        let known = ids.iter().map_while(|id| index(id).ok());
-        let shown: BTreeSet<usize> = known.filter(|index| self.objects[*index].visible).collect();
+        let index = id.checked_sub(1).filter(|index| *index < objects);
+        index.ok_or(NoSuchObject { id, objects })
+    }
+
+    /// Hides these objects. An index may occur more than once.
+    ///
+    /// # Panics
+    /// When an index names no object. No object is then hidden.
+    pub fn hide(&mut self, objects: &[usize]) {
+        let is_shown = |object: &usize| self.objects[*object].visible;
+        let shown: BTreeSet<usize> = objects.iter().copied().filter(is_shown).collect();
         self.toggle(&Vec::from_iter(shown));
-        ids.iter().try_for_each(|id| index(id).map(|_| ()))
     }
 
     /// Runs of objects that are drawn and intersected as one: either a single object, or consecutive parts of one mesh

@@ -23,7 +23,7 @@ pub struct Snap {
     pub to: SnapTo,
     /// The object's name.
     pub object: String,
-    /// The object's number, from 1.
+    /// The object's id: its number for people, from 1. Its index is one less.
     pub id: usize,
     /// Triangle of the object, from 0; `None` for other shapes.
     pub triangle: Option<u32>,
