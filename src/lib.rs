@@ -17,7 +17,8 @@
 //! | `screen-readers` | the window's controls for screen readers; brings `window` |
 //!
 //! Everything is `Send` and `Sync`, and a pick changes nothing: many threads may query one scene at the same time.
-//! Impossible input gives a miss (`None`) or an error; the index of an object or triangle that does not exist panics.
+//! Impossible input gives a miss (`None`) or an error. Only a caller's mistake panics, as a slice does: an index that
+//! names nothing, a hit on another scene, an image of another size. Functions that may do so say it under `Panics`.
 //! Vectors and matrices are those of [`glam`], which is re-exported.
 //!
 //! **Picks in a scene of your own.** The camera takes the numbers that a renderer already has:

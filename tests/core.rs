@@ -4,7 +4,7 @@
 use sightline::{
     camera::{Camera, CameraError, DepthMapping, Lens, Projection, View, Viewport},
     geometry::{
-        Aabb, Bvh, Mesh, MeshData, MeshError, Placement, PlacementError, Ray, Section,
+        Aabb, Bvh, Mesh, MeshData, MeshError, PlacedPoint, Placement, PlacementError, Ray, Section,
         SectionError, Sides, TriangleTest, VertexRay, exact_volume, guarded_volume, signed_volume,
     },
     glam::{DVec2, DVec3},
@@ -188,6 +188,28 @@ fn what_is_not_finite_is_missed() {
                 corners.as_flattened_mut()[i] = bad;
                 assert_eq!(t_of(test, RAY, corners), None, "{bad} as corner {i}");
             }
+        }
+    }
+}
+
+/// A point with a number that is not finite is nowhere.
+#[test]
+fn a_point_that_is_not_finite_is_not_seen() {
+    let shape = Shape::Mesh {
+        mesh: roof(),
+        part: 0,
+    };
+    let scene = Scene::new(vec![Object::new("roof", shape, Placement::IDENTITY)]);
+    let sight = |vertex| {
+        let point = PlacedPoint::vertex(&Placement::IDENTITY, DVec3::ZERO, vertex);
+        pick::sight(&scene, &view(), &point)
+    };
+    assert!(matches!(sight(DVec3::ZERO), pick::Sight::Seen(_)));
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for axis in 0..3 {
+            let mut vertex = DVec3::ZERO;
+            vertex[axis] = bad;
+            assert_eq!(sight(vertex), pick::Sight::NotShown);
         }
     }
 }

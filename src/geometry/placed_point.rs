@@ -8,7 +8,8 @@ use super::{
 use glam::{DAffine3, DVec3};
 
 /// An exact point of a shape: a share of the way from one point of object space to another, both given about an origin
-/// there, and the model matrix that takes it to the world. All numbers are finite.
+/// there, and the model matrix that takes it to the world. Where a number is not finite, it has no place (NaN), and no ray
+/// goes through it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlacedPoint {
     pub(super) model: DAffine3,
@@ -51,17 +52,27 @@ impl PlacedPoint {
         }
     }
 
+    /// Whether all its numbers are finite.
+    pub(crate) fn is_finite(&self) -> bool {
+        let vectors = [self.origin, self.from, self.to];
+        vectors.iter().all(|v| v.is_finite()) && self.model.is_finite() && self.share.is_finite()
+    }
+
     /// Where it is in the world, each coordinate rounded once.
     #[must_use]
     pub fn world(&self) -> DVec3 {
-        exact::point_world(self)
+        if self.is_finite() {
+            exact::point_world(self)
+        } else {
+            DVec3::NAN
+        }
     }
 
     /// Where it is in object space, each coordinate rounded once.
     #[must_use]
     pub fn object(&self) -> DVec3 {
         let model = DAffine3::IDENTITY;
-        exact::point_world(&Self { model, ..*self })
+        Self { model, ..*self }.world()
     }
 }
 

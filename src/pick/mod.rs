@@ -114,6 +114,9 @@ impl SceneHit {
     }
 
     /// The triangle that was hit, counted from the object's first; `None` on an analytic shape.
+    ///
+    /// # Panics
+    /// When the scene lacks the object, or the object the triangle: the hit is on another scene.
     #[must_use]
     pub fn triangle_of_object(&self, scene: &Scene) -> Option<u32> {
         let first = scene.objects()[self.object].shape.first_triangle();

@@ -33,6 +33,9 @@ pub struct NamedSurface {
 
 impl NamedSurface {
     /// The surface of a hit.
+    ///
+    /// # Panics
+    /// When the hit is on another scene, as [`SceneHit::triangle_of_object`].
     #[must_use]
     pub fn of(scene: &Scene, hit: &SceneHit) -> Self {
         Self {
@@ -46,6 +49,9 @@ impl NamedSurface {
 
 impl InOnePlace {
     /// From hits in the order of picks; `None` for fewer than two.
+    ///
+    /// # Panics
+    /// When a hit is on another scene, as [`SceneHit::triangle_of_object`].
     #[must_use]
     pub fn of(scene: &Scene, hits: &[SceneHit]) -> Option<Self> {
         (hits.len() > 1).then(|| Self {

@@ -109,6 +109,9 @@ impl Whereabouts {
 
     /// A face, given by its triangles in the mesh, on each object that has it: a point inside its largest triangle.
     /// Empty without triangles.
+    ///
+    /// # Panics
+    /// When the mesh has no triangle of a number in the range.
     #[must_use]
     pub fn of_face(
         scene: &Scene,

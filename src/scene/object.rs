@@ -85,6 +85,9 @@ impl Object {
     }
 
     /// Its linear colour at a hit.
+    ///
+    /// # Panics
+    /// When the hit is on a triangle that its mesh lacks.
     #[must_use]
     pub fn albedo(&self, hit: &Hit) -> [f32; 3] {
         let (Shape::Mesh { mesh, .. }, Some(at), None) =
@@ -96,6 +99,9 @@ impl Object {
     }
 
     /// The shading normal at a hit, in object space: interpolated over the triangle, or the surface's own.
+    ///
+    /// # Panics
+    /// When the hit is on a triangle that its mesh lacks.
     #[must_use]
     pub fn shading_normal(&self, hit: &Hit) -> DVec3 {
         match (&self.shape, &hit.on_triangle) {

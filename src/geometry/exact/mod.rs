@@ -115,11 +115,7 @@ fn is_finite(line: &Line) -> bool {
         Line::Given { origin, direction } => origin.is_finite() && direction.is_finite(),
         Line::Pixel { grid, px } => is_grid_finite(grid) && px.is_finite(),
         Line::Through(ThroughPoint { grid, point, .. }) => {
-            let vectors = [point.origin, point.from, point.to];
-            is_grid_finite(grid)
-                && vectors.iter().all(|v| v.is_finite())
-                && point.model.is_finite()
-                && point.share.is_finite()
+            is_grid_finite(grid) && point.is_finite()
         }
     }
 }

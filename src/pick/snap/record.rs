@@ -68,6 +68,9 @@ pub struct SnapLine {
 
 impl Snap {
     /// What a position snaps to; `None` where nothing is within the radius and the background shows. See [`super`].
+    ///
+    /// # Panics
+    /// When `faces` finds a face with corners that are not among its vertices.
     #[must_use]
     pub fn at(
         scene: &Scene,
@@ -107,7 +110,7 @@ impl Snap {
         let (face, file_error) = asked(faces, facet.object, triangle);
         let of_file = face.as_ref().zip(triangle).and_then(|(face, triangle)| {
             let first = face.triangles.start;
-            let corners = face.corners.get((triangle - first) as usize)?;
+            let corners = face.corners.get(triangle.checked_sub(first)? as usize)?;
             let places = match to {
                 SnapTo::Vertex => vec![corners[corner] as usize],
                 _ => side_of(face, triangle, corner)?.into(),
@@ -222,8 +225,8 @@ fn asked(
 pub fn object_area(object: &Object) -> Measured {
     let placement = &object.placement;
     match &object.shape {
-        Shape::Mesh { mesh, part } => {
-            let triangles = mesh.data().parts[*part].triangles.clone();
+        Shape::Mesh { mesh, .. } => {
+            let triangles = object.shape.triangles().unwrap_or_default();
             mesh_area(mesh, placement, triangles)
         }
         Shape::Square => area_of_corners(placement, DVec3::ZERO, &Square::corners()),
