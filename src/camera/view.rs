@@ -151,7 +151,7 @@ impl View {
 
     /// The world-space vector from the eye to the point at view depth `t` on the ray through a pixel position.
     #[must_use]
-    pub fn from_eye(&self, px: DVec2, t: f64) -> DVec3 {
+    pub fn offset_from_eye(&self, px: DVec2, t: f64) -> DVec3 {
         let grid = self.camera.pixel_grid(self.viewport);
         let aside = grid.aside(px);
         if grid.is_orthographic {

@@ -78,6 +78,7 @@ const U: f64 = 0.5 * f64::EPSILON;
 
 /// One intersection of a ray and a surface, in the shape's object space.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Hit {
     /// Ray parameter.
     pub t: f64,

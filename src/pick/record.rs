@@ -126,7 +126,7 @@ impl Pick {
             triangle: found.triangle_of_object(scene),
             front: hit.front,
             t,
-            distance: length(view.from_eye(px, t)),
+            distance: length(view.offset_from_eye(px, t)),
             depth: t,
             ndc: ndc_xy.extend(view.camera.lens().ndc_depth(t)),
             point_world: (at.point_object(&Placement::IDENTITY)).unwrap_or_else(|| ray.at(t)),

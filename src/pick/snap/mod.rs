@@ -37,6 +37,7 @@ use std::{cmp::Ordering, collections::HashMap};
 /// What a position snaps to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[non_exhaustive]
 pub enum SnapTo {
     /// A corner of a polygon.
     Vertex,

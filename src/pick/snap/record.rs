@@ -18,6 +18,7 @@ use serde::Serialize;
 
 /// A snapped point; the field names are the JSON's. Lengths in world units.
 #[derive(Clone, Debug, Serialize)]
+#[non_exhaustive]
 pub struct Snap {
     /// A vertex, an edge or a face.
     pub to: SnapTo,
