@@ -84,7 +84,7 @@
 //!     let shape = Shape::Mesh { mesh: Arc::clone(&mesh), part: 0 };
 //!     Ok(Object::new(format!("house {i}"), shape, Placement::new(model)?))
 //! });
-//! let scene = Scene::new(houses.collect::<Result<_, sightline::geometry::PlacementError>>()?);
+//! let scene: Scene = houses.collect::<Result<_, sightline::geometry::PlacementError>>()?;
 //!
 //! let down = Ray {
 //!     origin: middle + DVec3::new(420.0, 50.0, 0.0),

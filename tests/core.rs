@@ -144,6 +144,27 @@ fn ids_are_numbers_for_people_and_functions_take_indices() {
     assert_eq!(shown(&scene), [false, true, false]);
 }
 
+/// Values that hold the same are equal, whatever was computed from them; only a scene's own clone has its key.
+#[test]
+fn what_holds_the_same_is_equal() {
+    let object = |mesh| {
+        let shape = Shape::Mesh { mesh, part: 0 };
+        Object::new("roof", shape, Placement::default())
+    };
+    let (one, same) = (object(roof()), object(roof()));
+    assert_eq!(one, same);
+    let scene: Scene = [one.clone()].into_iter().collect();
+    scene.build_trees();
+    assert_eq!(one, same);
+    let other = Object {
+        visible: false,
+        ..same.clone()
+    };
+    assert_ne!(one, other);
+    assert_eq!(scene.key(), scene.clone().key());
+    assert_ne!(scene.key(), Scene::new(vec![same]).key());
+}
+
 /// Invalid mesh data is refused.
 #[test]
 fn triangles_of_ones_own_are_checked() {
@@ -250,7 +271,10 @@ fn boxes_say_how_large_they_are() {
     assert_eq!(about(DVec3::splat(0.03125)).decimal_places(), 8);
     assert_eq!(size(DVec3::X), (1.0, 6));
     assert_eq!(size(DVec3::ZERO), (0.0, 6));
-    assert_eq!(Aabb::EMPTY.decimal_places(), 6);
+    assert_eq!(Aabb::default().decimal_places(), 6);
+    assert_eq!([DVec3::X, -DVec3::X].into_iter().collect::<Aabb>(), {
+        Aabb::around([-DVec3::X, DVec3::X])
+    });
     // Squares of such lengths would overflow; an infinite box has an infinite size.
     let large = DVec3::new(1e300, 2e300, 2e300);
     assert!((Aabb::around([-large, large]).radius() / 3e300 - 1.0).abs() < 1e-15);

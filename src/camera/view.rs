@@ -5,7 +5,7 @@ use crate::geometry::{Aabb, PixelRays, PlacedPoint, Section, Sides, ThroughPoint
 use glam::{DVec2, DVec3};
 
 /// The size of the picture in physical pixels, at least 1 x 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Viewport {
     width: u32,
     height: u32,

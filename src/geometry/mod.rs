@@ -115,7 +115,7 @@ pub struct OnTriangle {
 }
 
 /// Which sides of a surface a ray may hit and a picture shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Sides {
     /// Front and back alike.
     #[default]

@@ -51,6 +51,14 @@ pub struct ExactPoint {
     error: f64,
 }
 
+/// Equal points have the same exact place and the same bound, which is not NaN.
+impl PartialEq for ExactPoint {
+    fn eq(&self, other: &Self) -> bool {
+        let way = self.way(other);
+        way.dot(&way).is_zero() && self.error == other.error
+    }
+}
+
 impl ExactPoint {
     /// A point of a shape as it is stored; off by no more than `error`. Numbers that are not finite give no place: see
     /// [`ExactPoint::about`].
@@ -304,6 +312,17 @@ mod tests {
                 exact
             ));
         }
+    }
+
+    #[test]
+    fn points_are_equal_where_their_exact_places_are() {
+        let at = |text: &str| ExactPoint::written(&Placement::IDENTITY, text).expect("numbers");
+        let about = |x: f64, error| ExactPoint::about(DVec3::new(x, 0.5, 0.0), error);
+        assert_eq!(at("0.10 5e-1 0"), at("0.1 0.5 0"));
+        assert_eq!(at("0.25 0.5 0"), about(0.25, 0.0));
+        assert_ne!(at("0.1 0.5 0"), about(0.1, 0.0));
+        assert_ne!(about(0.25, 1e-9), about(0.25, 0.0));
+        assert_ne!(about(f64::NAN, 0.0), about(f64::NAN, 0.0));
     }
 
     #[test]

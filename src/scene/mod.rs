@@ -49,11 +49,19 @@ pub struct NoSuchObject {
 #[derive(Clone, Debug)]
 pub struct SceneKey(Weak<Vec<Object>>);
 
+impl PartialEq for SceneKey {
+    fn eq(&self, other: &Self) -> bool {
+        Weak::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl Eq for SceneKey {}
+
 impl SceneKey {
     /// Whether this key identifies `scene` in its present state.
     #[must_use]
     pub fn is_of(&self, scene: &Scene) -> bool {
-        Weak::ptr_eq(&self.0, &Arc::downgrade(&scene.objects))
+        *self == scene.key()
     }
 
     /// Whether a scene with this key still exists.
@@ -342,6 +350,13 @@ impl Scene {
         for mesh in self.meshes.iter() {
             mesh.blocks();
         }
+    }
+}
+
+/// A scene of these objects, in this order.
+impl FromIterator<Object> for Scene {
+    fn from_iter<T: IntoIterator<Item = Object>>(objects: T) -> Self {
+        Self::new(objects.into_iter().collect())
     }
 }
 

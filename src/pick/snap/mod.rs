@@ -35,7 +35,7 @@ use serde::Serialize;
 use std::{cmp::Ordering, collections::HashMap};
 
 /// What a position snaps to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum SnapTo {

@@ -17,7 +17,7 @@ use glam::{DVec2, DVec3};
 use serde::Serialize;
 
 /// A snapped point; the field names are the JSON's. Lengths in world units.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Snap {
     /// A vertex, an edge or a face.
@@ -53,7 +53,7 @@ pub struct Snap {
 }
 
 /// A position and what it snaps to, as a line of JSON.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SnapLine {
     /// Where: pixels from the top left corner.
     pub px: DVec2,
