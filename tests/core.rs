@@ -2,14 +2,18 @@
 //! that are not finite are missed without a panic.
 
 use sightline::{
-    camera::{Camera, CameraError, DepthMapping, Lens, Projection, View, Viewport},
+    camera::{
+        Camera, CameraChoice, CameraError, DepthMapping, Lens, Orbit, Projection, SectionWordError,
+        View, Viewport,
+    },
     geometry::{
-        Aabb, Bvh, Mesh, MeshData, MeshError, PlacedPoint, Placement, PlacementError, Ray, Section,
-        SectionError, Sides, TriangleTest, VertexRay, exact_volume, guarded_volume, signed_volume,
+        Aabb, Bvh, Mesh, MeshData, MeshError, PixelRays, PlacedPoint, Placement, PlacementError,
+        Ray, Section, SectionError, Sides, TriangleTest, VertexRay, WorldRay, exact_volume,
+        guarded_volume, signed_volume,
     },
     glam::{DVec2, DVec3},
     image::{Id, Image},
-    pick::{self, Pick, SceneHit},
+    pick::{self, Pick, SceneHit, measure::ExactPoint, snap::Snap},
     scene::{NoSection, NoSuchObject, Object, Scene, SceneKey, Shape},
 };
 use std::{error::Error, fmt::Debug, sync::Arc};
@@ -31,15 +35,22 @@ const _: () = {
     is_shared::<Placement>();
     is_shared::<Section>();
     is_shared::<Ray>();
+    is_shared::<WorldRay>();
+    is_shared::<PixelRays>();
     is_shared::<Camera>();
+    is_shared::<CameraChoice>();
+    is_shared::<Orbit>();
     is_shared::<View>();
     is_shared::<Pick>();
     is_shared::<SceneHit>();
+    is_shared::<Snap>();
+    is_shared::<ExactPoint>();
     is_shared::<Image<Id>>();
     is_error::<CameraError>();
     is_error::<MeshError>();
     is_error::<PlacementError>();
     is_error::<SectionError>();
+    is_error::<SectionWordError>();
     is_error::<NoSection>();
     is_error::<NoSuchObject>();
 };

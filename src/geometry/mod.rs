@@ -43,6 +43,7 @@ mod vertex_ray;
 pub use bounds::Aabb;
 pub(crate) use bounds::entry;
 pub(crate) use bvh::Entry;
+#[doc(hidden)] // public for tests and benches
 pub use bvh::{Bvh, Simd, Visit};
 pub(crate) use clip::clip;
 pub use cuboid::Cuboid;
@@ -67,8 +68,10 @@ pub use section::{Section, SectionError};
 pub use sphere::Sphere;
 pub use square::Square;
 pub(crate) use triangle::overlap;
+#[doc(hidden)] // public for tests and benches
 pub use triangle::{TriangleHit, TriangleTest, exact_volume, guarded_volume, signed_volume};
 pub use trs::Trs;
+#[doc(hidden)] // public for tests and benches
 pub use vertex_ray::VertexRay;
 
 use glam::DVec3;

@@ -14,7 +14,7 @@ pub const MOST_NAMED: usize = 8;
 pub struct InOnePlace {
     /// How many: two or more.
     pub count: usize,
-    /// Up to [`MOST_NAMED`] of them in the order of picks; the picked one is the first.
+    /// Up to eight of them in the order of picks; the picked one is the first.
     pub named: Vec<NamedSurface>,
 }
 

@@ -11,6 +11,7 @@ mod section;
 mod sums;
 mod tree;
 
+#[doc(hidden)] // public for tests
 pub use changes::Change;
 #[cfg(feature = "files")]
 pub use files::{
@@ -46,6 +47,7 @@ pub struct NoSuchObject {
 }
 
 /// Identifies a scene and its clones until they are changed. Holds only a weak reference.
+#[doc(hidden)] // public for tests
 #[derive(Clone, Debug)]
 pub struct SceneKey(Weak<Vec<Object>>);
 
@@ -107,6 +109,7 @@ impl Scene {
 
     /// The key that identifies this scene until it is changed.
     #[must_use]
+    #[doc(hidden)] // public for tests
     pub fn key(&self) -> SceneKey {
         SceneKey(Arc::downgrade(&self.objects))
     }
@@ -164,7 +167,7 @@ impl Scene {
 
     /// Objects plus triangles. By this number callers recognise a large scene.
     #[must_use]
-    pub fn size(&self) -> usize {
+    pub(crate) fn size(&self) -> usize {
         self.objects.len() + self.triangle_count()
     }
 
@@ -238,6 +241,7 @@ impl Scene {
 
     /// The number of changes so far, for [`Scene::changed_since`].
     #[must_use]
+    #[doc(hidden)] // public for tests
     pub fn changes(&self) -> u64 {
         self.changes.now()
     }
@@ -245,6 +249,7 @@ impl Scene {
     /// The objects shown, hidden or moved since [`Scene::changes`] was `then`; an object may occur more than once.
     /// `None` when the log does not reach back that far, or the batches have changed since.
     #[must_use]
+    #[doc(hidden)] // public for tests
     pub fn changed_since(&self, then: u64) -> Option<&[Change]> {
         self.changes.since(then)
     }
@@ -272,6 +277,7 @@ impl Scene {
     /// Runs of objects that are drawn and intersected as one: either a single object, or consecutive parts of one mesh
     /// under one model matrix.
     #[must_use]
+    #[doc(hidden)] // public for tests
     pub fn batches(&self) -> &[Range<usize>] {
         &self.batches
     }
@@ -287,6 +293,7 @@ impl Scene {
 
     /// Calls `visit` with every batch that a world-space ray may hit, nearer boxes first where there is a tree. `visit`
     /// returns the new end of the ray's interval. The skipped batches have no hit in that interval.
+    #[doc(hidden)] // public for tests
     pub fn visit_batches(&self, ray: &WorldRay, mut visit: impl FnMut(&Range<usize>) -> f64) {
         // The box test needs finite error bounds, and a finite reciprocal of each nonzero direction component.
         let error = ray.error();
@@ -346,7 +353,7 @@ impl Scene {
     }
 
     /// Builds the blocks of each mesh, which the first move of one of its objects needs.
-    pub fn prepare_moves(&self) {
+    pub(crate) fn prepare_moves(&self) {
         for mesh in self.meshes.iter() {
             mesh.blocks();
         }

@@ -99,9 +99,6 @@ impl Object {
     }
 
     /// The shading normal at a hit, in object space: interpolated over the triangle, or the surface's own.
-    ///
-    /// # Panics
-    /// When the hit is on a triangle that its mesh lacks.
     #[must_use]
     pub fn shading_normal(&self, hit: &Hit) -> DVec3 {
         match (&self.shape, &hit.on_triangle) {

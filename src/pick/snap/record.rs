@@ -54,7 +54,7 @@ pub struct Snap {
 
 /// A position and what it snaps to, as a line of JSON.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct SnapLine {
+pub(crate) struct SnapLine {
     /// Where: pixels from the top left corner.
     pub px: DVec2,
     /// What is there; `None` for the background.
@@ -215,7 +215,7 @@ fn asked(
 ) -> (Option<FaceInFile>, Option<String>) {
     match triangle.map(|triangle| faces(object, triangle)) {
         Some(Ok(face)) => (face, None),
-        Some(Err(error)) => (None, Some(error)),
+        Some(Err(error)) => (None, Some(error.to_string())),
         None => (None, None),
     }
 }
