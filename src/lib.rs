@@ -16,8 +16,9 @@
 //! | `window`, on by default | window, command line and the program; brings all of the above |
 //! | `screen-readers` | the window's controls for screen readers; brings `window` |
 //!
-//! Everything is `Send` and `Sync`, and a pick changes nothing: many threads may query one scene at the same time.
-//! Impossible input gives a miss (`None`) or an error; the index of an object or triangle that does not exist panics.
+//! Everything but a [`pick::snap::Faces`] is `Send` and `Sync`, and a pick changes nothing: many threads may query one scene at the same time.
+//! Impossible input gives a miss (`None`) or an error. Only a caller's mistake panics, as a slice does: an index that
+//! names nothing, a hit on another scene, an image of another size. Functions that may do so say it under `Panics`.
 //! Vectors and matrices are those of [`glam`], which is re-exported.
 //!
 //! **Picks in a scene of your own.** The camera takes the numbers that a renderer already has:
@@ -83,7 +84,7 @@
 //!     let shape = Shape::Mesh { mesh: Arc::clone(&mesh), part: 0 };
 //!     Ok(Object::new(format!("house {i}"), shape, Placement::new(model)?))
 //! });
-//! let scene = Scene::new(houses.collect::<Result<_, sightline::geometry::PlacementError>>()?);
+//! let scene: Scene = houses.collect::<Result<_, sightline::geometry::PlacementError>>()?;
 //!
 //! let down = Ray {
 //!     origin: middle + DVec3::new(420.0, 50.0, 0.0),
@@ -211,10 +212,10 @@
 //! * **at rest**: the window's picture when nothing has moved for a moment; its edges are then smooth. Until then it is
 //!   *rough*. Ids are the same in both. *Coarse*: drawn with pixels larger than the window's, as a moving picture is on
 //!   a software adapter.
-//! * **stage**: one of the spaces along M, V, P: object, world, view, NDC ([`viewer::model::Stage`]). Each of the *four
+//! * **stage**: one of the spaces along M, V, P: object, world, view, NDC (`viewer::model::Stage`). Each of the *four
 //!   views* shows one stage, seen by its own *observer*. The *picture* is the camera's and none of these four.
 //! * **followed**: the point that is shown at every stage. It is the pick's, or the one under the cursor.
-//! * **step**: undoes one change of the window's state ([`viewer::model::State::next_step`]).
+//! * **step**: undoes one change of the window's state (`viewer::model::State::next_step`).
 //! * **exhibit**: a scene of the failure gallery ([`scene::gallery::Exhibit`]).
 //!
 //! # To add
@@ -232,11 +233,11 @@
 //! [`study::methods`], and give it a line in that step's list with its author or paper. Tests, table, charts and the
 //! gallery's menu read the list.
 //!
-//! **An overlay.** Add a variant to [`viewer::model::Overlay`] and to its list of all, a key to the table in
+//! **An overlay.** Add a variant to `viewer::model::Overlay` and to its list of all, a key to the table in
 //! `viewer/ui/keys.rs` and to README's, and its lines in world space to `viewer/screen/overlay_lines.rs`. Nearer
 //! surfaces hide lines.
 //!
-//! **A command.** A file in [`cli`] with its arguments and `run`, a variant of [`cli::Command`] and a row in README's
+//! **A command.** A file in `cli` with its arguments and `run`, a variant of `cli::Command` and a row in README's
 //! table, without which `tests/readme.rs` fails. Results go to stdout; everything else goes through `log` or is an
 //! error of one line.
 
@@ -245,6 +246,7 @@
 
 pub mod camera;
 #[cfg(feature = "window")]
+#[doc(hidden)] // the program: public for its binary, tests and benches
 pub mod cli;
 pub mod colour;
 pub mod geometry;
@@ -263,6 +265,7 @@ pub mod study;
 #[cfg(feature = "render")]
 pub mod verify;
 #[cfg(feature = "window")]
+#[doc(hidden)] // the program: public for tests and benches
 pub mod viewer;
 
 pub use glam;

@@ -2,14 +2,18 @@
 //! that are not finite are missed without a panic.
 
 use sightline::{
-    camera::{Camera, CameraError, DepthMapping, Lens, Projection, View, Viewport},
+    camera::{
+        Camera, CameraChoice, CameraError, DepthMapping, Lens, Orbit, Projection, SectionWordError,
+        View, Viewport,
+    },
     geometry::{
-        Aabb, Bvh, Mesh, MeshData, MeshError, Placement, PlacementError, Ray, Section,
-        SectionError, Sides, TriangleTest, VertexRay, exact_volume, guarded_volume, signed_volume,
+        Aabb, Bvh, Mesh, MeshData, MeshError, PixelRays, PlacedPoint, Placement, PlacementError,
+        Ray, Section, SectionError, Sides, TriangleTest, VertexRay, WorldRay, exact_volume,
+        guarded_volume, signed_volume,
     },
     glam::{DVec2, DVec3},
     image::{Id, Image},
-    pick::{self, Pick, SceneHit},
+    pick::{self, Pick, SceneHit, measure::ExactPoint, snap::Snap},
     scene::{NoSection, NoSuchObject, Object, Scene, SceneKey, Shape},
 };
 use std::{error::Error, fmt::Debug, sync::Arc};
@@ -31,15 +35,22 @@ const _: () = {
     is_shared::<Placement>();
     is_shared::<Section>();
     is_shared::<Ray>();
+    is_shared::<WorldRay>();
+    is_shared::<PixelRays>();
     is_shared::<Camera>();
+    is_shared::<CameraChoice>();
+    is_shared::<Orbit>();
     is_shared::<View>();
     is_shared::<Pick>();
     is_shared::<SceneHit>();
+    is_shared::<Snap>();
+    is_shared::<ExactPoint>();
     is_shared::<Image<Id>>();
     is_error::<CameraError>();
     is_error::<MeshError>();
     is_error::<PlacementError>();
     is_error::<SectionError>();
+    is_error::<SectionWordError>();
     is_error::<NoSection>();
     is_error::<NoSuchObject>();
 };
@@ -126,6 +137,45 @@ fn a_part_that_is_not_there_is_no_panic() {
     }
 }
 
+/// Functions count objects from 0, ids run from 1; an index that names no object hides nothing.
+#[test]
+fn ids_are_numbers_for_people_and_functions_take_indices() {
+    let ball = Object::new("ball", Shape::Sphere, Placement::IDENTITY);
+    let mut scene = Scene::new(vec![ball; 3]);
+    let shown = |scene: &Scene| [0, 1, 2].map(|object| scene.objects()[object].visible);
+    scene.hide(&[2, 0, 2]);
+    assert_eq!(shown(&scene), [false, true, false]);
+    assert_eq!(scene.hidden_count(), 2);
+    assert_eq!(scene.index_of(3), Ok(2));
+    for id in [0, 4, usize::MAX] {
+        assert_eq!(scene.index_of(id), Err(NoSuchObject { id, objects: 3 }));
+    }
+    let refused = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| scene.hide(&[1, 3])));
+    assert!(refused.is_err());
+    assert_eq!(shown(&scene), [false, true, false]);
+}
+
+/// Values that hold the same are equal, whatever was computed from them; only a scene's own clone has its key.
+#[test]
+fn what_holds_the_same_is_equal() {
+    let object = |mesh| {
+        let shape = Shape::Mesh { mesh, part: 0 };
+        Object::new("roof", shape, Placement::default())
+    };
+    let (one, same) = (object(roof()), object(roof()));
+    assert_eq!(one, same);
+    let scene: Scene = [one.clone()].into_iter().collect();
+    scene.build_trees();
+    assert_eq!(one, same);
+    let other = Object {
+        visible: false,
+        ..same.clone()
+    };
+    assert_ne!(one, other);
+    assert_eq!(scene.key(), scene.clone().key());
+    assert_ne!(scene.key(), Scene::new(vec![same]).key());
+}
+
 /// Invalid mesh data is refused.
 #[test]
 fn triangles_of_ones_own_are_checked() {
@@ -174,6 +224,28 @@ fn what_is_not_finite_is_missed() {
     }
 }
 
+/// A point with a number that is not finite is nowhere.
+#[test]
+fn a_point_that_is_not_finite_is_not_seen() {
+    let shape = Shape::Mesh {
+        mesh: roof(),
+        part: 0,
+    };
+    let scene = Scene::new(vec![Object::new("roof", shape, Placement::IDENTITY)]);
+    let sight = |vertex| {
+        let point = PlacedPoint::vertex(&Placement::IDENTITY, DVec3::ZERO, vertex);
+        pick::sight(&scene, &view(), &point)
+    };
+    assert!(matches!(sight(DVec3::ZERO), pick::Sight::Seen(_)));
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for axis in 0..3 {
+            let mut vertex = DVec3::ZERO;
+            vertex[axis] = bad;
+            assert_eq!(sight(vertex), pick::Sight::NotShown);
+        }
+    }
+}
+
 /// The method without error bounds is tested too, because these rays stay away from edges.
 #[test]
 fn every_triangle_test_tells_a_hit_from_a_miss() {
@@ -210,7 +282,10 @@ fn boxes_say_how_large_they_are() {
     assert_eq!(about(DVec3::splat(0.03125)).decimal_places(), 8);
     assert_eq!(size(DVec3::X), (1.0, 6));
     assert_eq!(size(DVec3::ZERO), (0.0, 6));
-    assert_eq!(Aabb::EMPTY.decimal_places(), 6);
+    assert_eq!(Aabb::default().decimal_places(), 6);
+    assert_eq!([DVec3::X, -DVec3::X].into_iter().collect::<Aabb>(), {
+        Aabb::around([-DVec3::X, DVec3::X])
+    });
     // Squares of such lengths would overflow; an infinite box has an infinite size.
     let large = DVec3::new(1e300, 2e300, 2e300);
     assert!((Aabb::around([-large, large]).radius() / 3e300 - 1.0).abs() < 1e-15);

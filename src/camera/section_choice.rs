@@ -16,6 +16,7 @@ use std::{fmt, str::FromStr};
 /// | `face:3,7` | what lies behind a face: triangle 7 of object 3, or a cube's face, counted from 0 in the order +x, -x, +y, -y, +z, -z; `face:3` for a square |
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
+#[non_exhaustive]
 pub enum SectionChoice {
     /// Nothing is cut away.
     #[default]

@@ -5,7 +5,7 @@ use crate::geometry::{Aabb, PixelRays, PlacedPoint, Section, Sides, ThroughPoint
 use glam::{DVec2, DVec3};
 
 /// The size of the picture in physical pixels, at least 1 x 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Viewport {
     width: u32,
     height: u32,
@@ -151,7 +151,7 @@ impl View {
 
     /// The world-space vector from the eye to the point at view depth `t` on the ray through a pixel position.
     #[must_use]
-    pub fn from_eye(&self, px: DVec2, t: f64) -> DVec3 {
+    pub fn offset_from_eye(&self, px: DVec2, t: f64) -> DVec3 {
         let grid = self.camera.pixel_grid(self.viewport);
         let aside = grid.aside(px);
         if grid.is_orthographic {

@@ -7,7 +7,7 @@ use crate::{
     render::GpuError,
     scene::{LoadError, NoSection, obj::AgainError},
     study::SaveError,
-    viewer::ViewerError,
+    viewer::{ViewerError, model::no_section},
 };
 use clap::CommandFactory;
 use std::{
@@ -33,7 +33,7 @@ pub enum CliError {
         source: CameraError,
     },
     /// The scene file's section is not valid.
-    #[error("{}: section: {source}", file.display())]
+    #[error("{}: section: {}", file.display(), no_section(source))]
     SceneSection {
         /// The scene file.
         file: PathBuf,

@@ -6,6 +6,7 @@ use crate::{
     json,
     pick::Whereabouts,
     scene::{FilesAgain, Loaded, MeshFile, Shape, obj::VertexInFile},
+    viewer::model::no_such_object,
 };
 use serde::Serialize;
 use std::io::Write;
@@ -96,16 +97,10 @@ fn file(object: Option<usize>, loaded: &Loaded) -> Result<&MeshFile, CliError> {
             )),
         };
     };
-    let object = id
-        .checked_sub(1)
-        .and_then(|index| loaded.scene.objects().get(index));
-    let Some(object) = object else {
-        let objects = loaded.scene.objects().len();
-        return Err(CliError::Usage(format!(
-            "--object: there is no object {id}: ids run from 1 to {objects}; see 'sightline list'"
-        )));
-    };
-    match &object.shape {
+    let index = loaded.scene.index_of(id);
+    let index =
+        index.map_err(|error| CliError::Usage(format!("--object: {}", no_such_object(error))))?;
+    match &loaded.scene.objects()[index].shape {
         Shape::Mesh { mesh, .. } => MeshFile::of(&loaded.meshes, mesh).ok_or_else(no_file),
         _ => Err(no_file()),
     }

@@ -224,7 +224,8 @@ impl Picker<'_> {
         let mut file_error = None;
         let mut faces = |object, triangle| {
             let face = files.face_of(object, triangle);
-            face.inspect_err(|error| file_error = Some(error.clone()))
+            face.inspect_err(|error| file_error = Some(error.to_string()))
+                .map_err(Into::into)
         };
         let snap = Snap::at(self.scene, self.view, px, radius_px, &mut faces);
         let file_error = file_error.filter(|_| snap.is_none());

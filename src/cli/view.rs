@@ -5,6 +5,7 @@ use crate::{
     camera::{CameraChoice, DepthMapping, Projection, SectionChoice, UpAxis, View, Viewport},
     geometry::Sides,
     scene::Loaded,
+    viewer::model,
 };
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use glam::DVec3;
@@ -122,7 +123,7 @@ impl ViewArgs {
     /// # Errors
     /// When an id names no object, or flags and scene give no valid camera.
     pub fn apply(&self, loaded: &mut Loaded) -> Result<View, CliError> {
-        let hidden = loaded.scene.hide(&self.hide);
+        let hidden = model::hide(&mut loaded.scene, &self.hide);
         hidden.map_err(|error| CliError::Usage(format!("--hide: {error}")))?;
         let flags = self.choice();
         let camera = flags
@@ -146,7 +147,7 @@ impl ViewArgs {
                         file: file.clone(),
                         source,
                     },
-                    _ => CliError::Usage(format!("--section: {source}")),
+                    _ => CliError::Usage(format!("--section: {}", model::no_section(&source))),
                 })?;
         let [eye, target, up] = [camera.eye(), camera.target(), camera.up_hint()]
             .map(|v| format!("{},{},{}", v.x, v.y, v.z));

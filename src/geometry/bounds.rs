@@ -12,6 +12,20 @@ pub struct Aabb {
     pub max: DVec3,
 }
 
+/// Holds nothing: [`Aabb::EMPTY`].
+impl Default for Aabb {
+    fn default() -> Self {
+        Self::EMPTY
+    }
+}
+
+/// The smallest box about the points; empty for none.
+impl FromIterator<DVec3> for Aabb {
+    fn from_iter<T: IntoIterator<Item = DVec3>>(points: T) -> Self {
+        Self::around(points)
+    }
+}
+
 impl Aabb {
     /// The box that holds nothing: `min` above `max`.
     pub const EMPTY: Self = Self {
@@ -20,6 +34,7 @@ impl Aabb {
     };
 
     /// The smallest box about the points; empty for none.
+    #[must_use]
     pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
         points.into_iter().fold(Self::EMPTY, Self::including)
     }

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 /// One intersection of a ray and a surface, in the shape's object space.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Hit {
     /// Ray parameter.
     pub t: f64,
@@ -70,7 +71,7 @@ impl TriangleHit {
 }
 
 /// Which sides of a surface a ray may hit and a picture shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Sides {
     /// Front and back alike.
     #[default]

@@ -25,11 +25,7 @@ impl Line<'_> {
             Self::Given { origin, direction } => origin.is_finite() && direction.is_finite(),
             Self::Pixel { grid, px } => is_grid_finite(grid) && px.is_finite(),
             Self::Through(ThroughPoint { grid, point, .. }) => {
-                let vectors = [point.origin, point.from, point.to];
-                is_grid_finite(grid)
-                    && vectors.iter().all(|v| v.is_finite())
-                    && point.model.is_finite()
-                    && point.share.is_finite()
+                is_grid_finite(grid) && point.is_finite()
             }
         }
     }

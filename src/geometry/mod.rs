@@ -52,6 +52,7 @@ mod world_ray;
 
 pub use bounds::Aabb;
 pub(crate) use bvh::Entry;
+#[doc(hidden)] // public for tests and benches
 pub use bvh::{Bvh, Simd, Visit};
 pub(crate) use clip::clip;
 pub use cuboid::Cuboid;
@@ -81,8 +82,10 @@ pub(crate) use slab_test::entry;
 pub use sphere::Sphere;
 pub use square::Square;
 pub(crate) use triangle::overlap;
+#[doc(hidden)] // public for tests and benches
 pub use triangle::{TriangleTest, exact_volume, guarded_volume, signed_volume};
 pub use trs::Trs;
+#[doc(hidden)] // public for tests and benches
 pub use vertex_ray::VertexRay;
 pub use world_ray::WorldRay;
 

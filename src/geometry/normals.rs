@@ -51,6 +51,9 @@ pub fn face_normal(corners: [[f32; 3]; 3]) -> Vec3 {
 /// trigonometry.
 ///
 /// Triangles without area take the mean of their neighbours, or +z when alone. Works on all cores.
+///
+/// # Panics
+/// When a triangle names a position that is not there.
 #[must_use]
 pub fn crease_normals(
     positions: &[[f32; 3]],

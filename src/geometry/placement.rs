@@ -39,6 +39,13 @@ pub enum PlacementError {
 /// ordinary scales stay below this.
 const GOOD_INVERSE: f64 = 128.0 * U;
 
+/// Object space is world space: [`Placement::IDENTITY`].
+impl Default for Placement {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}
+
 impl Placement {
     /// Object space is world space.
     pub const IDENTITY: Self = Self {

@@ -7,6 +7,16 @@ use super::{
 use glam::DVec3;
 
 /// Keeps the world points p with `n . p + c >= 0`, the plane included. The stored numbers are taken as exact.
+///
+/// ```
+/// use sightline::{geometry::Section, glam::DVec3};
+///
+/// let above = Section::through(DVec3::new(0.0, 2.0, 0.0), DVec3::Y)?;
+/// assert_eq!((above.normal(), above.offset()), (DVec3::Y, -2.0));
+/// assert_eq!(above.side(DVec3::new(7.0, 3.0, 0.0)), 1.0);
+/// assert_eq!(above.flipped().side(DVec3::ZERO), 2.0);
+/// # Ok::<(), sightline::geometry::SectionError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Section {
     normal: DVec3,

@@ -14,6 +14,17 @@ pub struct Trs {
     pub scale: DVec3,
 }
 
+/// Moves nothing.
+impl Default for Trs {
+    fn default() -> Self {
+        Self {
+            translation: DVec3::ZERO,
+            rotation_deg: DVec3::ZERO,
+            scale: DVec3::ONE,
+        }
+    }
+}
+
 impl Trs {
     /// The matrix.
     #[must_use]

@@ -21,9 +21,9 @@ pub type Rgb = [u8; 3];
 /// What a pixel shows: an object and, on a mesh, a triangle of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Id {
-    /// Index of the object plus 1; 0 for the background.
+    /// The object's id, its index plus 1; 0 for the background.
     pub object: u32,
-    /// Triangle of that object plus 1; 0 for analytic shapes and the background.
+    /// The index of its triangle among that object's, plus 1; 0 for analytic shapes and the background.
     pub triangle: u32,
 }
 

@@ -33,15 +33,17 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Rounds a number that is off by at most `error`.
+    /// Rounds a number that is off by at most `error`; without a bound there is no number.
     pub(super) fn of(exact: &Dyadic, error: f64) -> Self {
-        let value = dyadic::rounded(&exact.integer, exact.exponent);
+        let rounded = dyadic::rounded(&exact.integer, exact.exponent);
+        let value = if error.is_nan() { error } else { rounded };
         let error = MORE * (ROUNDING * value.abs() + error);
         Self { value, error }
     }
 }
 
-/// A world point to measure from: numerators over a positive denominator, and an error bound.
+/// A world point to measure from: numerators over a positive denominator, and an error bound. The bound of a point
+/// whose numbers are not all finite is NaN, and so is all that is measured from it.
 #[derive(Clone, Debug)]
 pub struct ExactPoint {
     numerators: DyadicVector,
@@ -49,14 +51,23 @@ pub struct ExactPoint {
     error: f64,
 }
 
+/// Equal points have the same exact place and the same bound, which is not NaN.
+impl PartialEq for ExactPoint {
+    fn eq(&self, other: &Self) -> bool {
+        let way = self.way(other);
+        way.dot(&way).is_zero() && self.error == other.error
+    }
+}
+
 impl ExactPoint {
-    /// A point of a shape as it is stored; off by no more than `error`.
+    /// A point of a shape as it is stored; off by no more than `error`. Numbers that are not finite give no place: see
+    /// [`ExactPoint::about`].
     #[must_use]
     pub fn stored(point: &PlacedPoint, error: f64) -> Self {
         Self {
             numerators: dyadic::point_world(point),
             denominator: Dyadic::new(1.0),
-            error,
+            error: if point.is_finite() { error } else { f64::NAN },
         }
     }
 
@@ -80,13 +91,17 @@ impl ExactPoint {
         dyadic::divided(&self.numerators, &self.denominator)
     }
 
-    /// A world point that is off by at most `error`.
+    /// A world point that is off by at most `error`. Where a coordinate is not finite, lengths and areas are NaN.
     #[must_use]
     pub fn about(point_world: DVec3, error: f64) -> Self {
         Self {
             numerators: DyadicVector::new(point_world),
             denominator: Dyadic::new(1.0),
-            error,
+            error: if point_world.is_finite() {
+                error
+            } else {
+                f64::NAN
+            },
         }
     }
 
@@ -133,11 +148,18 @@ impl ExactPoint {
 }
 
 /// The area of a polygon, whose corners count as exact: the sum of its triangles, which index its corners.
+///
+/// # Panics
+/// When an index names no corner.
 #[must_use]
 pub fn polygon_area(polygon: &[ExactPoint], triangles: &[[u32; 3]]) -> Measured {
     let mut sum = Dyadic::new(0.0);
+    let mut error = 0.0;
     for corners in triangles {
         let [a, b, c] = corners.map(|corner| &polygon[corner as usize]);
+        if [a, b, c].iter().any(|corner| corner.error.is_nan()) {
+            error = f64::NAN;
+        }
         let cross = a.way(b).cross(&a.way(c));
         // Both vectors have a's denominator; each also has its end's.
         let denominators = a.denominator.squared().times(&b.denominator);
@@ -145,12 +167,15 @@ pub fn polygon_area(polygon: &[ExactPoint], triangles: &[[u32; 3]]) -> Measured 
         let twice = cross.dot(&cross).sqrt(BITS);
         sum = sum.plus(&twice.quotient(&denominator, BITS));
     }
-    Measured::of(&sum, 0.0)
+    Measured::of(&sum, error)
 }
 
 /// The area of a range of a mesh's triangles under a placement, as the file writes them. Storing them as `f32` about the
 /// mesh's origin moves a corner by at most `d`, computed below. The area of a triangle with the sides p and q then
 /// changes by at most d (|p| + |q|) + 2 d^2.
+///
+/// # Panics
+/// When the mesh has no triangle of a number in the range.
 #[must_use]
 pub fn mesh_area(mesh: &Mesh, placement: &Placement, triangles: Range<u32>) -> Measured {
     let corners = || {
@@ -174,7 +199,7 @@ pub fn mesh_area(mesh: &Mesh, placement: &Placement, triangles: Range<u32>) -> M
     let sides: f64 = corners()
         .map(|[a, b, c]| a.distance(b) + a.distance(c))
         .sum();
-    let count = f64::from(triangles.end - triangles.start);
+    let count = f64::from(triangles.end.saturating_sub(triangles.start));
     let stored = d * stretch * sides + 2.0 * count * d * d;
     // A sum of `count` terms has `count` roundings.
     let more = 1.0 + (count + 16.0) * f64::EPSILON;
@@ -213,7 +238,7 @@ fn ten_to(exponent: i64) -> BigInt {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::random::Random;
+    use crate::geometry::{MeshData, random::Random};
     use glam::{DAffine3, DMat3};
 
     fn is(measured: Measured, exact: f64) -> bool {
@@ -286,6 +311,56 @@ mod tests {
                 },
                 exact
             ));
+        }
+    }
+
+    #[test]
+    fn points_are_equal_where_their_exact_places_are() {
+        let at = |text: &str| ExactPoint::written(&Placement::IDENTITY, text).expect("numbers");
+        let about = |x: f64, error| ExactPoint::about(DVec3::new(x, 0.5, 0.0), error);
+        assert_eq!(at("0.10 5e-1 0"), at("0.1 0.5 0"));
+        assert_eq!(at("0.25 0.5 0"), about(0.25, 0.0));
+        assert_ne!(at("0.1 0.5 0"), about(0.1, 0.0));
+        assert_ne!(about(0.25, 1e-9), about(0.25, 0.0));
+        assert_ne!(about(f64::NAN, 0.0), about(f64::NAN, 0.0));
+    }
+
+    #[test]
+    fn what_is_not_finite_has_no_length_and_no_area() {
+        let [here, there] = [DVec3::X, DVec3::Y].map(|point| ExactPoint::about(point, 0.0));
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for axis in 0..3 {
+                let mut numbers = DVec3::ONE;
+                numbers[axis] = bad;
+                let place = Placement::IDENTITY;
+                let vertex = PlacedPoint::vertex(&place, DVec3::ZERO, numbers);
+                let about_it = PlacedPoint::vertex(&place, numbers, DVec3::ZERO);
+                let share = PlacedPoint::between(&place, DVec3::ZERO, [DVec3::X, DVec3::Y], bad);
+                for point in [vertex, about_it, share] {
+                    assert!(point.world().is_nan() && point.object().is_nan());
+                }
+                let points = [vertex, about_it, share].map(|point| ExactPoint::stored(&point, 0.0));
+                for point in points.into_iter().chain([ExactPoint::about(numbers, 0.0)]) {
+                    let ways = [point.distance(&here), here.distance(&point)];
+                    let corners = [here.clone(), there.clone(), point];
+                    let area = polygon_area(&corners, &[[0, 1, 2]]);
+                    for Measured { value, error } in [ways[0], ways[1], area] {
+                        assert!(value.is_nan() && error.is_nan());
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_range_without_triangles_has_no_area() {
+        let corners = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let data = MeshData::of_triangles("one", corners, vec![[0, 1, 2]]);
+        let mesh = Mesh::new(data).expect("a mesh");
+        let of = |start, end| mesh_area(&mesh, &Placement::IDENTITY, start..end);
+        assert!(is(of(0, 1), 0.5));
+        for (start, end) in [(0, 0), (1, 1), (1, 0), (7, 2)] {
+            assert!(is(of(start, end), 0.0) && of(start, end).error >= 0.0);
         }
     }
 

@@ -73,11 +73,19 @@ pub(crate) use beam::Beam;
 pub(crate) use edge::face_of;
 pub use narrowed::narrowed;
 pub(crate) use nearest::all_near;
-pub use nearest::{all, closest, closest_by};
-pub use one_place::{InOnePlace, MOST_NAMED, NamedSurface};
+#[doc(hidden)] // public for tests
+pub use nearest::closest_by;
+pub use nearest::{all, closest};
+#[doc(hidden)] // public for tests
+pub use one_place::MOST_NAMED;
+pub use one_place::{InOnePlace, NamedSurface};
 pub(crate) use raycast::{RAYCAST_BYTES, each_ray};
-pub use raycast::{ids, ids_by, mask_until, raycast, raycast_until};
-pub use record::{Pick, PickLine, PickLines};
+pub use raycast::{ids, raycast};
+#[doc(hidden)] // public for tests and benches
+pub use raycast::{ids_by, mask_until, raycast_until};
+pub use record::Pick;
+#[doc(hidden)] // public for tests: the shape of the program's lines
+pub use record::{PickLine, PickLines};
 pub use selection::draw_selection;
 pub use sight::{Sight, Whereabouts, sight};
 
@@ -92,7 +100,7 @@ use nearest::{is_in_doubt, is_tied, nearest};
 /// A hit on an object of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SceneHit {
-    /// Index of the object.
+    /// The object's index, from 0; its id is one more.
     pub object: usize,
     /// The hit in the object's space; its `t` is the world ray's.
     pub hit: Hit,
@@ -114,6 +122,9 @@ impl SceneHit {
     }
 
     /// The triangle that was hit, counted from the object's first; `None` on an analytic shape.
+    ///
+    /// # Panics
+    /// When the scene lacks the object, or the object the triangle: the hit is on another scene.
     #[must_use]
     pub fn triangle_of_object(&self, scene: &Scene) -> Option<u32> {
         let first = scene.objects()[self.object].shape.first_triangle();

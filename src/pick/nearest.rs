@@ -16,6 +16,26 @@ use glam::DVec3;
 use std::ops::Range;
 
 /// The nearest hit of a world-space ray on the visible objects.
+///
+/// ```
+/// use sightline::{
+///     geometry::{Placement, Ray, Sides},
+///     glam::DVec3,
+///     pick,
+///     scene::{Object, Scene, Shape},
+/// };
+///
+/// let scene = Scene::new(vec![Object::new("ball", Shape::Sphere, Placement::IDENTITY)]);
+/// let ray = Ray {
+///     origin: DVec3::new(0.0, 0.0, 3.0),
+///     direction: DVec3::NEG_Z,
+///     t_min: 0.0,
+///     t_max: f64::INFINITY,
+/// };
+/// let hit = pick::closest(&scene, ray, Sides::Both).expect("the ball is ahead");
+/// assert_eq!((hit.object, hit.hit.t), (0, 2.5));
+/// assert!(pick::closest(&scene, Ray { t_max: 2.0, ..ray }, Sides::Both).is_none());
+/// ```
 #[must_use]
 pub fn closest<'a>(scene: &Scene, ray: impl Into<WorldRay<'a>>, sides: Sides) -> Option<SceneHit> {
     nearest(&Beam::whole(scene), &ray.into(), sides, None)

@@ -14,7 +14,7 @@ pub const MOST_NAMED: usize = 8;
 pub struct InOnePlace {
     /// How many: two or more.
     pub count: usize,
-    /// Up to [`MOST_NAMED`] of them in the order of picks; the picked one is the first.
+    /// Up to eight of them in the order of picks; the picked one is the first.
     pub named: Vec<NamedSurface>,
 }
 
@@ -23,7 +23,7 @@ pub struct InOnePlace {
 pub struct NamedSurface {
     /// The object's name.
     pub object: String,
-    /// The object's number, from 1.
+    /// The object's id: its number for people, from 1. Its index is one less.
     pub id: usize,
     /// Triangle of the object, from 0; `None` for analytic shapes.
     pub triangle: Option<u32>,
@@ -33,6 +33,9 @@ pub struct NamedSurface {
 
 impl NamedSurface {
     /// The surface of a hit.
+    ///
+    /// # Panics
+    /// When the hit is on another scene, as [`SceneHit::triangle_of_object`].
     #[must_use]
     pub fn of(scene: &Scene, hit: &SceneHit) -> Self {
         Self {
@@ -46,6 +49,9 @@ impl NamedSurface {
 
 impl InOnePlace {
     /// From hits in the order of picks; `None` for fewer than two.
+    ///
+    /// # Panics
+    /// When a hit is on another scene, as [`SceneHit::triangle_of_object`].
     #[must_use]
     pub fn of(scene: &Scene, hits: &[SceneHit]) -> Option<Self> {
         (hits.len() > 1).then(|| Self {

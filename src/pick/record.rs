@@ -14,7 +14,7 @@ use serde::Serialize;
 pub struct Pick {
     /// The object's name.
     pub object: String,
-    /// The object's number, from 1.
+    /// The object's id: its number for people, from 1. Its index is one less.
     pub id: usize,
     /// Triangle of the object, from 0; `None` for analytic shapes.
     pub triangle: Option<u32>,
@@ -126,7 +126,7 @@ impl Pick {
             triangle: found.triangle_of_object(scene),
             front: hit.front,
             t,
-            distance: length(view.from_eye(px, t)),
+            distance: length(view.offset_from_eye(px, t)),
             depth: t,
             ndc: ndc_xy.extend(view.camera.lens().ndc_depth(t)),
             point_world: (at.point_object(&Placement::IDENTITY)).unwrap_or_else(|| ray.at(t)),

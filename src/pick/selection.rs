@@ -11,6 +11,9 @@ use crate::{
 
 /// Tints the pixels that show `object` (an index) and draws its outline, also where something stands in front of it.
 /// `ids` and `colours` are [`raycast`](super::raycast())'s for this scene and view.
+///
+/// # Panics
+/// When there is no object of this index, or an image has not the view's size.
 pub fn draw_selection(
     scene: &Scene,
     view: &View,
@@ -18,6 +21,8 @@ pub fn draw_selection(
     ids: &Image<Id>,
     colours: &mut Image<Rgb>,
 ) {
+    let sizes = [ids.size(), colours.size()];
+    assert_eq!(sizes, [view.viewport; 2], "the images are the view's");
     // The object is traced as if nothing else were there.
     let alone = Scene::new(vec![scene.objects()[object].clone()]);
     let covered = each_ray(&alone, view, |beam, ray, _| {

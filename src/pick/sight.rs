@@ -63,7 +63,7 @@ fn ray<'a>(view: &View, through: &'a ThroughPoint) -> Option<WorldRay<'a>> {
 pub struct Whereabouts {
     /// The object's name.
     pub object: String,
-    /// The object's number, from 1.
+    /// The object's id: its number for people, from 1. Its index is one less.
     pub id: usize,
     /// The object's first triangle that has it, from 0.
     pub triangle: u32,
@@ -109,6 +109,9 @@ impl Whereabouts {
 
     /// A face, given by its triangles in the mesh, on each object that has it: a point inside its largest triangle.
     /// Empty without triangles.
+    ///
+    /// # Panics
+    /// When the mesh has no triangle of a number in the range.
     #[must_use]
     pub fn of_face(
         scene: &Scene,

@@ -112,7 +112,7 @@ mod tests {
         for i in 0..200 {
             let view = view(&mut random, i % 2 == 0);
             let (frustum, lens) = (Frustum::new(&view), *view.camera.lens());
-            let at = |px, t| view.camera.eye() + view.from_eye(px, t);
+            let at = |px, t| view.camera.eye() + view.offset_from_eye(px, t);
             for border in 0..8 {
                 let share = 0.5 + 0.5 * random.point();
                 let size = view.viewport.size_px();

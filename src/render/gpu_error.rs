@@ -2,6 +2,7 @@
 
 /// Why nothing can be drawn. Each says in one line what to do about it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum GpuError {
     /// No driver.
     #[error(

@@ -45,6 +45,7 @@ pub struct FaceInFile {
 
 /// What a file says of a triangle, for a pick's record, with the field names of the JSON. All `None` without a file.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct InFile {
     /// The file of the mesh.
     pub file: Option<String>,

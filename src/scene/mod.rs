@@ -11,6 +11,7 @@ mod section;
 mod sums;
 mod tree;
 
+#[doc(hidden)] // public for tests
 pub use changes::Change;
 #[cfg(feature = "files")]
 pub use files::{
@@ -22,7 +23,7 @@ pub use files::{
 pub(crate) use files::{is_scene_file, matrix_rows, title};
 pub use in_file::{FaceInFile, InFile, VertexInFile};
 pub use object::{Object, Shape};
-pub use section::NoSection;
+pub use section::{FlatFaces, NoSection};
 
 use crate::geometry::{Aabb, Mesh, Placement, Pyramid, WorldRay};
 use changes::Changes;
@@ -35,25 +36,34 @@ use std::{
 use sums::Sums;
 use tree::SceneTree;
 
-/// An id names no object.
+/// An id that a person wrote names no object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no object {id}: ids run from 1 to {objects}; see 'sightline list'")]
+#[error("there is no object {id}: ids run from 1 to {objects}")]
 pub struct NoSuchObject {
-    /// The id that was named.
+    /// The id as it was written: a number from 1, no index.
     pub id: usize,
     /// How many objects there are.
     pub objects: usize,
 }
 
 /// Identifies a scene and its clones until they are changed. Holds only a weak reference.
+#[doc(hidden)] // public for tests
 #[derive(Clone, Debug)]
 pub struct SceneKey(Weak<Vec<Object>>);
+
+impl PartialEq for SceneKey {
+    fn eq(&self, other: &Self) -> bool {
+        Weak::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl Eq for SceneKey {}
 
 impl SceneKey {
     /// Whether this key identifies `scene` in its present state.
     #[must_use]
     pub fn is_of(&self, scene: &Scene) -> bool {
-        Weak::ptr_eq(&self.0, &Arc::downgrade(&scene.objects))
+        *self == scene.key()
     }
 
     /// Whether a scene with this key still exists.
@@ -63,7 +73,8 @@ impl SceneKey {
     }
 }
 
-/// Objects in order. Ids for people are index + 1. A clone shares its data until one of the two is changed.
+/// Objects in order. Functions count them from 0: an `object` is an index. What people read and write (an `id`) counts
+/// them from 1; [`Scene::index_of`] takes it to an index. A clone shares its data until one of the two is changed.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
     objects: Arc<Vec<Object>>,
@@ -98,6 +109,7 @@ impl Scene {
 
     /// The key that identifies this scene until it is changed.
     #[must_use]
+    #[doc(hidden)] // public for tests
     pub fn key(&self) -> SceneKey {
         SceneKey(Arc::downgrade(&self.objects))
     }
@@ -155,7 +167,7 @@ impl Scene {
 
     /// Objects plus triangles. By this number callers recognise a large scene.
     #[must_use]
-    pub fn size(&self) -> usize {
+    pub(crate) fn size(&self) -> usize {
         self.objects.len() + self.triangle_count()
     }
 
@@ -229,6 +241,7 @@ impl Scene {
 
     /// The number of changes so far, for [`Scene::changed_since`].
     #[must_use]
+    #[doc(hidden)] // public for tests
     pub fn changes(&self) -> u64 {
         self.changes.now()
     }
@@ -236,29 +249,35 @@ impl Scene {
     /// The objects shown, hidden or moved since [`Scene::changes`] was `then`; an object may occur more than once.
     /// `None` when the log does not reach back that far, or the batches have changed since.
     #[must_use]
+    #[doc(hidden)] // public for tests
     pub fn changed_since(&self, then: u64) -> Option<&[Change]> {
         self.changes.since(then)
     }
 
-    /// Hides the objects with these ids (from 1).
+    /// The index of the object that people call `id`: ids run from 1.
     ///
     /// # Errors
-    /// When an id names no object.
-    pub fn hide(&mut self, ids: &[usize]) -> Result<(), NoSuchObject> {
+    /// When the id names no object.
+    pub fn index_of(&self, id: usize) -> Result<usize, NoSuchObject> {
         let objects = self.objects.len();
-        let index = |&id: &usize| {
-            let index = id.checked_sub(1).filter(|index| *index < objects);
-            index.ok_or(NoSuchObject { id, objects })
-        };
-        let known = ids.iter().map_while(|id| index(id).ok());
-        let shown: BTreeSet<usize> = known.filter(|index| self.objects[*index].visible).collect();
+        let index = id.checked_sub(1).filter(|index| *index < objects);
+        index.ok_or(NoSuchObject { id, objects })
+    }
+
+    /// Hides these objects. An index may occur more than once.
+    ///
+    /// # Panics
+    /// When an index names no object. No object is then hidden.
+    pub fn hide(&mut self, objects: &[usize]) {
+        let is_shown = |object: &usize| self.objects[*object].visible;
+        let shown: BTreeSet<usize> = objects.iter().copied().filter(is_shown).collect();
         self.toggle(&Vec::from_iter(shown));
-        ids.iter().try_for_each(|id| index(id).map(|_| ()))
     }
 
     /// Runs of objects that are drawn and intersected as one: either a single object, or consecutive parts of one mesh
     /// under one model matrix.
     #[must_use]
+    #[doc(hidden)] // public for tests
     pub fn batches(&self) -> &[Range<usize>] {
         &self.batches
     }
@@ -274,6 +293,7 @@ impl Scene {
 
     /// Calls `visit` with every batch that a world-space ray may hit, nearer boxes first where there is a tree. `visit`
     /// returns the new end of the ray's interval. The skipped batches have no hit in that interval.
+    #[doc(hidden)] // public for tests
     pub fn visit_batches(&self, ray: &WorldRay, mut visit: impl FnMut(&Range<usize>) -> f64) {
         // The box test needs finite error bounds, and a finite reciprocal of each nonzero direction component.
         let error = ray.error();
@@ -333,10 +353,17 @@ impl Scene {
     }
 
     /// Builds the blocks of each mesh, which the first move of one of its objects needs.
-    pub fn prepare_moves(&self) {
+    pub(crate) fn prepare_moves(&self) {
         for mesh in self.meshes.iter() {
             mesh.blocks();
         }
+    }
+}
+
+/// A scene of these objects, in this order.
+impl FromIterator<Object> for Scene {
+    fn from_iter<T: IntoIterator<Item = Object>>(objects: T) -> Self {
+        Self::new(objects.into_iter().collect())
     }
 }
 

@@ -8,7 +8,7 @@ use glam::DVec3;
 use std::{ops::Range, sync::Arc};
 
 /// A shape in its object space.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// Radius 0.5 about the origin.
     Sphere,
@@ -57,7 +57,7 @@ impl Shape {
 }
 
 /// An object of the scene, as lists name it and picks return it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Object {
     /// For people; need not be unique.
     pub name: String,
@@ -85,6 +85,9 @@ impl Object {
     }
 
     /// Its linear colour at a hit.
+    ///
+    /// # Panics
+    /// When the hit is on a triangle that its mesh lacks.
     #[must_use]
     pub fn albedo(&self, hit: &Hit) -> [f32; 3] {
         let (Shape::Mesh { mesh, .. }, Some(at), None) =

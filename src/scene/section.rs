@@ -6,7 +6,7 @@ use crate::{
     geometry::{Aabb, BLOCK, Cuboid, Mesh, MeshData, Placement, Section, SectionError, Square},
 };
 use glam::{DVec3, Vec3};
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, fmt};
 
 /// Why there is no section along a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -18,24 +18,49 @@ pub enum NoSection {
     /// The object has no such face.
     #[error("object {id} has no face {face}: {has}")]
     Face {
-        /// The object's number, from 1.
+        /// The object's number, from 1, as it was written.
         id: usize,
         /// The requested face.
         face: u32,
         /// What there is.
-        has: &'static str,
+        has: FlatFaces,
     },
     /// No face was named, and the object has several faces or no flat one.
     #[error("object {id}: {has}")]
     Unnamed {
-        /// The object's number, from 1.
+        /// The object's number, from 1, as it was written.
         id: usize,
         /// What there is.
-        has: &'static str,
+        has: FlatFaces,
     },
     /// The face spans no plane.
     #[error(transparent)]
     Section(#[from] SectionError),
+}
+
+/// The flat faces of an object, by which sections name them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FlatFaces {
+    /// A sphere's.
+    None,
+    /// A square's, which is not numbered.
+    One,
+    /// A cube's.
+    Six,
+    /// A mesh's.
+    Triangles,
+}
+
+impl fmt::Display for FlatFaces {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(match self {
+            Self::None => "a sphere has no flat face",
+            Self::One => "a square is one face",
+            Self::Six => "a cube has the faces 0 to 5, +x, -x, +y, -y, +z, -z",
+            Self::Triangles => "a mesh has triangles",
+        })
+    }
 }
 
 impl Scene {
@@ -49,15 +74,12 @@ impl Scene {
             SectionChoice::Plane(section) => return Ok(Some(section)),
             SectionChoice::Face { id, face } => (id, face),
         };
-        let objects = self.objects.len();
-        let index = id.checked_sub(1).filter(|index| *index < objects);
-        let index = index.ok_or(NoSuchObject { id, objects })?;
-        let object = &self.objects[index];
+        let object = &self.objects[self.index_of(id)?];
         let has = match &object.shape {
-            Shape::Sphere => "a sphere has no flat face",
-            Shape::Square => "a square is one face; say face:ID",
-            Shape::Cube => "a cube has the faces 0 to 5, +x, -x, +y, -y, +z, -z; say face:ID,FACE",
-            Shape::Mesh { .. } => "a mesh has triangles; say face:ID,TRIANGLE, as picks name them",
+            Shape::Sphere => FlatFaces::None,
+            Shape::Square => FlatFaces::One,
+            Shape::Cube => FlatFaces::Six,
+            Shape::Mesh { .. } => FlatFaces::Triangles,
         };
         match (face_of(object, face), face) {
             (Some(face), _) => Ok(Some(along(object, &face)?)),

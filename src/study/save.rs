@@ -17,6 +17,7 @@ use std::path::{Path, PathBuf};
 
 /// Why a report was not written.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum SaveError {
     /// The drawing library refused.
     #[error(transparent)]

@@ -214,7 +214,7 @@ fn what_changes_among_many_is_drawn_as_if_it_had_always_been_so() {
                 let mut to = model(&mut random);
                 if i % 5 != 2 {
                     to.translation =
-                        view.camera.eye() + view.from_eye(glam::DVec2::new(80.0, 50.0), 5.0);
+                        view.camera.eye() + view.offset_from_eye(glam::DVec2::new(80.0, 50.0), 5.0);
                 }
                 scene.place(index, Placement::new(to).expect("invertible"));
             }

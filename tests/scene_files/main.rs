@@ -12,10 +12,48 @@ use sightline::{
     camera::{CameraChoice, DepthMapping, UpAxis},
     colour::Srgb,
     geometry::Placement,
-    scene::{self, LoadError, Loaded, Object, Progress, description},
+    image::ImageError,
+    scene::{
+        self, Cancelled, DescriptionError, Detail, FileError, FilesAgain, LoadError, Loaded,
+        MeshFile, MeshFiles, ObjError, ObjFile, Object, Problem, Progress, SaveError, Warning,
+        description,
+        gallery::Exhibit,
+        obj::{Again, AgainError, BadLine, Contents},
+    },
 };
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
+
+/// Can be shared between threads.
+const fn is_shared<T: Send + Sync>() {}
+
+/// Can be returned by `?` from any thread.
+const fn is_error<T: std::error::Error + Send + Sync + 'static>() {}
+
+const _: () = {
+    is_shared::<Loaded>();
+    is_shared::<MeshFile>();
+    is_shared::<MeshFiles>();
+    is_shared::<Detail>();
+    is_shared::<FilesAgain>();
+    is_shared::<Again>();
+    is_shared::<Contents>();
+    is_shared::<ObjFile>();
+    is_shared::<Exhibit>();
+    is_shared::<Progress>();
+    is_shared::<Warning>();
+    is_shared::<description::Description>();
+    is_error::<AgainError>();
+    is_error::<BadLine>();
+    is_error::<Cancelled>();
+    is_error::<DescriptionError>();
+    is_error::<FileError>();
+    is_error::<ImageError>();
+    is_error::<LoadError>();
+    is_error::<ObjError>();
+    is_error::<Problem>();
+    is_error::<SaveError>();
+};
 
 fn parse(text: &str) -> Result<description::Description, String> {
     let (mut meshes, progress) = (scene::MeshFiles::default(), Progress::default());

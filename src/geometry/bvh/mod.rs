@@ -63,6 +63,9 @@ impl Bvh {
     /// `None` when `stop` was set meanwhile, when this processor lacks the instructions, and for meshes that a tree
     /// cannot hold: without triangles, with more than `2^27`, or with coordinates of such different magnitude that
     /// scaling would change them.
+    ///
+    /// # Panics
+    /// When a triangle names a position that is not there.
     #[must_use]
     pub fn build(
         positions: &[[f32; 3]],

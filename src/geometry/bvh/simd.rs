@@ -18,7 +18,8 @@
 use std::mem::MaybeUninit;
 
 /// Which instructions build a tree and walk it. All give the same hits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Simd {
     /// As AVX2, with twice the registers: x86-64 of servers, and of desktops since about 2022.
     Avx512,

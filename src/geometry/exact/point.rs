@@ -14,14 +14,18 @@ impl PlacedPoint {
     /// Where it is in the world, each coordinate rounded once.
     #[must_use]
     pub fn world(&self) -> DVec3 {
-        point_world(self)
+        if self.is_finite() {
+            point_world(self)
+        } else {
+            DVec3::NAN
+        }
     }
 
     /// Where it is in object space, each coordinate rounded once.
     #[must_use]
     pub fn object(&self) -> DVec3 {
         let model = DAffine3::IDENTITY;
-        point_world(&Self { model, ..*self })
+        Self { model, ..*self }.world()
     }
 }
 

@@ -18,7 +18,7 @@ pub(crate) const BLOCK: usize = 256;
 
 /// What a mesh is made of. Vertices are `f32` about one `f64` origin: parts that share a wall share it to the bit,
 /// wherever in the world they stand. Object space is `origin + position`.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeshData {
     /// Where the positions' (0, 0, 0) lies in object space.
     pub origin: DVec3,
@@ -117,8 +117,26 @@ pub struct Mesh {
     few: Option<Vec<u32>>,
 }
 
+/// Meshes are equal where their data are, whatever was computed from them.
+impl PartialEq for Mesh {
+    fn eq(&self, other: &Self) -> bool {
+        let is_one = Arc::ptr_eq(&self.data, &other.data);
+        (is_one || self.data == other.data) && self.few == other.few
+    }
+}
+
 impl Mesh {
     /// Checks `data` and takes it.
+    ///
+    /// ```
+    /// use sightline::geometry::{Mesh, MeshData, MeshError};
+    ///
+    /// let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// let of = |triangle| MeshData::of_triangles("flag", corners.clone(), vec![triangle]);
+    /// assert_eq!(Mesh::new(of([0, 1, 2]))?.data().parts[0].name, "flag");
+    /// assert_eq!(Mesh::new(of([0, 1, 3])).unwrap_err(), MeshError::NoSuchVertex(0));
+    /// # Ok::<(), MeshError>(())
+    /// ```
     ///
     /// # Errors
     /// When it is not a mesh; see [`MeshError`].

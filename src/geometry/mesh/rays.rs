@@ -35,6 +35,7 @@ impl Mesh {
     }
 
     /// `build_tree_unless` for the given instructions; no tree is built where the processor lacks them.
+    #[doc(hidden)] // public for tests and benches
     pub fn build_tree_by(&self, simd: Simd, stop: &AtomicBool) {
         let MeshData {
             positions,
@@ -59,6 +60,7 @@ impl Mesh {
     /// The object-space boxes of the tree at a level (0 is the box about everything): at most `most`, none without a
     /// tree.
     #[must_use]
+    #[doc(hidden)] // public for tests
     pub fn tree_boxes(&self, level: u32, most: usize) -> Vec<Aabb> {
         let boxes = self.tree.get().map(|tree| tree.boxes(level, most));
         let placed = boxes.into_iter().flatten().map(|bounds| Aabb {
@@ -106,7 +108,7 @@ impl Mesh {
     }
 
     /// The nearest hit of an object-space ray on the parts that `accept` names; of ties, the lowest triangle. It is the
-    /// hit that exact arithmetic would choose ([`guarded_volume`]).
+    /// hit that exact arithmetic would choose.
     #[must_use]
     pub fn closest<'a>(
         &self,
@@ -140,6 +142,7 @@ impl Mesh {
 
     /// [`Mesh::closest`] by another triangle test, which is asked about every triangle whose box the ray may meet.
     #[must_use]
+    #[doc(hidden)] // public for tests
     pub fn closest_by<'a>(
         &self,
         ray: impl Into<LocalRay<'a>>,
@@ -221,6 +224,7 @@ impl Mesh {
 
     /// Whether there is a triangle for which `f64` alone cannot decide if an object-space ray hits it. The triangle must
     /// lie in the ray's interval and before its limit, and `accept` must name its part. The same with and without a tree.
+    #[doc(hidden)] // public for tests and benches
     pub fn is_in_doubt<'a>(
         &self,
         ray: impl Into<LocalRay<'a>>,

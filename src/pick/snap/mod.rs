@@ -15,7 +15,8 @@ mod along;
 mod facets;
 mod record;
 
-pub use record::{Snap, SnapLine, object_area};
+pub(crate) use record::SnapLine;
+pub use record::{Snap, object_area};
 
 use super::{
     SceneHit,
@@ -32,11 +33,12 @@ use facets::{Facet, facets};
 use glam::DVec2;
 use num_bigint::BigInt;
 use serde::Serialize;
-use std::{cmp::Ordering, collections::HashMap};
+use std::{cmp::Ordering, collections::HashMap, error::Error};
 
 /// What a position snaps to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[non_exhaustive]
 pub enum SnapTo {
     /// A corner of a polygon.
     Vertex,
@@ -55,9 +57,14 @@ enum Snapped {
     Face,
 }
 
-/// Looks up a mesh's triangle in its file, by object and triangle; `None` where there is no file. The error says why
-/// the file cannot tell.
-pub type Faces<'a> = dyn FnMut(usize, u32) -> Result<Option<FaceInFile>, String> + 'a;
+/// Looks up a mesh's triangle in its file, by index of the object and triangle of the mesh; `None` where there is no
+/// file. The error says why the file cannot tell.
+///
+/// Unlike all else here it need be neither `Send` nor `Sync`: it is called on the thread that snaps.
+pub type Faces<'a> = dyn FnMut(usize, u32) -> Result<Option<FaceInFile>, FaceError> + 'a;
+
+/// Why a file cannot tell about a face.
+pub type FaceError = Box<dyn Error + Send + Sync>;
 
 /// A point of a facet's side, at `share` of its length.
 #[derive(Clone, Copy, Debug)]

@@ -17,13 +17,14 @@ use glam::{DVec2, DVec3};
 use serde::Serialize;
 
 /// A snapped point; the field names are the JSON's. Lengths in world units.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Snap {
     /// A vertex, an edge or a face.
     pub to: SnapTo,
     /// The object's name.
     pub object: String,
-    /// The object's number, from 1.
+    /// The object's id: its number for people, from 1. Its index is one less.
     pub id: usize,
     /// Triangle of the object, from 0; `None` for other shapes.
     pub triangle: Option<u32>,
@@ -52,8 +53,8 @@ pub struct Snap {
 }
 
 /// A position and what it snaps to, as a line of JSON.
-#[derive(Clone, Debug, Serialize)]
-pub struct SnapLine {
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct SnapLine {
     /// Where: pixels from the top left corner.
     pub px: DVec2,
     /// What is there; `None` for the background.
@@ -68,6 +69,9 @@ pub struct SnapLine {
 
 impl Snap {
     /// What a position snaps to; `None` where nothing is within the radius and the background shows. See [`super`].
+    ///
+    /// # Panics
+    /// When `faces` finds a face with corners that are not among its vertices.
     #[must_use]
     pub fn at(
         scene: &Scene,
@@ -107,7 +111,7 @@ impl Snap {
         let (face, file_error) = asked(faces, facet.object, triangle);
         let of_file = face.as_ref().zip(triangle).and_then(|(face, triangle)| {
             let first = face.triangles.start;
-            let corners = face.corners.get((triangle - first) as usize)?;
+            let corners = face.corners.get(triangle.checked_sub(first)? as usize)?;
             let places = match to {
                 SnapTo::Vertex => vec![corners[corner] as usize],
                 _ => side_of(face, triangle, corner)?.into(),
@@ -211,7 +215,7 @@ fn asked(
 ) -> (Option<FaceInFile>, Option<String>) {
     match triangle.map(|triangle| faces(object, triangle)) {
         Some(Ok(face)) => (face, None),
-        Some(Err(error)) => (None, Some(error)),
+        Some(Err(error)) => (None, Some(error.to_string())),
         None => (None, None),
     }
 }
@@ -222,8 +226,8 @@ fn asked(
 pub fn object_area(object: &Object) -> Measured {
     let placement = &object.placement;
     match &object.shape {
-        Shape::Mesh { mesh, part } => {
-            let triangles = mesh.data().parts[*part].triangles.clone();
+        Shape::Mesh { mesh, .. } => {
+            let triangles = object.shape.triangles().unwrap_or_default();
             mesh_area(mesh, placement, triangles)
         }
         Shape::Square => area_of_corners(placement, DVec3::ZERO, &Square::corners()),

@@ -7,6 +7,7 @@ use std::{
 
 /// Why a file was not read.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum FileError {
     /// It cannot be opened or read.
     #[error("{}: cannot be read: {source}", file.display())]

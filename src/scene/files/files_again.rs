@@ -2,7 +2,7 @@
 
 use super::{
     MeshFile, Progress, Scene, Shape,
-    obj::{Again, FaceInFile, InFile},
+    obj::{Again, AgainError, FaceInFile, InFile},
 };
 use crate::geometry::Mesh;
 use std::sync::Arc;
@@ -36,6 +36,9 @@ impl<'a> FilesAgain<'a> {
     }
 
     /// What the file says of a triangle, counted from the object's first; empty where the mesh is from no file.
+    ///
+    /// # Panics
+    /// When there is no object of this index.
     pub fn in_file(&mut self, object: usize, triangle: Option<u32>) -> InFile {
         let shape = &self.scene.objects()[object].shape;
         if let (Shape::Mesh { mesh, .. }, Some(triangle)) = (shape, triangle)
@@ -50,11 +53,18 @@ impl<'a> FilesAgain<'a> {
     ///
     /// # Errors
     /// When the file cannot be read, or has changed.
-    pub fn face_of(&mut self, object: usize, triangle: u32) -> Result<Option<FaceInFile>, String> {
+    ///
+    /// # Panics
+    /// When there is no object of this index.
+    pub fn face_of(
+        &mut self,
+        object: usize,
+        triangle: u32,
+    ) -> Result<Option<FaceInFile>, AgainError> {
         let Shape::Mesh { mesh, .. } = &self.scene.objects()[object].shape else {
             return Ok(None);
         };
         let face = self.of(mesh).map(|again| again.face_of(triangle));
-        face.transpose().map_err(|error| error.to_string())
+        face.transpose()
     }
 }

@@ -4,6 +4,7 @@ use super::{Cancelled, DescriptionError, FileError, ObjError, Problem};
 
 /// Why there is no scene. One line that names the file.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum LoadError {
     /// The load was cancelled.
     #[error(transparent)]

@@ -26,6 +26,7 @@ fn place(file: &Path, line: Option<usize>) -> String {
 
 /// What is wrong in a scene file.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum Problem {
     /// It is not TOML, or not a scene file.
     #[error("{0}")]
@@ -67,6 +68,7 @@ pub enum Problem {
 
 /// Why a scene cannot be written as a scene file.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum SaveError {
     /// A mesh that was made, not loaded.
     #[error("{0} comes from no file, so a scene file cannot name it")]

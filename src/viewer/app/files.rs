@@ -8,7 +8,7 @@ use crate::{
     scene::{self, Loaded},
     viewer::{
         jobs::{self, Loading, Making, Saving},
-        model::{Made, Source},
+        model::{Made, Source, hide, no_section},
         options::Options,
         ui::Intent,
     },
@@ -99,7 +99,8 @@ impl App {
                 }
                 let section = loaded.camera.section.unwrap_or_default();
                 let section = loaded.scene.section(section);
-                let section = section.map_err(|error| format!("the section is left out: {error}"));
+                let section = section
+                    .map_err(|error| format!("the section is left out: {}", no_section(&error)));
                 unused.extend(section.err());
                 let file = loaded.camera_file.take();
                 let opened = self.state.open(loaded, paths.clone());
@@ -131,7 +132,7 @@ impl App {
 
     /// Applies the command line's `--hide` and camera to the first scene. Returns the reasons for what was left out.
     fn apply_flags(&self, loaded: &mut Loaded) -> Vec<String> {
-        let hidden = loaded.scene.hide(&self.options.hidden);
+        let hidden = hide(&mut loaded.scene, &self.options.hidden);
         let hidden = hidden.map_err(|error| format!("--hide: {error}"));
         let camera = self.options.camera.or(loaded.camera);
         let viewport = self.state.view().viewport;

@@ -101,13 +101,11 @@ impl App {
     }
 
     fn go_to_object(&mut self, id: usize) {
-        let objects = self.state.scene().objects();
-        let Some(object) = id.checked_sub(1).filter(|index| *index < objects.len()) else {
-            let count = objects.len();
-            return self.tell(format!(
-                "there is no object {id}: ids run from 1 to {count}"
-            ));
+        let object = match self.state.scene().index_of(id) {
+            Ok(object) => object,
+            Err(error) => return self.tell(error.to_string()),
         };
+        let objects = self.state.scene().objects();
         let hidden = if objects[object].visible {
             ""
         } else {

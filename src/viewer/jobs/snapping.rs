@@ -35,7 +35,7 @@ impl Snapping {
         let shared = Arc::clone(&progress);
         let find = move || {
             let mut files = FilesAgain::new(&scene, &files, &shared);
-            let mut faces = |object, triangle| files.face_of(object, triangle);
+            let mut faces = |object, triangle| files.face_of(object, triangle).map_err(Into::into);
             let snap = Snap::at(&scene, &view, px, Measuring::RADIUS_PX, &mut faces);
             snap.map(|snap| {
                 let area = Some(object_area(&scene.objects()[snap.id - 1]));

@@ -18,7 +18,7 @@ impl Made {
         let objects = scene.objects().iter().chain(added.objects());
         Self {
             of: scene.key(),
-            scene: Scene::new(objects.cloned().collect()),
+            scene: objects.cloned().collect(),
             was: Vec::new(),
         }
     }
@@ -70,7 +70,7 @@ mod tests {
             visible,
             ..Object::new(name, Shape::Sphere, Placement::IDENTITY)
         };
-        Scene::new(objects.iter().map(object).collect())
+        objects.iter().map(object).collect()
     }
 
     #[test]

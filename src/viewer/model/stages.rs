@@ -81,7 +81,7 @@ pub fn projected(scene: &Scene, view: &View) -> Scene {
             ..object.clone()
         },
     });
-    Scene::new(objects.collect())
+    objects.collect()
 }
 
 /// Where a view space point is drawn in NDC: at x, y and minus the z of standard depth, whatever depth the lens stores. So

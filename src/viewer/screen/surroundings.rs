@@ -123,7 +123,7 @@ mod tests {
     fn grid(bounds: &Aabb, up_axis: UpAxis) -> (Vec<Line>, Aabb) {
         let lines = floor(bounds, up_axis, DVec3::splat(1e9));
         let ends = lines.iter().flat_map(|line| [line.from, line.to]);
-        let extent = ends.fold(Aabb::EMPTY, Aabb::including);
+        let extent = Aabb::around(ends);
         let is_axis = |line: &Line| look::AXES.contains(&line.colour);
         (lines.into_iter().filter(is_axis).collect(), extent)
     }

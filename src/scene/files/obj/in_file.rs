@@ -10,6 +10,7 @@ use std::{io, path::PathBuf};
 
 /// Why a face or vertex could not be read again from its file.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum AgainError {
     /// Somebody asked to stop.
     #[error(transparent)]

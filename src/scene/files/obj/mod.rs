@@ -87,6 +87,7 @@ pub struct ObjFile {
 
 /// Why a file was refused.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ObjError {
     /// Somebody asked to stop.
     #[error(transparent)]
@@ -146,6 +147,7 @@ pub enum ObjError {
 
 /// What is wrong with a line of an OBJ file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum BadLine {
     /// A vertex with fewer than three coordinates, or with one that is not a number.
     #[error("a vertex needs three numbers")]

@@ -110,7 +110,7 @@ fn copy(scene: &Scene) -> Scene {
             ..object.clone()
         }
     });
-    Scene::new(objects.collect())
+    objects.collect()
 }
 
 /// A click.

@@ -70,8 +70,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
     let trs = Trs::of(model);
     let parts = trs.unwrap_or(Trs {
         translation: model.translation,
-        rotation_deg: DVec3::ZERO,
-        scale: DVec3::ONE,
+        ..Trs::default()
     });
     let with = |part: Part, axis: usize, number: f64| {
         let mut next = parts;
