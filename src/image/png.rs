@@ -43,7 +43,9 @@ impl Image<Id> {
     /// # Errors
     /// When the file cannot be written or an id does not fit.
     pub fn write_png(&self, path: &Path) -> Result<(), ImageError> {
-        let mut bytes = Vec::with_capacity(self.pixels.len() * 2);
+        let mut bytes = Vec::new();
+        (bytes.try_reserve_exact(self.pixels.len() * 2))
+            .map_err(|source| cannot_write(path, source.into()))?;
         for id in &self.pixels {
             let id = u16::try_from(id.object).map_err(|_| ImageError::TooManyObjects(id.object))?;
             bytes.extend(id.to_be_bytes());
@@ -66,6 +68,8 @@ fn write(
     bytes: &[u8],
 ) -> Result<(), ImageError> {
     let written = replace(path, |out| {
+        // The encoder keeps all that it has compressed.
+        Vec::<u8>::new().try_reserve_exact(bytes.len())?;
         let mut encoder = png::Encoder::new(out, size.width(), size.height());
         encoder.set_color(colour);
         encoder.set_depth(depth);
@@ -78,8 +82,12 @@ fn write(
         writer.write_image_data(bytes)?;
         Ok(writer.finish()?)
     });
-    written.map_err(|source| ImageError::Write {
+    written.map_err(|source| cannot_write(path, source))
+}
+
+fn cannot_write(path: &Path, source: std::io::Error) -> ImageError {
+    ImageError::Write {
         path: path.display().to_string(),
         source,
-    })
+    }
 }
