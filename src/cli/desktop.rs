@@ -10,7 +10,7 @@ use clap_complete::Shell;
 use etcetera::BaseStrategy;
 use std::{
     env, fs,
-    io::{self, ErrorKind, Write},
+    io::{self, ErrorKind, Read, Write},
     path::{Path, PathBuf},
     process,
 };
@@ -79,6 +79,9 @@ struct Teller {
     /// The files that the command writes.
     caches: &'static [&'static str],
 }
+
+/// The most bytes that a file of any version of this program has. A longer file is not read.
+const MOST_BYTES: u64 = 1 << 20;
 
 /// The last comment of a file whose text depends on the version or the program's path. It shows that this program wrote
 /// the file.
@@ -152,8 +155,10 @@ fn remove(path: &Path, contents: &[u8]) -> io::Result<bool> {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),
         about => about?,
     };
-    let is_ours = about.is_file() && {
-        let there = fs::read(path)?;
+    let is_ours = about.is_file() && about.len() <= MOST_BYTES && {
+        let mut there = Vec::new();
+        let file = fs::File::open(path)?;
+        file.take(about.len()).read_to_end(&mut there)?;
         there == contents || String::from_utf8_lossy(&there).contains(MARK)
     };
     if !is_ours {

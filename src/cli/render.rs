@@ -101,7 +101,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
             (Some(ids), colours)
         }
     } else {
-        check_memory(view.viewport)?;
+        check_memory(view.viewport, pick::RAYCAST_BYTES)?;
         let (ids, colours) = raycast(scene, &view, selection);
         (Some(ids), colours)
     };
@@ -115,10 +115,10 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     ids.map_or(Ok(()), |ids| Ok(ids.put_in_place()?))
 }
 
-/// Refuses a picture that does not fit into memory, before any work.
-fn check_memory(size: Viewport) -> Result<(), CliError> {
+/// Refuses a picture that does not fit into memory with this many bytes per pixel, before any work.
+pub(super) fn check_memory(size: Viewport, bytes_per_pixel: usize) -> Result<(), CliError> {
     let pixels = size.width() as usize * size.height() as usize;
-    let bytes = pixels.saturating_mul(pick::RAYCAST_BYTES);
+    let bytes = pixels.saturating_mul(bytes_per_pixel);
     Vec::<u8>::new().try_reserve_exact(bytes).map_err(|_| {
         let size = format!("{}x{}", size.width(), size.height());
         CliError::TooLarge { size, bytes }

@@ -1,9 +1,11 @@
 //! `sightline verify`: compares the drawn picture with picks, pixel by pixel.
 
-use super::{CliError, SceneArgs, ViewArgs, build_trees, load_beside_gpu, value};
+use super::{
+    CliError, SceneArgs, ViewArgs, build_trees, load_beside_gpu, render::check_memory, value,
+};
 use crate::{
     camera::View,
-    image::{Id, Image},
+    image::{Id, Image, Rgb},
     json, pick,
     render::{self, Rasteriser},
     scene::Scene,
@@ -50,6 +52,10 @@ pub enum Picker {
     Usual,
 }
 
+/// Bytes per pixel that picking and comparing take beside the drawn picture: the picked ids, the marks of pixels in one
+/// place, and the picture for `--image`.
+const CHECK_BYTES: usize = size_of::<Id>() + size_of::<bool>() + size_of::<Rgb>();
+
 /// Draws, picks, compares and prints the report.
 pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
     let (mut loaded, gpu) = load_beside_gpu(&args.scene)?;
@@ -60,6 +66,7 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
     let (drawn, colours) =
         render::render(&gpu, scene, &view, None).map_err(CliError::NothingDrawn)?;
     let drawn_s = start.elapsed().as_secs_f64();
+    check_memory(view.viewport, CHECK_BYTES)?;
     build_trees(scene);
     let start = Instant::now();
     let picked = picked(args.picker, scene, &view);

@@ -58,7 +58,9 @@ impl Image<Id> {
     /// # Errors
     /// As [`Image::write_png`].
     pub(crate) fn write_png_beside(&self, path: &Path) -> Result<WrittenPng, ImageError> {
-        let mut bytes = Vec::with_capacity(self.pixels.len() * 2);
+        let mut bytes = Vec::new();
+        (bytes.try_reserve_exact(self.pixels.len() * 2))
+            .map_err(|source| failed(path, source.into()))?;
         for id in &self.pixels {
             let id = u16::try_from(id.object).map_err(|_| ImageError::TooManyObjects(id.object))?;
             bytes.extend(id.to_be_bytes());
@@ -105,6 +107,8 @@ fn write(
     bytes: &[u8],
 ) -> Result<WrittenPng, ImageError> {
     let written = write_beside(path, |out| {
+        // The encoder keeps all that it has compressed.
+        Vec::<u8>::new().try_reserve_exact(bytes.len())?;
         let mut encoder = png::Encoder::new(out, size.width(), size.height());
         encoder.set_color(colour);
         encoder.set_depth(depth);

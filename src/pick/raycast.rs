@@ -170,7 +170,7 @@ fn each_in_tiles<T: Clone + Default + Send, C: Fn(DVec2) -> T>(
     };
     let tops = (0..height).step_by(TILE as usize);
     on_all_cores(
-        tops.zip(pixels.chunks_mut((width * TILE) as usize)),
+        tops.zip(pixels.chunks_mut(width as usize * TILE as usize)),
         in_rows,
     );
     pixels

@@ -3,8 +3,9 @@
 use super::{
     SMOOTH_SAMPLES,
     formats::{COLOUR, DEPTH, IDS, MARKS},
+    gpu_error::GpuError,
 };
-use wgpu::{DownlevelFlags, Features, TextureUsages};
+use wgpu::{DownlevelFlags, Features, TextureFormat, TextureUsages};
 
 /// How ids number triangles, from best to worst.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -62,9 +63,19 @@ impl Restraint {
     }
 }
 
-/// The abilities that drawing requires and an adapter lacks.
-pub(super) fn lacks(adapter: &wgpu::Adapter) -> Vec<&'static str> {
+/// Refuses an adapter that lacks an ability that drawing requires.
+pub(super) fn check(adapter: &wgpu::Adapter) -> Result<(), GpuError> {
     let flags = adapter.get_downlevel_capabilities().flags;
+    let usages = |format| adapter.get_texture_format_features(format).allowed_usages;
+    check_each(adapter.get_info().name, flags, usages)
+}
+
+/// [`check`] for an adapter with these flags, whose textures of a format may have these usages.
+fn check_each(
+    adapter: String,
+    flags: DownlevelFlags,
+    usages: impl Fn(TextureFormat) -> TextureUsages,
+) -> Result<(), GpuError> {
     let flags_needed = [
         (
             DownlevelFlags::VERTEX_STORAGE,
@@ -91,10 +102,103 @@ pub(super) fn lacks(adapter: &wgpu::Adapter) -> Vec<&'static str> {
     ];
     let flags_needed = flags_needed.map(|(flag, what)| (flags.contains(flag), what));
     let formats_needed = formats_needed.map(|(format, what)| {
-        let usages = adapter.get_texture_format_features(format).allowed_usages;
-        (usages.contains(TextureUsages::RENDER_ATTACHMENT), what)
+        let drawn_into = usages(format).contains(TextureUsages::RENDER_ATTACHMENT);
+        (drawn_into, what)
     });
     let all = flags_needed.into_iter().chain(formats_needed);
-    all.filter_map(|(has, what)| (!has).then_some(what))
-        .collect()
+    let lacking: Vec<_> = all
+        .filter_map(|(has, what)| (!has).then_some(what))
+        .collect();
+    if lacking.is_empty() {
+        return Ok(());
+    }
+    let what = lacking.join(", ");
+    Err(GpuError::Lacks { adapter, what })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FLAGS: [(DownlevelFlags, &str); 4] = [
+        (
+            DownlevelFlags::VERTEX_STORAGE,
+            "tables that vertex shaders read (storage buffers)",
+        ),
+        (
+            DownlevelFlags::FRAGMENT_STORAGE,
+            "tables that fragment shaders read (storage buffers)",
+        ),
+        (
+            DownlevelFlags::VIEW_FORMATS,
+            "two formats for one texture (view formats)",
+        ),
+        (
+            DownlevelFlags::FULL_DRAW_INDEX_UINT32,
+            "meshes of many vertices (32-bit indices)",
+        ),
+    ];
+    const FORMATS: [(TextureFormat, &str); 4] = [
+        (
+            TextureFormat::Rgba8UnormSrgb,
+            "8-bit sRGB colours to draw into",
+        ),
+        (
+            TextureFormat::Rg32Uint,
+            "pairs of 32-bit integers to draw into",
+        ),
+        (TextureFormat::Depth32Float, "32-bit floating-point depth"),
+        (TextureFormat::R8Unorm, "8-bit grey to draw into"),
+    ];
+
+    /// What the error says of an adapter without these flags, whose textures of these formats cannot be drawn into.
+    fn said(without: DownlevelFlags, undrawn: &[TextureFormat]) -> Option<String> {
+        let flags = DownlevelFlags::all() - without;
+        let usages = |format| {
+            if undrawn.contains(&format) {
+                TextureUsages::all() - TextureUsages::RENDER_ATTACHMENT
+            } else {
+                TextureUsages::RENDER_ATTACHMENT
+            }
+        };
+        let refused = check_each("Old card".to_owned(), flags, usages).err();
+        refused.map(|error| error.to_string())
+    }
+
+    #[test]
+    fn an_adapter_is_refused_by_the_name_of_each_ability_that_it_lacks() {
+        let line = |what: &str| {
+            let advice = "use another driver; `sightline render --by raycast` needs none, \
+                          `sightline doctor` lists what there is";
+            Some(format!("Old card lacks {what}: {advice}"))
+        };
+        for (flag, what) in FLAGS {
+            assert_eq!(said(flag, &[]), line(what));
+        }
+        for (format, what) in FORMATS {
+            assert_eq!(said(DownlevelFlags::empty(), &[format]), line(what));
+        }
+        let every_word: Vec<_> = (FLAGS.map(|(_, what)| what).into_iter())
+            .chain(FORMATS.map(|(_, what)| what))
+            .collect();
+        let formats = FORMATS.map(|(format, _)| format);
+        assert_eq!(
+            said(DownlevelFlags::all(), &formats),
+            line(&every_word.join(", "))
+        );
+    }
+
+    /// What makes drawing better or faster is not required.
+    #[test]
+    fn an_adapter_with_what_drawing_requires_is_taken() {
+        let required = FLAGS.map(|(flag, _)| flag).into_iter().collect();
+        assert_eq!(said(DownlevelFlags::all() - required, &[]), None);
+        assert_eq!(
+            said(
+                DownlevelFlags::all() - required,
+                &[TextureFormat::Rgba32Float]
+            ),
+            None
+        );
+    }
 }

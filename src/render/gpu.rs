@@ -217,8 +217,13 @@ impl Gpu {
         let made = allocate();
         match pollster::block_on(scope.pop()) {
             None => Ok(made),
-            Some(_) => Err(GpuError::OutOfMemory(self.info.name.clone())),
+            Some(_) => Err(self.out_of_memory()),
         }
+    }
+
+    /// The error of an allocation that failed.
+    pub(super) fn out_of_memory(&self) -> GpuError {
+        GpuError::OutOfMemory(self.info.name.clone())
     }
 
     /// Waits until all submitted work is done.

@@ -1,7 +1,7 @@
 //! Opens the graphics device, with or without a window, and measures what it can do.
 
 use super::{
-    abilities::{Numbers, Restraint, lacks},
+    abilities::{self, Numbers, Restraint},
     gpu::{Gpu, GpuError, one_line},
     probe::probe,
     rasteriser::Rasteriser,
@@ -53,14 +53,8 @@ impl Gpu {
 
     /// A device of an adapter.
     pub(super) fn of(adapter: wgpu::Adapter, restraint: &Restraint) -> Result<Self, GpuError> {
+        abilities::check(&adapter)?;
         let info = adapter.get_info();
-        let lacking = lacks(&adapter);
-        if !lacking.is_empty() {
-            return Err(GpuError::Lacks {
-                adapter: info.name,
-                what: lacking.join(", "),
-            });
-        }
         let numbers = restraint.numbers_of(&adapter);
         let index = match numbers {
             Numbers::Primitives => wgpu::Features::PRIMITIVE_INDEX,

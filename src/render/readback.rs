@@ -142,7 +142,9 @@ pub(super) fn read<T: bytemuck::Pod, P>(
             mapped_at_creation: false,
         })
     })?;
-    let mut pixels = Vec::with_capacity(width as usize * height as usize);
+    let mut pixels = Vec::new();
+    (pixels.try_reserve_exact(width as usize * height as usize))
+        .map_err(|_| gpu.out_of_memory())?;
     for top in (first..first + height).step_by(rows as usize) {
         let height = rows.min(first + height - top);
         let area = [left..left + width, top..top + height];

@@ -178,6 +178,20 @@ fn what_others_wrote_stays() {
     assert_eq!(ours.count(), 2);
 }
 
+/// No version writes a file of more than 1 MiB: a larger one is another's, and is not read.
+#[test]
+fn a_large_file_stays_unread() {
+    let folder = Folder::new();
+    install(&folder, "");
+    let page = folder.path("share/man/man1/sightline.1");
+    let file = std::fs::File::options().write(true).open(&page).unwrap();
+    for (bytes, is_ours) in [((1 << 20) + 1, false), (1 << 20, true)] {
+        file.set_len(bytes).unwrap();
+        install(&folder, "--remove");
+        assert_eq!(page.exists(), !is_ours, "{bytes} bytes");
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn what_a_link_points_to_is_not_written() {

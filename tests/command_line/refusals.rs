@@ -1,6 +1,7 @@
 //! What is refused gets one line that says why, and an exit code.
 
 use crate::Folder;
+use std::process::{Command, Output};
 
 #[test]
 fn a_wrong_use_is_exit_code_2() {
@@ -118,21 +119,40 @@ fn a_bad_file_is_exit_code_3_and_named() {
     }
 }
 
-/// Memory is limited: `ulimit` leaves three gigabytes.
+/// Runs with only so many kilobytes of memory.
+fn run_within(folder: &Folder, kilobytes: u32, args: &str) -> Output {
+    let program = env!("CARGO_BIN_EXE_sightline");
+    Command::new("sh")
+        .args([
+            "-c",
+            &format!("ulimit -v {kilobytes}; exec {program} {args}"),
+        ])
+        .current_dir(folder.path("."))
+        .env("RUST_LOG", "off")
+        .output()
+        .unwrap()
+}
+
+/// By the graphics adapter: where the picture fits into its memory, and its ids as numbers do not fit beside it.
+#[test]
+fn a_drawn_picture_too_large_for_memory_is_refused() {
+    let folder = Folder::new();
+    for args in [
+        "render --size 5120x5120 scene.toml -o out.png --ids ids.png",
+        "verify --size 5120x5120 scene.toml",
+    ] {
+        let output = run_within(&folder, 2_500_000, args);
+        let said = crate::error(&output, 4, args);
+        assert!(said.contains("is out of memory: draw a smaller"), "{said}");
+    }
+    assert!(!folder.path("out.png").exists() && !folder.path("ids.png").exists());
+}
+
 #[test]
 fn a_picture_too_large_for_memory_is_refused() {
     let folder = Folder::new();
-    let program = env!("CARGO_BIN_EXE_sightline");
-    let line = format!(
-        "ulimit -v 3000000; exec {program} render --by raycast --size 16384x16384 scene.toml -o out.png"
-    );
-    let mut shell = std::process::Command::new("sh");
-    let output = shell
-        .args(["-c", &line])
-        .current_dir(folder.path("."))
-        .output()
-        .unwrap();
-    let said = crate::error(&output, 2, &line);
+    let args = "render --by raycast --size 16384x16384 scene.toml -o out.png";
+    let said = crate::error(&run_within(&folder, 3_000_000, args), 2, args);
     assert!(said.contains("16384x16384 needs 6174 MB"), "{said}");
     assert!(!folder.path("out.png").exists());
 }

@@ -1,7 +1,10 @@
 //! Files that are made to be slow, large or endless: each one loads or is refused quickly.
 
 use super::{CUBE, Folder, common::Random, parts};
-use sightline::scene::obj::{ObjError, ObjFile};
+use sightline::scene::{
+    Progress,
+    obj::{self, ObjError, ObjFile},
+};
 use std::{
     f64::consts::TAU,
     fmt::Write,
@@ -220,6 +223,48 @@ fn files_too_large_to_be_meant() {
         folder.warnings(&file),
         ["some.obj:1: the material file big.mtl is too large"]
     );
+}
+
+/// Files of the system whose size says 0 bytes. The second one holds about 256 GB.
+#[cfg(target_os = "linux")]
+#[test]
+fn files_longer_than_their_size_says() {
+    for target in ["/proc/self/status", "/proc/self/pagemap"] {
+        let folder = Folder::new(&[("some.obj", format!("mtllib link.mtl\n{CUBE}").as_bytes())]);
+        for name in ["link.obj", "link.mtl"] {
+            std::os::unix::fs::symlink(target, folder.path(name)).expect("a link");
+        }
+        let refused = folder.load("link.obj").expect_err("it is refused");
+        assert_eq!(folder.relative(&refused), "link.obj: the file is empty");
+        let file = folder.load("some.obj").expect("it loads");
+        assert_eq!(
+            folder.warnings(&file),
+            ["some.obj:1: the material file link.mtl has no materials in it"]
+        );
+    }
+}
+
+/// A file with holes, whose bytes are 0 and take no space on the disk.
+#[test]
+fn gigabytes_of_nothing_are_refused_at_once() {
+    let starts: [&[u8]; 3] = [b"", CUBE.as_bytes(), b"\xff\xfe#\0\n\0"];
+    for start in starts {
+        let folder = Folder::new(&[("some.obj", start)]);
+        let path = folder.path("some.obj");
+        File::options()
+            .write(true)
+            .open(&path)
+            .and_then(|file| file.set_len(1 << 32))
+            .expect("a file with a hole");
+        let progress = Progress::default();
+        let refused = obj::load(&path, &progress).expect_err("it is refused");
+        assert_eq!(
+            folder.relative(&refused),
+            "some.obj: not an OBJ file: binary data"
+        );
+        // The progress is at 1 after 5 GiB.
+        assert!(progress.fraction() < 1e-3, "{}", progress.fraction());
+    }
 }
 
 #[cfg(unix)]

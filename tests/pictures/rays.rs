@@ -9,7 +9,7 @@ use crate::{
 };
 use glam::{DVec3, dvec3};
 use sightline::{
-    camera::{DepthMapping, Lens, Projection, View},
+    camera::{DepthMapping, Lens, Projection, View, Viewport},
     colour::Srgb,
     geometry::{Section, Sides},
     image::{Image, Pixel, Rgb},
@@ -201,4 +201,10 @@ fn a_picture_that_is_not_done_in_time_is_none() {
     let view = overview([64, 40]);
     assert!(pick::raycast_until(&scene, &view, None, Instant::now()).is_none());
     assert!(pick::mask_until(&scene, &view, 3, Instant::now()).is_none());
+    // A row so wide that the pixels of sixteen do not count in 32 bits.
+    let wide = View {
+        viewport: Viewport::new(1 << 28, 1).expect("a viewport"),
+        ..view
+    };
+    assert!(pick::mask_until(&scene, &wide, 3, Instant::now()).is_none());
 }

@@ -128,6 +128,36 @@ fn a_mesh_whose_file_is_gone_is_written_beside() {
     assert_eq!(facts(&again.scene), facts(&loaded.scene));
 }
 
+/// Nothing is read of what cannot be the mesh's file: reading a pipe would wait for a writer.
+#[cfg(unix)]
+#[test]
+fn a_pipe_under_the_name_of_a_mesh_file_is_passed_over() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let obj = write(&folder, "corner.obj", &format!("{CORNERS}f 1 2 3\n"));
+    let loaded = load(std::slice::from_ref(&obj)).expect("it loads");
+    std::fs::remove_file(&obj).expect("a file");
+    let made = std::process::Command::new("mkfifo")
+        .arg(folder.path().join("scene-corner.obj"))
+        .status();
+    assert!(made.expect("mkfifo").success());
+    // Of another size, and of the same size with other bytes.
+    let text = std::fs::read_to_string(
+        saved(&loaded, &folder.path().join("scene.toml"))[0]
+            .path
+            .clone(),
+    );
+    let text = text.expect("a file");
+    assert_eq!(
+        names(folder.path()),
+        ["scene-corner-2.obj", "scene-corner.obj", "scene.toml"]
+    );
+    write(&folder, "scene-corner-2.obj", &format!("{text}\n"));
+    write(&folder, "scene-corner-3.obj", &"#".repeat(text.len()));
+    write(&folder, "scene-corner-4.obj", &text);
+    let files = saved(&loaded, &folder.path().join("scene.toml"));
+    assert_eq!(files[0].path, folder.path().join("scene-corner-4.obj"));
+}
+
 #[test]
 fn a_mesh_that_obj_cannot_hold_exactly_is_refused_and_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();

@@ -328,10 +328,12 @@ fn files_make_one_scene_in_their_order() {
     assert!(error.contains(missing.to_str().unwrap()), "{error}");
     let binary = write("binary.toml", "");
     std::fs::write(&binary, [0xff, 0xfe, 0x00]).unwrap();
-    assert!(
-        load(std::slice::from_ref(&binary))
-            .unwrap_err()
-            .contains("binary.toml")
+    assert_eq!(
+        load(std::slice::from_ref(&binary)).unwrap_err(),
+        format!(
+            "{}: is not text in UTF-8: save it in that encoding",
+            binary.display()
+        )
     );
     let broken = write("broken.toml", "[[object]\n");
     assert!(load(&[broken]).unwrap_err().contains("broken.toml:1"));
@@ -357,6 +359,28 @@ fn what_is_no_scene_file_is_not_read() {
         let error = load(&[path(name)]).unwrap_err();
         let expected = format!("{}: {why}", path(name).display());
         assert!(error.starts_with(&expected), "{error}");
+    }
+}
+
+/// Files of the system whose size says 0 bytes. The second one holds about 256 GB.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_longer_than_its_size_says_is_not_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let link = folder.path().join("link.toml");
+    for (target, why) in [
+        (
+            "/proc/self/status",
+            "is longer than its size says (0 bytes): copy it and open the copy",
+        ),
+        ("/proc/self/pagemap", ""),
+    ] {
+        std::os::unix::fs::symlink(target, &link).unwrap();
+        let error = load(std::slice::from_ref(&link)).unwrap_err();
+        let expected = format!("{}: {why}", link.display());
+        assert!(error.starts_with(&expected), "{target}: {error}");
+        assert_eq!(error.lines().count(), 1, "{target}: {error}");
+        std::fs::remove_file(&link).unwrap();
     }
 }
 

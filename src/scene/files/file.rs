@@ -1,7 +1,9 @@
-//! Opens files named by the user, and makes their paths absolute. Refuses what is not a regular file or is too large.
+//! Opens and reads files named by the user, and makes their paths absolute. Refuses what is not a regular file or is too
+//! large.
 
 use std::{
     fs::{self, File, Metadata},
+    io::{self, Read},
     path::{Path, PathBuf},
 };
 
@@ -31,6 +33,20 @@ pub enum FileError {
         /// The most bytes that are allowed.
         most: u64,
     },
+    /// Longer than the size that was found on opening, so it may never end.
+    #[error("{}: is longer than its size says ({bytes} bytes): copy it and open the copy", file.display())]
+    Longer {
+        /// The file.
+        file: PathBuf,
+        /// The size that was found on opening.
+        bytes: u64,
+    },
+    /// Not text in UTF-8.
+    #[error("{}: is not text in UTF-8: save it in that encoding", file.display())]
+    NotUtf8 {
+        /// The file.
+        file: PathBuf,
+    },
 }
 
 /// The metadata of a regular file.
@@ -56,6 +72,42 @@ pub(super) fn open(path: &Path, most: u64) -> Result<(File, u64), FileError> {
         source,
     })?;
     Ok((opened, bytes))
+}
+
+/// The whole text of a file of at most `most` bytes.
+pub(super) fn text(path: &Path, most: u64) -> Result<String, FileError> {
+    let file = || path.to_owned();
+    let (opened, bytes) = open(path, most)?;
+    // One byte more shows whether the file is longer.
+    let read = up_to(opened, bytes + 1).map_err(|source| FileError::Unreadable {
+        file: file(),
+        source,
+    })?;
+    if read.len() as u64 > bytes {
+        return Err(FileError::Longer {
+            file: file(),
+            bytes,
+        });
+    }
+    String::from_utf8(read).map_err(|_| FileError::NotUtf8 { file: file() })
+}
+
+/// Whether a regular file holds exactly these bytes. Nothing is read of a file of another size.
+pub(super) fn holds(path: &Path, bytes: &[u8]) -> bool {
+    let size = bytes.len() as u64;
+    open(path, size)
+        .ok()
+        .filter(|(_, there)| *there == size)
+        .and_then(|(opened, _)| up_to(opened, size).ok())
+        .is_some_and(|there| there == bytes)
+}
+
+/// The first bytes of a file, at most `bytes`. Too little memory is an error.
+fn up_to(file: File, bytes: u64) -> io::Result<Vec<u8>> {
+    let mut read = Vec::new();
+    read.try_reserve_exact(usize::try_from(bytes).unwrap_or(usize::MAX))?;
+    file.take(bytes).read_to_end(&mut read)?;
+    Ok(read)
 }
 
 /// The path as an absolute one.

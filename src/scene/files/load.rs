@@ -1,15 +1,14 @@
 //! Loads the files that the user names as one scene.
 
 use super::{
-    Detail, FileError, LoadError, Loaded, MeshFiles, Object, Progress, Scene, Shape, demo,
-    description, file, gallery::Exhibit,
+    Detail, LoadError, Loaded, MeshFiles, Object, Progress, Scene, Shape, demo, description, file,
+    gallery::Exhibit,
 };
 use crate::{
     camera::{CameraChoice, SectionChoice},
     geometry::{Mesh, Placement},
 };
 use std::{
-    io::Read,
     ops::Range,
     path::{Path, PathBuf},
     sync::Arc,
@@ -54,7 +53,7 @@ pub fn load_with(
                 description::parse(exhibit.text, &file, &mut meshes, progress, &mut warnings)?;
             (described, file)
         } else if is_scene_file(path) {
-            let text = text(path)?;
+            let text = file::text(path, MOST_BYTES)?;
             let described = description::parse(&text, path, &mut meshes, progress, &mut warnings)?;
             (described, path.clone())
         } else {
@@ -105,18 +104,6 @@ fn of_all(camera: CameraChoice, own: &Range<usize>, count: usize) -> CameraChoic
 pub(crate) fn is_scene_file(path: &Path) -> bool {
     path.extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
-}
-
-/// The text of a scene file.
-fn text(path: &Path) -> Result<String, FileError> {
-    let (mut file, _) = file::open(path, MOST_BYTES)?;
-    let mut text = String::new();
-    file.read_to_string(&mut text)
-        .map_err(|source| FileError::Unreadable {
-            file: path.to_owned(),
-            source,
-        })?;
-    Ok(text)
 }
 
 /// All parts of a mesh as objects, placed as in the file.

@@ -1,7 +1,9 @@
 //! Saves a scene as a scene file, and each mesh that has no file as an OBJ file beside it.
 
 use super::{
-    MeshFile, MeshFiles, Progress, SaveError, Scene, Shape, description::to_toml, file::absolute,
+    MeshFile, MeshFiles, Progress, SaveError, Scene, Shape,
+    description::to_toml,
+    file::{absolute, holds},
     obj::write,
 };
 use crate::{camera::CameraChoice, geometry::Mesh, replace::replace};
@@ -119,9 +121,7 @@ fn write_mesh(
             ["obj", "mtl"].map(|ending| scene_file.with_file_name(format!("{base}.{ending}")));
         let library_name = colours.as_ref().map(|_| format!("{base}.mtl"));
         let text = write::text(mesh, library_name.as_deref());
-        let holds =
-            |path: &Path, text: &str| fs::read(path).is_ok_and(|old| old == text.as_bytes());
-        let is_free = |path: &Path, text: &str| !path.exists() || holds(path, text);
+        let is_free = |path: &Path, text: &str| !path.exists() || holds(path, text.as_bytes());
         if !is_free(&file, &text) || !colours.as_ref().is_none_or(|text| is_free(&library, text)) {
             continue;
         }

@@ -62,7 +62,7 @@ fn text_of(path: &Path) -> Result<String, String> {
     }
     let file = fs::File::open(path).map_err(|error| error.to_string())?;
     let mut text = String::new();
-    let read = file.take(MOST_BYTES).read_to_string(&mut text);
+    let read = file.take(about.len()).read_to_string(&mut text);
     read.map_err(|error| error.to_string())?;
     Ok(text)
 }
@@ -73,4 +73,16 @@ pub fn memory_file() -> Option<PathBuf> {
     let places = etcetera::choose_base_strategy().ok()?;
     let folder = places.state_dir().unwrap_or_else(|| places.config_dir());
     Some(folder.join("sightline").join("window.toml"))
+}
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use super::text_of;
+    use std::path::Path;
+
+    /// A file of the system that is longer than its size says.
+    #[test]
+    fn no_more_is_read_than_the_size_that_was_found() {
+        assert_eq!(text_of(Path::new("/proc/self/status")).as_deref(), Ok(""));
+    }
 }

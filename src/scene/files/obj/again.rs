@@ -292,8 +292,10 @@ impl<'a> Again<'a> {
             source,
         };
         if self.text.is_none() {
-            let (opened, _) = file::open(self.path, MOST_BYTES)?;
-            self.text = Some(Text::of(opened).map_err(unreadable)?);
+            let (opened, bytes) = file::open(self.path, MOST_BYTES)?;
+            // UTF-16 is read whole: not of a file that has changed.
+            self.check()?;
+            self.text = Some(Text::of(opened, bytes).map_err(unreadable)?);
         }
         // This check also covers the pieces that were read before: pieces of two different files must not be mixed.
         self.check()?;

@@ -4,6 +4,7 @@
 use std::{
     fs::File,
     io::{self, BufRead, BufReader, Cursor, Read},
+    ops::RangeInclusive,
 };
 
 /// The lines of a text.
@@ -90,12 +91,52 @@ pub(super) fn decode<'a>(
         }
         _ => return Ok(Box::new(input)),
     };
-    let mut bytes = Vec::new();
-    input.read_to_end(&mut bytes)?;
-    let (units, _) = bytes.as_chunks::<2>();
-    let units = units.iter().skip(1).map(|&bytes| unit(bytes));
-    let text = char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER));
-    Ok(Box::new(Cursor::new(text.collect::<String>())))
+    input.consume(2);
+    Ok(Box::new(Utf16 {
+        input,
+        unit,
+        half: None,
+        text: Cursor::default(),
+    }))
+}
+
+/// How many bytes of UTF-16 are converted at a time: an even number.
+const UTF16_BLOCK: u64 = 1 << 13;
+
+/// The first halves of characters that UTF-16 writes in two.
+const FIRST_HALVES: RangeInclusive<u16> = 0xd800..=0xdbff;
+
+/// Reads UTF-16 as UTF-8.
+struct Utf16<R> {
+    input: R,
+    unit: fn([u8; 2]) -> u16,
+    /// The first half of a character whose second half is in the next block.
+    half: Option<u16>,
+    /// What was converted last.
+    text: Cursor<Vec<u8>>,
+}
+
+impl<R: Read> Read for Utf16<R> {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        let read = self.text.read(into)?;
+        if read > 0 {
+            return Ok(read);
+        }
+        let mut bytes = Vec::new();
+        self.input
+            .by_ref()
+            .take(UTF16_BLOCK)
+            .read_to_end(&mut bytes)?;
+        let (units, _) = bytes.as_chunks::<2>();
+        let mut units: Vec<u16> = (self.half.take().into_iter())
+            .chain(units.iter().map(|&bytes| (self.unit)(bytes)))
+            .collect();
+        let is_all = (bytes.len() as u64) < UTF16_BLOCK;
+        self.half = units.pop_if(|unit| !is_all && FIRST_HALVES.contains(unit));
+        let text = char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER));
+        self.text = Cursor::new(text.collect::<String>().into_bytes());
+        self.text.read(into)
+    }
 }
 
 /// Whether a file that starts like this is UTF-16.
@@ -112,13 +153,13 @@ pub(super) enum Text {
 }
 
 impl Text {
-    /// The text of a file that was just opened.
-    pub fn of(file: File) -> io::Result<Self> {
+    /// The text of a file that was just opened and had this size then. Of UTF-16 no more than that is read.
+    pub fn of(file: File, bytes: u64) -> io::Result<Self> {
         let mut input = BufReader::new(file);
         let start = input.fill_buf()?;
         if is_utf16(start) {
             let mut text = Vec::new();
-            decode(input)?.read_to_end(&mut text)?;
+            decode(input.take(bytes))?.read_to_end(&mut text)?;
             return Ok(Self::Decoded(text));
         }
         let mark = if start.starts_with(&[0xef, 0xbb, 0xbf]) {

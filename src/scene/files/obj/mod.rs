@@ -13,7 +13,8 @@
 //! `contents` stores where. `write` writes a mesh as OBJ and MTL text. The rules of loading:
 //!
 //! - **What is valid loads.** A face is left out if one of its vertices does not exist or has no three finite
-//!   coordinates. Warnings say so and name the first bad line. A file is refused when no triangle is left.
+//!   coordinates. Warnings say so and name the first bad line. A file is refused when no triangle is left, or at the
+//!   first line of 256 KiB with a NUL in it: a hole in a file reads as one line of NULs.
 //! - **Objects.** Each `o` line begins an object, even if the name is the same as before. Each `g` line that changes
 //!   the group begins one, too. A material never does. An object is named after its `o` line if all its faces lie in
 //!   one group, else `object/group`. A group outside any object has the group's name. Faces without any name are named
@@ -177,6 +178,8 @@ enum Stop {
     Cancelled(Cancelled),
     /// The system could not read on.
     Unreadable(io::Error),
+    /// A line is too long for text with a NUL in it.
+    Binary,
 }
 
 impl Stop {
@@ -187,9 +190,16 @@ impl Stop {
                 file: path.to_owned(),
                 source,
             }),
+            Self::Binary => ObjError::NotObj {
+                file: path.to_owned(),
+                looks_like: BINARY,
+            },
         }
     }
 }
+
+/// What a file with NULs looks like.
+const BINARY: &str = "binary data";
 
 /// Loads an OBJ file and the MTL files it names.
 ///
@@ -350,7 +360,7 @@ fn looks_like(input: &mut impl BufRead) -> Option<Look> {
     } else if text.first() == Some(&b'<') {
         Some(Look::Other("HTML or XML"))
     } else if start.contains(&0) && !is_utf16(start) {
-        Some(Look::Other("binary data"))
+        Some(Look::Other(BINARY))
     } else {
         None
     }

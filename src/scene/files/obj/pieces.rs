@@ -5,6 +5,9 @@ use super::{Stop, lines::Lines, words::fields};
 use crate::scene::Progress;
 use std::io::Read;
 
+/// A line of so many bytes is no text if it has a NUL in it.
+const LONG: usize = 1 << 18;
+
 /// How much comes before a position in a file.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Counts {
@@ -57,7 +60,7 @@ impl<'a> Pieces<'a> {
             // time.
             let more = self.size.max(text.len());
             let is_all = self.append(&mut text, more)?;
-            let (length, after) = whole_lines(&text, self.before, is_all);
+            let (length, after) = whole_lines(&text, self.before, is_all)?;
             if length > 0 {
                 self.rest = text.split_off(length);
                 let before = std::mem::replace(&mut self.before, after);
@@ -108,11 +111,17 @@ impl Iterator for Pieces<'_> {
 
 /// The total length of the lines that are surely complete, and the counts before the next line. A line is complete if
 /// some text follows it, or if `is_all`. Otherwise the line could go on, or its end could be the first half of CR LF.
-fn whole_lines(text: &[u8], before: Counts, is_all: bool) -> (usize, Counts) {
+///
+/// # Errors
+/// When a line, complete or not, is binary data.
+fn whole_lines(text: &[u8], before: Counts, is_all: bool) -> Result<(usize, Counts), Stop> {
     let mut lines = Lines::new(text, before.lines);
     let (mut length, mut after) = (0, before);
     let mut counts = before;
     while let Some((_, line)) = lines.next() {
+        if line.len() >= LONG && memchr::memchr(0, line).is_some() {
+            return Err(Stop::Binary);
+        }
         match &line[fields(line).next().unwrap_or_default()] {
             b"v" => counts.vertices += 1,
             b"vn" => counts.normals += 1,
@@ -126,5 +135,5 @@ fn whole_lines(text: &[u8], before: Counts, is_all: bool) -> (usize, Counts) {
             after = counts;
         }
     }
-    (length, after)
+    Ok((length, after))
 }

@@ -2,7 +2,7 @@
 
 mod again;
 
-use super::{ObjError, ObjFile, PIECE, open, read};
+use super::{ObjError, ObjFile, PIECE, decode, open, read};
 use crate::{
     geometry::random::Random,
     scene::{Detail, Progress},
@@ -12,15 +12,88 @@ use std::{
     env,
     fmt::Write as _,
     fs,
-    io::{Cursor, Read, Write as _},
+    io::{self, BufReader, Cursor, Read, Write as _},
     path::{Path, PathBuf},
-    sync::atomic::Ordering::Relaxed,
+    sync::atomic::{AtomicU64, Ordering::Relaxed},
 };
 
 fn read_in(piece: usize, path: &Path, bytes: &[u8]) -> Result<ObjFile, ObjError> {
     read(path, &Progress::default(), (piece, Detail::All), || {
         Ok((Cursor::new(bytes), bytes.len() as u64))
     })
+}
+
+/// Counts the bytes that are read.
+struct Counted<'a, R>(R, &'a AtomicU64);
+
+impl<R: Read> Read for Counted<'_, R> {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        let read = self.0.read(into)?;
+        self.1.fetch_add(read as u64, Relaxed);
+        Ok(read)
+    }
+}
+
+/// A hole in a file, which reads as a line of NULs, is not read to its end, and neither is other binary data. What comes
+/// before it may be valid.
+#[test]
+fn binary_data_is_not_read_to_its_end() {
+    const MOST: u64 = 2 << 20;
+    let cube = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    let utf16 = b"\xfe\xff\0#\0\n";
+    let starts: [&[u8]; 4] = [b"", cube, utf16, &cube.repeat(1 << 14)];
+    for start in starts {
+        let (bytes, taken) = (1 << 28, AtomicU64::new(0));
+        let progress = Progress::default();
+        let refused = read(Path::new("a.obj"), &progress, (PIECE, Detail::All), || {
+            let zeros = start.chain(io::repeat(0)).take(bytes);
+            Ok((BufReader::new(Counted(zeros, &taken)), bytes))
+        });
+        let message = refused.map_err(|error| error.to_string()).map(|_| ());
+        assert_eq!(
+            message,
+            Err("a.obj: not an OBJ file: binary data".to_owned())
+        );
+        let taken = taken.into_inner();
+        assert!(taken <= MOST, "{taken} bytes were read");
+    }
+}
+
+/// A NUL here and there is no reason to refuse a file, and neither is a long line.
+#[test]
+fn long_lines_and_single_nuls_are_text() {
+    let path = Path::new("some.obj");
+    let long = "x".repeat(1 << 20);
+    let text = format!("# \0\nv 0 0 0\nv 1 0 0\nv 0 1 0\n# {long}\nf 1 2 3\n\0");
+    for piece in [1 << 10, PIECE, 1 << 22] {
+        let file = read_in(piece, path, text.as_bytes()).expect("it loads");
+        assert_eq!(file.mesh.data().triangles.len(), 1);
+    }
+    let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# {long}\0");
+    for piece in [1 << 10, PIECE, 1 << 22] {
+        let refused = read_in(piece, path, text.as_bytes()).expect_err("it is refused");
+        assert!(refused.to_string().ends_with("binary data"), "{refused}");
+    }
+}
+
+/// UTF-16 is converted block by block. Some characters take two of its units, which may lie in two blocks.
+#[test]
+fn utf16_is_the_same_in_blocks() {
+    for before in 4090..4100 {
+        let text = format!("#{}\u{1f980}\u{1f980}\u{e9}\n", "x".repeat(before)).repeat(3);
+        // Half a character in the middle and at the end.
+        let units: Vec<u16> = text.encode_utf16().chain([0xd83e, 0x78, 0xd83e]).collect();
+        let expected = String::from_utf16_lossy(&units);
+        let all = [0xfeff].into_iter().chain(units);
+        let swapped: Vec<u8> = all.clone().flat_map(u16::to_be_bytes).collect();
+        let bytes: Vec<u8> = all.flat_map(u16::to_le_bytes).collect();
+        for bytes in [bytes, swapped] {
+            let mut read = String::new();
+            let mut decoded = decode(Cursor::new(bytes)).expect("memory");
+            decoded.read_to_string(&mut read).expect("memory");
+            assert_eq!(read, expected, "{before}");
+        }
+    }
 }
 
 /// The mesh and the warnings of a file, or its error, as text.

@@ -1,7 +1,7 @@
 //! Tests that a face read again equals the text of the file, as a simple reader without pieces finds it.
 
 use super::{
-    super::{Again, AgainError, Stamp},
+    super::{Again, AgainError, Stamp, lines::Text},
     any_file, read_in,
 };
 use crate::scene::{FileError, Progress};
@@ -217,6 +217,33 @@ fn a_changed_file_is_said_to_be_one() {
     fs::remove_file(&path).expect("removed");
     let gone = face().expect_err("it is gone").to_string();
     assert!(gone.contains("cannot be read again"), "{gone}");
+}
+
+/// UTF-16 is read whole, but no further than the size that was found on opening.
+#[test]
+fn of_utf16_that_grows_no_more_is_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("some.obj");
+    let text = |text: &str| -> Vec<u8> {
+        let units = ['\u{feff}'].into_iter().chain(text.chars());
+        let bytes = units.map(|c| u16::try_from(c).expect("one unit").to_le_bytes());
+        bytes.flatten().collect()
+    };
+    let bytes = text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    fs::write(&path, &bytes).expect("written");
+    let mut file = read_in(1 << 18, &path, &bytes).expect("it loads");
+    file.contents.stamp = Stamp::of(&path).ok();
+    let progress = Progress::default();
+    let face = || Again::new(&path, &file.contents, &file.mesh, &progress).face_of(0);
+    assert_eq!(face().expect("unchanged").line, 4);
+    let opened = || fs::File::open(&path).expect("a file");
+    let size = bytes.len() as u64;
+    fs::write(&path, [&*bytes, &text("more")].concat()).expect("written");
+    let Ok(Text::Decoded(read)) = Text::of(opened(), size) else {
+        panic!("UTF-16 is decoded");
+    };
+    assert_eq!(read.last(), Some(&b'\n'));
+    assert!(matches!(face(), Err(AgainError::Changed { .. })));
 }
 
 /// Pieces that were read stay in memory, but are not used once the file has changed.
