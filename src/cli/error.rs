@@ -25,18 +25,22 @@ pub enum CliError {
     #[error("{0}; see --help")]
     View(CameraError),
     /// The scene file's camera is not valid.
-    #[error("{}: {source}", file.display())]
+    #[error("{}:{line}: {source}", file.display())]
     SceneCamera {
         /// The scene file.
         file: PathBuf,
+        /// The line where its camera begins.
+        line: usize,
         /// What is wrong with its camera.
         source: CameraError,
     },
     /// The scene file's section is not valid.
-    #[error("{}: section: {}", file.display(), no_section(source))]
+    #[error("{}:{line}: section: {}", file.display(), no_section(source))]
     SceneSection {
         /// The scene file.
         file: PathBuf,
+        /// The line where its camera begins.
+        line: usize,
         /// What is wrong with its section.
         source: NoSection,
     },

@@ -38,7 +38,13 @@ use clap::{Parser, Subcommand};
 use command_first::command_first;
 use contract::{CONTRACT, FIELDS, NUMBERS, PLACES, SNAPS};
 use std::{
-    ffi::OsString, panic::resume_unwind, path::PathBuf, process::ExitCode, thread, time::Instant,
+    ffi::OsString,
+    io::{self, Write},
+    panic::resume_unwind,
+    path::PathBuf,
+    process::ExitCode,
+    thread,
+    time::Instant,
 };
 use terminal::start_log;
 
@@ -110,9 +116,12 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     let cli = match Cli::try_parse_from(args) {
         Ok(cli) => cli,
         Err(error) if !error.use_stderr() => {
-            // Help and version. A failure to print them cannot be reported.
-            let _ = error.print();
-            return ExitCode::SUCCESS;
+            // Help and version.
+            let printed = error.print().and_then(|()| io::stdout().flush());
+            return match printed {
+                Ok(()) => ExitCode::SUCCESS,
+                Err(error) => CliError::stdout(error).report(),
+            };
         }
         Err(error) => return CliError::from(error).report(),
     };

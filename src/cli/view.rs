@@ -129,10 +129,11 @@ impl ViewArgs {
         let camera = flags
             .or(loaded.camera)
             .resolve(&loaded.scene.visible_bounds(), self.size());
-        let camera = camera.map_err(|source| match &loaded.camera_file {
+        let camera = camera.map_err(|source| match &loaded.camera_from {
             // Without a flag, the error can only come from the scene file.
-            Some(file) if flags == CameraChoice::default() => CliError::SceneCamera {
+            Some((file, line)) if flags == CameraChoice::default() => CliError::SceneCamera {
                 file: file.clone(),
+                line: *line,
                 source,
             },
             _ => CliError::View(source),
@@ -142,9 +143,10 @@ impl ViewArgs {
             loaded
                 .scene
                 .section(section)
-                .map_err(|source| match &loaded.camera_file {
-                    Some(file) if flags.section.is_none() => CliError::SceneSection {
+                .map_err(|source| match &loaded.camera_from {
+                    Some((file, line)) if flags.section.is_none() => CliError::SceneSection {
                         file: file.clone(),
+                        line: *line,
                         source,
                     },
                     _ => CliError::Usage(format!("--section: {}", model::no_section(&source))),

@@ -1,6 +1,6 @@
 //! What is refused gets one line that says why, and an exit code.
 
-use crate::Folder;
+use crate::{Folder, error};
 use std::process::{Command, Output};
 
 #[test]
@@ -155,4 +155,36 @@ fn a_picture_too_large_for_memory_is_refused() {
     let said = crate::error(&run_within(&folder, 3_000_000, args), 2, args);
     assert!(said.contains("16384x16384 needs 6174 MB"), "{said}");
     assert!(!folder.path("out.png").exists());
+}
+
+/// A camera that cannot be is refused by the line where the file has it.
+#[test]
+fn a_camera_that_cannot_be_is_named_by_file_and_line() {
+    let folder = Folder::new();
+    for (camera, what) in [
+        ("fov = 200", "field of view"),
+        ("near = 0", "near"),
+        ("eye = [1, 1, 1]\ntarget = [1, 1, 1]", "eye"),
+        ("section = \"face:1,99\"", "section"),
+    ] {
+        let text = format!("{}\n[camera]\n{camera}\n", "[[object]]\nshape = \"cube\"");
+        std::fs::write(folder.path("bad.toml"), text).unwrap();
+        let line = folder.error("pick bad.toml --at 5,5", 3);
+        assert!(
+            line.contains("bad.toml:3: ") && line.contains(what),
+            "{line}"
+        );
+    }
+}
+
+/// Help that nobody gets is no success.
+#[cfg(target_os = "linux")]
+#[test]
+fn help_that_cannot_be_written_is_an_error() {
+    let folder = Folder::new();
+    for args in ["--help", "--version", "help pick"] {
+        let full = std::fs::File::create("/dev/full").unwrap();
+        let output = folder.command(args).stdout(full).output().unwrap();
+        assert!(error(&output, 3, args).contains("standard output"));
+    }
 }

@@ -309,7 +309,7 @@ fn files_make_one_scene_in_their_order() {
     let all = load(&[plain.clone(), first.clone(), second.clone()]).unwrap();
     assert_eq!(names(&all), "abcd");
     assert_eq!(all.camera.fov, Some(10.0), "the first camera counts");
-    assert_eq!(all.camera_file.as_ref(), Some(&first));
+    assert_eq!(all.camera_from.as_ref().map(|(file, _)| file), Some(&first));
     assert_eq!(all.title, "plain.toml and 2 more");
     let turned = load(&[second.clone(), first, plain.clone()]).unwrap();
     assert_eq!(

@@ -25,7 +25,7 @@ pub(super) fn demo(progress: &Progress) -> Result<Loaded, LoadError> {
     Ok(Loaded {
         scene: Scene::new(description.objects),
         camera: description.camera.unwrap_or_default(),
-        camera_file: None,
+        camera_from: None,
         warnings,
         meshes: Vec::new(),
         materials: Vec::new(),

@@ -53,6 +53,8 @@ pub struct Description {
     pub objects: Vec<Object>,
     /// Its camera; `None` where the file has no `[camera]`.
     pub camera: Option<CameraChoice>,
+    /// The line where its camera begins, from 1; 1 without a camera.
+    pub camera_line: usize,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -74,9 +76,10 @@ pub fn parse(
     progress: &Progress,
     warnings: &mut Vec<Warning>,
 ) -> Result<Description, DescriptionError> {
+    let line = |byte: usize| 1 + text.bytes().take(byte).filter(|&b| b == b'\n').count();
     let fail = |at: Option<usize>, problem| DescriptionError {
         file: file.to_owned(),
-        line: at.map(|byte| 1 + text.bytes().take(byte).filter(|&b| b == b'\n').count()),
+        line: at.map(line),
         problem: Box::new(problem),
     };
     // Some messages quote the file over several lines.
@@ -117,6 +120,7 @@ pub fn parse(
         .map_err(cancelled)?;
     Ok(Description {
         objects: made,
+        camera_line: (scene.camera.as_ref()).map_or(1, |camera| line(camera.span().start)),
         camera: scene.camera.map(Spanned::into_inner),
     })
 }

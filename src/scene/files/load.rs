@@ -63,14 +63,15 @@ pub fn load_with(
         };
         let own = objects.len()..objects.len() + described.objects.len();
         objects.extend(described.objects);
-        camera = camera.or(described.camera.map(|camera| (camera, own, file)));
+        let from = (file, described.camera_line);
+        camera = camera.or(described.camera.map(|camera| (camera, own, from)));
     }
-    let camera = camera.map(|(camera, own, file)| (of_all(camera, &own, objects.len()), file));
-    let (camera, camera_file) = camera.unzip();
+    let camera = camera.map(|(camera, own, from)| (of_all(camera, &own, objects.len()), from));
+    let (camera, camera_from) = camera.unzip();
     Ok(Loaded {
         scene: Scene::new(objects),
         camera: camera.unwrap_or_default(),
-        camera_file,
+        camera_from,
         warnings,
         meshes: meshes.loaded,
         materials: meshes.materials,

@@ -11,8 +11,8 @@ pub struct Loaded {
     pub scene: Scene,
     /// The camera of the first scene file that has one; empty if none has.
     pub camera: CameraChoice,
-    /// The scene file that the camera is from.
-    pub camera_file: Option<PathBuf>,
+    /// The scene file that the camera is from, and the line where its camera begins, from 1.
+    pub camera_from: Option<(PathBuf, usize)>,
     /// What was left out or mended.
     pub warnings: Vec<Warning>,
     /// The meshes' files, by their absolute paths: what saving the scene needs.

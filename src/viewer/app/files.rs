@@ -10,7 +10,7 @@ use crate::{
         jobs::{self, Loading, Making, Saving},
         model::{Made, Source, hide, no_section},
         options::Options,
-        ui::Intent,
+        ui::{Filter, Intent},
     },
 };
 use std::path::PathBuf;
@@ -102,10 +102,10 @@ impl App {
                 let section = section
                     .map_err(|error| format!("the section is left out: {}", no_section(&error)));
                 unused.extend(section.err());
-                let file = loaded.camera_file.take();
+                let from = loaded.camera_from.take();
                 let opened = self.state.open(loaded, paths.clone());
-                opened.map_err(|error| match file {
-                    Some(file) => format!("{}: {error}", file.display()),
+                opened.map_err(|error| match from {
+                    Some((file, line)) => format!("{}:{line}: {error}", file.display()),
                     None => error.to_string(),
                 })?;
                 if self.first {
@@ -113,6 +113,7 @@ impl App {
                 }
                 self.first = false;
                 self.remember_opened(&paths);
+                self.filter = Filter::default();
             }
         }
         self.watch();
