@@ -353,7 +353,7 @@ impl Scene {
     }
 
     /// Builds the blocks of each mesh, which the first move of one of its objects needs.
-    pub(crate) fn prepare_moves(&self) {
+    pub fn prepare_moves(&self) {
         for mesh in self.meshes.iter() {
             mesh.blocks();
         }

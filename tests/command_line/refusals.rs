@@ -56,6 +56,16 @@ fn a_wrong_use_is_exit_code_2() {
             "one line",
         ),
         ("pick scene.toml --at 5,5 --section face:4", "1 to 3"),
+        ("pick scene.toml --at 5,5 --hide 1,4", "'sightline list'"),
+        (
+            "pick scene.toml --at 5,5 --section face:4,0",
+            "'sightline list'",
+        ),
+        ("pick scene.toml --at 5,5 --section face:1", "face:ID,FACE"),
+        (
+            "pick scene.toml --at 5,5 --section face:1,6",
+            "face:ID,FACE",
+        ),
         ("study --section x:0", "no section"),
         ("study --budget -1", "above 0"),
         ("study --budget 1 --out a", "cannot be used with"),
