@@ -3,8 +3,11 @@
 
 use super::{
     blocks::Sample,
-    exact::truth::World,
-    families, lattice,
+    exact::{
+        line::Line,
+        truth::{Hit, World},
+    },
+    families, lattice, program,
     sight::{exactly, expected},
     ties,
 };
@@ -170,12 +173,24 @@ enum Kind {
     Beside,
 }
 
-/// How many positions snap to a vertex, an edge, a face; and of those on edges, how many to an end that a plane made,
-/// and to where the edge comes out from behind a surface.
-fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> [usize; 5] {
+/// What positions snap to.
+#[derive(Debug, Default)]
+struct Counts {
+    vertices: usize,
+    edges: usize,
+    faces: usize,
+    /// Positions on the background.
+    nothing: usize,
+    /// Of the edges, those whose nearest point is an end that a plane made.
+    ends: usize,
+    /// Of the edges, those seen where they come out from behind a surface.
+    between: usize,
+}
+
+fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> Counts {
     let mut random = Random::new(seed);
-    let mut counts = [0; 5];
-    while counts[..3].iter().sum::<usize>() < POSITIONS {
+    let mut counts = Counts::default();
+    while counts.vertices + counts.edges + counts.faces < POSITIONS {
         let Sample {
             scene, mut view, ..
         } = make(&mut random);
@@ -232,17 +247,18 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> [usize; 5] {
             {
                 continue;
             }
-            let (to, away) = found
-                .as_ref()
-                .map_or((SnapTo::Face, 0.0), |snap| (snap.to, snap.away_px));
+            let to = found.as_ref().map(|snap| snap.to);
+            let away = found.as_ref().map_or(0.0, |snap| snap.away_px);
+            let line = Line::of(&view, px);
+            let face = world.hits(&line, view.sides).into_iter().next();
             let expected = match (vertex, edge) {
-                (Some((away, _)), _) => (SnapTo::Vertex, away),
-                (None, Some((away, _))) => (SnapTo::Edge, away),
-                (None, None) => (SnapTo::Face, 0.0),
+                (Some((away, _)), _) => (Some(SnapTo::Vertex), away),
+                (None, Some((away, _))) => (Some(SnapTo::Edge), away),
+                (None, None) => (face.as_ref().map(|_| SnapTo::Face), 0.0),
             };
             // An edge that is hidden at its foot may be seen where the oracle does not sample it.
             let between = found.as_ref().filter(|snap| {
-                to == SnapTo::Edge
+                to == Some(SnapTo::Edge)
                     && vertex.is_none()
                     && edge.is_none_or(|(first, _)| away < first - SLACK_PX)
                     && (sides.iter()).any(|side| side.shows(&world, &view, snap.point_world))
@@ -253,17 +269,43 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> [usize; 5] {
                 is_right,
                 "{to:?} {away}, not {expected:?} at {px} of {view:?}"
             );
-            if let Some(snap) = found.as_ref().filter(|snap| snap.to != SnapTo::Face) {
-                let shown = view.project(snap.point_world).expect("it is seen").px;
-                assert!((shown.distance(px) - away).abs() <= SLACK_PX);
+            match (&found, &face) {
+                (Some(snap), Some(hit)) if snap.to == SnapTo::Face => {
+                    is_face(&scene, &line, snap, hit);
+                }
+                (Some(snap), _) => {
+                    let shown = view.project(snap.point_world).expect("it is seen").px;
+                    assert!((shown.distance(px) - away).abs() <= SLACK_PX);
+                }
+                (None, _) => {}
             }
-            counts[to as usize] += 1;
-            let is_cut = to == SnapTo::Edge && edge.is_some_and(|(_, kind)| kind == Kind::Cut);
-            counts[3] += usize::from(is_cut);
-            counts[4] += usize::from(between.is_some());
+            match to {
+                Some(SnapTo::Vertex) => counts.vertices += 1,
+                Some(SnapTo::Edge) => counts.edges += 1,
+                Some(SnapTo::Face) => counts.faces += 1,
+                None => counts.nothing += 1,
+            }
+            let is_cut =
+                to == Some(SnapTo::Edge) && edge.is_some_and(|(_, kind)| kind == Kind::Cut);
+            counts.ends += usize::from(is_cut);
+            counts.between += usize::from(between.is_some());
         }
     }
     counts
+}
+
+/// Fails unless a position that snaps to a face snaps to the oracle's first hit.
+fn is_face(scene: &Scene, line: &Line, snap: &Snap, hit: &Hit) {
+    let object = &scene.objects()[hit.object];
+    let first = program::first_triangle(&object.shape);
+    let triangle = hit.triangle.map(|triangle| triangle - first);
+    assert_eq!(
+        (snap.id, &snap.object, snap.triangle),
+        (hit.object + 1, &object.name, triangle)
+    );
+    let point = line.point(&hit.t);
+    let off = snap.point_world.distance(point);
+    assert!(off <= HAIR * line.reach(&hit.t), "{snap:?}, not {point}");
 }
 
 /// Cuts the scene by a section, near or far.
@@ -288,15 +330,15 @@ fn positions_are_led_to_what_planes_leave_of_edges() {
     let families: [fn(&mut Random) -> Sample; 2] = [families::ordinary, lattice::exact_borders];
     for (seed, make) in (300..).zip(families) {
         let counts = run(seed, make, true);
-        println!("vertices, edges, faces, of edges ends: {counts:?}");
-        ends += counts[3];
+        println!("{counts:?}");
+        ends += counts.ends;
     }
     assert!(ends > 10, "{ends}");
 }
 
 #[test]
 fn positions_are_led_to_what_is_seen_nearest() {
-    let mut all = [0; 5];
+    let mut all = Counts::default();
     let families: [fn(&mut Random) -> Sample; 4] = [
         families::ordinary,
         families::culled,
@@ -305,9 +347,14 @@ fn positions_are_led_to_what_is_seen_nearest() {
     ];
     for (seed, make) in (200..).zip(families) {
         let counts = run(seed, make, false);
-        println!("vertices, edges, faces, of edges beside what hides them: {counts:?}");
-        all = std::array::from_fn(|i| all[i] + counts[i]);
+        println!("{counts:?}");
+        all.vertices += counts.vertices;
+        all.edges += counts.edges;
+        all.faces += counts.faces;
+        all.nothing += counts.nothing;
+        all.between += counts.between;
     }
-    assert!(all[..3].iter().all(|&count| count > 40), "{all:?}");
-    assert!(all[4] > 10, "{all:?}");
+    let each = [all.vertices, all.edges, all.faces, all.nothing];
+    assert!(each.iter().all(|&count| count > 40), "{all:?}");
+    assert!(all.between > 10, "{all:?}");
 }

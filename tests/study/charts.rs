@@ -86,6 +86,8 @@ fn every_formula_is_named(front: &Picture) {
     let methods = registry()
         .into_iter()
         .filter(|method| steps.contains(&method.step.key));
+    let ours = methods.clone().filter(|method| method.ours);
+    assert_eq!(ours.count(), steps.len());
     for method in methods.filter(|method| method.name != "the GPU's ids, read back") {
         let name = if method.ours {
             "Sightline"

@@ -201,6 +201,7 @@ fn the_chart_matches_the_picture() {
 /// The plain quadratic in `f64` is among the methods as good as Sightline's; the broken method is not.
 #[test]
 fn others_that_are_as_good_are_named() {
+    let mut named = 0;
     for broken in &BREAKS {
         let path = format!("gallery:{}", broken.exhibit).into();
         let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
@@ -215,8 +216,10 @@ fn others_that_are_as_good_are_named() {
                 good.contains(&("plain quadratic", F64)) && good.contains(&("Hearn & Baker", F32)),
                 "{good:?}"
             );
+            named += 1;
         }
     }
+    assert_eq!(named, 1, "the scene is among them");
 }
 
 /// With an orthographic lens, steps still have cases, methods break as they do in perspective, and bounds hold.

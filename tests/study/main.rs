@@ -14,7 +14,11 @@ mod readme;
 mod summary;
 mod views;
 
-use sightline::study::{self, COLUMNS, Effort, Report, Row, methods::registry, step::Precision};
+use sightline::study::{
+    self, COLUMNS, Effort, Report, Row,
+    methods::registry,
+    step::{About, Precision},
+};
 use std::{collections::HashSet, sync::OnceLock};
 
 /// One run that many tests read.
@@ -29,6 +33,15 @@ fn report() -> &'static Report {
         };
         study::run(effort, None, &|_, _| {})
     })
+}
+
+/// Sightline's rows, of every step that the registry names.
+fn own_rows() -> impl Iterator<Item = &'static Row> {
+    let own = report().rows.iter().filter(|row| row.info.ours);
+    let steps: HashSet<_> = own.clone().map(|row| row.info.step.key).collect();
+    let named = registry().iter().filter(|method| method.ours).count();
+    assert_eq!(steps.len(), named, "{steps:?}");
+    own
 }
 
 /// A method's rows in a family, by the parameter's value.
@@ -87,7 +100,7 @@ fn same_seed_gives_the_same_verdicts() {
 
 #[test]
 fn what_this_program_does_stays_within_its_bounds() {
-    for row in report().rows.iter().filter(|row| row.info.ours) {
+    for row in own_rows() {
         let share = row.of_bound.expect("a bound");
         assert!(
             share <= 1.0,
@@ -102,12 +115,11 @@ fn what_this_program_does_stays_within_its_bounds() {
 /// An infinite bound, or a step in which no error is above zero, would prove nothing.
 #[test]
 fn bounds_of_values_say_something() {
-    for step in report().steps() {
-        if step.error_unit.is_empty() {
-            continue;
-        }
-        let rows =
-            || (report().rows.iter()).filter(move |row| row.info.ours && row.info.step == step);
+    let with_errors = |step: &About| !step.error_unit.is_empty();
+    let steps: Vec<About> = report().steps().into_iter().filter(with_errors).collect();
+    assert_eq!(steps.len(), 10, "{steps:?}");
+    for step in steps {
+        let rows = || own_rows().filter(move |row| row.info.step == step);
         let first = rows().next().expect("a row");
         let bound = first.bound.expect("a bound");
         assert!(bound.is_finite(), "{first:?}");
@@ -117,7 +129,7 @@ fn bounds_of_values_say_something() {
 
 #[test]
 fn what_this_program_does_decides_right() {
-    for row in report().rows.iter().filter(|row| row.info.ours) {
+    for row in own_rows() {
         assert_eq!(
             row.worst_wrong, 0.0,
             "{} {} {}",

@@ -40,13 +40,15 @@ fn it_counts_scenes_and_cases() {
 #[test]
 fn it_says_how_much_moeller_trumbore_gets_wrong() {
     let rows = AnyStep::of::<TriangleCase>().rows("exactly through edges", Effort::FULL, None);
-    let mut wrong = 0.0_f64;
+    let (mut wrong, mut ours) = (0.0_f64, 0);
     for row in rows {
         if row.info.key() == ("Moeller-Trumbore", F32) {
             wrong = wrong.max(row.wrong_percent());
         }
         assert!(!row.info.ours || row.wrong_percent() == 0.0, "{row:?}");
+        ours += usize::from(row.info.ours);
     }
+    assert!(ours > 0, "Sightline's is among them");
     let words = format!("up to {wrong:.0} % of a workload wrong");
     assert!(says(&words), "{words}");
 }

@@ -60,6 +60,23 @@ impl Stage {
             way: WAY.normalize(),
         }
     }
+
+    /// A view of what the framed view shows, from this far away.
+    fn look_from(&self, distance: f64, lens: Lens) -> View {
+        look(self.aim + distance * self.way, self.aim, lens)
+    }
+}
+
+/// A view with reversed depth and with standard depth, each under its condition.
+fn with_both_depths(
+    [reversed, standard_depth]: [&'static str; 2],
+    view: &View,
+    ordinary: bool,
+) -> [Shot; 2] {
+    [
+        Shot::new(reversed, *view, ordinary),
+        Shot::new(standard_depth, standard(view), false),
+    ]
 }
 
 /// Views of a scene under every condition of the camera.
@@ -91,12 +108,8 @@ fn near_and_far(stage: &Stage) -> Vec<Shot> {
     for ratio in [1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9] {
         let far = distance + 2.0 * r;
         let view = between(base, far / ratio, far);
-        shots.push(Shot::new("near/far 1e2 to 1e9", view, true));
-        shots.push(Shot::new(
-            "near/far 1e2 to 1e9, standard depth",
-            standard(&view),
-            false,
-        ));
+        let names = ["near/far 1e2 to 1e9", "near/far 1e2 to 1e9, standard depth"];
+        shots.extend(with_both_depths(names, &view, true));
         let near = (distance - r).max(1e-3 * distance);
         shots.push(Shot::new(
             "a distant far plane",
@@ -109,9 +122,7 @@ fn near_and_far(stage: &Stage) -> Vec<Shot> {
 
 /// Views with many fields of view, and long lenses aimed at a rim.
 fn lenses(scene: &Scene, stage: &Stage) -> Vec<Shot> {
-    let Stage {
-        base, r, aim, way, ..
-    } = *stage;
+    let Stage { base, r, .. } = *stage;
     let mut shots = Vec::new();
     let rim = rim(scene, &base);
     for fov in [1.0, 1e-2] {
@@ -129,17 +140,13 @@ fn lenses(scene: &Scene, stage: &Stage) -> Vec<Shot> {
             ..CameraChoice::default()
         };
         let view = framed(scene, choice);
-        shots.push(Shot::new("fov 0.5 to 120", view, fov >= 1.0));
-        shots.push(Shot::new(
-            "fov 0.5 to 120, standard depth",
-            standard(&view),
-            false,
-        ));
+        let names = ["fov 0.5 to 120", "fov 0.5 to 120, standard depth"];
+        shots.extend(with_both_depths(names, &view, fov >= 1.0));
     }
     for fov in [120.0, 150.0, 170.0, 175.0, 178.0] {
         let lens = perspective(fov, 1e-4 * r, 10.0 * r);
         let distance = 0.35 * r / (0.5 * fov).to_radians().tan();
-        let view = look(aim + distance * way, aim, lens);
+        let view = stage.look_from(distance, lens);
         shots.push(Shot::new("fov 120 to 178, close", view, fov <= 170.0));
     }
     shots
@@ -147,22 +154,14 @@ fn lenses(scene: &Scene, stage: &Stage) -> Vec<Shot> {
 
 fn orthographic_lenses(stage: &Stage) -> Vec<Shot> {
     let Stage {
-        base,
-        center,
-        r,
-        aim,
-        way,
+        base, center, r, ..
     } = *stage;
     let mut shots = Vec::new();
     for height in [1.4, 0.1, 1e-3] {
         let lens = orthographic(height * r, 0.01 * r, 10.0 * r);
-        let view = look(aim + 3.0 * r * way, aim, lens);
-        shots.push(Shot::new("orthographic", view, height > 1.0));
-        shots.push(Shot::new(
-            "orthographic, standard depth",
-            standard(&view),
-            false,
-        ));
+        let view = stage.look_from(3.0 * r, lens);
+        let names = ["orthographic", "orthographic, standard depth"];
+        shots.extend(with_both_depths(names, &view, height > 1.0));
     }
     for axis in DVec3::AXES {
         let lens = orthographic(1.5 * r, -3.0 * r, 3.0 * r);
@@ -191,13 +190,9 @@ fn cuts(stage: &Stage) -> Vec<Shot> {
     let mut shots = Vec::new();
     for (near, far) in [(0.999, 10.0), (0.1, 1.001), (0.9, 1.1), (0.99, 1.01)] {
         let view = between(&base, near * depth, far * depth);
-        shots.push(Shot::new("planes that cut", view, false));
+        let names = ["planes that cut", "planes that cut, standard depth"];
+        shots.extend(with_both_depths(names, &view, false));
         shots.push(Shot::new("planes that cut, culled", culled(&view), false));
-        shots.push(Shot::new(
-            "planes that cut, standard depth",
-            standard(&view),
-            false,
-        ));
     }
     for towards in [DVec3::X, DVec3::NEG_Y + 0.1 * DVec3::X, way] {
         let lens = perspective(80.0, 1e-4 * r, 10.0 * r);
@@ -209,14 +204,14 @@ fn cuts(stage: &Stage) -> Vec<Shot> {
 
 /// Views from ever nearer, and through ever narrower lenses.
 fn zooms(stage: &Stage) -> Vec<Shot> {
-    let Stage { r, aim, way, .. } = *stage;
+    let r = stage.r;
     let mut shots = Vec::new();
     for zoom in [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
         let lens = perspective(45.0, 0.01 * zoom * r, 10.0 * r);
-        let view = look(aim + zoom * r * way, aim, lens);
+        let view = stage.look_from(zoom * r, lens);
         shots.push(Shot::new("zoomed in to 1e-6", view, false));
         let fov = (45.0 * zoom).max(1e-4);
-        let view = look(aim + r * way, aim, perspective(fov, 0.1 * r, 10.0 * r));
+        let view = stage.look_from(r, perspective(fov, 0.1 * r, 10.0 * r));
         let narrowed = if fov > 0.01 {
             "narrowed down to 0.01 degrees"
         } else {
@@ -224,7 +219,7 @@ fn zooms(stage: &Stage) -> Vec<Shot> {
         };
         shots.push(Shot::new(narrowed, view, false));
         let lens = orthographic(zoom * r, -10.0 * r, 10.0 * r);
-        let view = look(aim + r * way, aim, lens);
+        let view = stage.look_from(r, lens);
         shots.push(Shot::new("orthographic, zoomed in to 1e-6", view, false));
     }
     shots
@@ -232,16 +227,11 @@ fn zooms(stage: &Stage) -> Vec<Shot> {
 
 /// A few cameras, for scenes that are tested under many model matrices.
 pub fn few_shots(scene: &Scene, condition: &'static str, ordinary: bool) -> Vec<Shot> {
-    let Stage {
-        base, r, aim, way, ..
-    } = Stage::new(scene);
-    let close = look(
-        aim + 0.3 * r * way,
-        aim,
-        perspective(60.0, 1e-3 * r, 10.0 * r),
-    );
-    let flat = look(aim + r * way, aim, orthographic(0.7 * r, -9.0 * r, 9.0 * r));
-    [base, close, culled(&close), flat]
+    let stage = Stage::new(scene);
+    let r = stage.r;
+    let close = stage.look_from(0.3 * r, perspective(60.0, 1e-3 * r, 10.0 * r));
+    let flat = stage.look_from(r, orthographic(0.7 * r, -9.0 * r, 9.0 * r));
+    [stage.base, close, culled(&close), flat]
         .map(|view| Shot::new(condition, view, ordinary))
         .into()
 }

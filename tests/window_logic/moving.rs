@@ -2,20 +2,42 @@
 
 use super::*;
 
+/// The row, seen through a lens of each kind.
+fn of_each_lens() -> [State; 2] {
+    [None, Some(6.0)].map(|ortho| {
+        let camera = CameraChoice {
+            ortho,
+            ..CameraChoice::default()
+        };
+        open(row(), camera)
+    })
+}
+
+/// The point that is picked at a position of the picture.
+#[track_caller]
+fn picked(state: &State, px: DVec2) -> DVec3 {
+    let pick = pick::pick(state.scene(), state.view(), px);
+    pick.expect("something there").point_world
+}
+
+/// Where the picture shows a point.
+#[track_caller]
+fn shown(state: &State, point: DVec3) -> DVec2 {
+    state.view().project(point).expect("in front").px
+}
+
 #[test]
 fn orbit_keeps_the_point_under_the_cursor_where_it_is() {
     let mut state = front_view();
     let px = DVec2::new(430.5, 280.5);
-    let pivot = pick::pick(state.scene(), state.view(), px)
-        .expect("the cube")
-        .point_world;
+    let pivot = picked(&state, px);
     let eye = state.view().camera.eye();
     state.apply(Action::BeginTurn(px));
     for _ in 0..40 {
         state.apply(Action::Turn(DVec2::new(7.0, -3.0)));
     }
     assert!(state.view().camera.eye().distance(eye) > 1.0, "it turned");
-    assert_near(state.view().project(pivot).expect("in front").px, px, 1e-9);
+    assert_near(shown(&state, pivot), px, 1e-9);
 }
 
 #[test]
@@ -36,58 +58,32 @@ fn orbit_stops_at_the_poles_and_stays_a_camera() {
 
 #[test]
 fn pan_takes_the_surface_along_with_the_cursor() {
-    for ortho in [None, Some(6.0)] {
-        let mut state = open(
-            row(),
-            CameraChoice {
-                ortho,
-                ..CameraChoice::default()
-            },
-        );
+    for mut state in of_each_lens() {
         let px = MIDDLE;
-        let point = pick::pick(state.scene(), state.view(), px)
-            .expect("something there")
-            .point_world;
+        let point = picked(&state, px);
         state.apply(Action::BeginPan(px));
         for _ in 0..10 {
             state.apply(Action::Pan(DVec2::new(12.0, -7.0)));
         }
-        assert_near(
-            state.view().project(point).expect("in front").px,
-            px + DVec2::new(120.0, -70.0),
-            1e-8,
-        );
+        let moved = DVec2::new(120.0, -70.0);
+        assert_near(shown(&state, point), px + moved, 1e-8);
     }
 }
 
 #[test]
 fn zoom_keeps_the_point_under_the_cursor_and_never_sticks() {
-    for ortho in [None, Some(6.0)] {
-        let mut state = open(
-            row(),
-            CameraChoice {
-                ortho,
-                ..CameraChoice::default()
-            },
-        );
+    for mut state in of_each_lens() {
         let px = DVec2::new(410.0, 310.0);
-        let point = pick::pick(state.scene(), state.view(), px)
-            .expect("something there")
-            .point_world;
+        let point = picked(&state, px);
         let size = |state: &State| {
-            let a = state.view().project(point).expect("in front").px;
-            let b = state
-                .view()
-                .project(point + 1e-3 * state.view().camera.right())
-                .expect("in front")
-                .px;
-            a.distance(b)
+            let beside = point + 1e-3 * state.view().camera.right();
+            shown(state, point).distance(shown(state, beside))
         };
         let before = size(&state);
         for _ in 0..20 {
             state.apply(Action::Zoom(px, 1.15));
         }
-        assert_near(state.view().project(point).expect("in front").px, px, 1e-6);
+        assert_near(shown(&state, point), px, 1e-6);
         let grown = size(&state) / before;
         let expected = 1.15_f64.powi(20);
         assert!(
@@ -147,7 +143,7 @@ fn framing_shows_the_selection_or_all() {
     );
     state.apply(Action::FrameAll);
     for corner in state.scene().visible_bounds().corners() {
-        let px = state.view().project(corner).expect("in front").px;
+        let px = shown(&state, corner);
         assert!(state.view().viewport.contains(px), "{corner} at {px}");
     }
 }
@@ -156,15 +152,9 @@ fn framing_shows_the_selection_or_all() {
 fn a_double_click_centres_the_point_and_on_nothing_frames_all() {
     let mut state = front_view();
     let px = DVec2::new(425.5, 280.5);
-    let point = pick::pick(state.scene(), state.view(), px)
-        .expect("the cube")
-        .point_world;
+    let point = picked(&state, px);
     state.apply(Action::Recentre(px));
-    assert_near(
-        state.view().project(point).expect("in front").px,
-        MIDDLE,
-        1e-9,
-    );
+    assert_near(shown(&state, point), MIDDLE, 1e-9);
     state.apply(Action::Recentre(DVec2::new(1.0, 1.0)));
     assert_eq!(
         state.view().camera.target(),

@@ -20,8 +20,15 @@ static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
 
 fuzz_target!(|bytes: &[u8]| {
     let mut parts = bytes.splitn(2, |&b| b == 1);
-    for (name, bytes) in ["a.obj", "a.mtl"].iter().zip(parts.by_ref()) {
-        fs::write(FOLDER.join(name), bytes).expect("a file");
+    for name in ["a.obj", "a.mtl"] {
+        let (file, bytes) = (FOLDER.join(name), parts.next());
+        // A run depends on its own bytes alone: no file of an earlier run is left.
+        match bytes {
+            Some(bytes) => fs::write(&file, bytes).expect("a file"),
+            None if file.exists() => fs::remove_file(&file).expect("no file"),
+            None => {}
+        }
+        assert_eq!(fs::read(&file).ok().as_deref(), bytes, "{name}");
     }
     let loaded = match load(&[FOLDER.join("a.obj")], &Progress::default()) {
         Ok(loaded) => loaded,

@@ -1,0 +1,127 @@
+//! Any eye, direction and up vector give orthonormal axes. What is no camera or no lens is refused.
+
+use super::common::{Random, assert_close, assert_near, orthographic, perspective};
+use glam::{DVec3, dvec3};
+use sightline::camera::{Camera, CameraError, Viewport};
+
+#[test]
+fn a_direction_will_do_in_place_of_a_target() {
+    let lens = perspective(45.0, 0.1, 10.0);
+    let eye = dvec3(1.0, 2.0, 3.0);
+    let along = dvec3(-2.0, 0.5, 1.0);
+    let looking = Camera::looking(eye, along, DVec3::Y, lens).unwrap();
+    assert_eq!(
+        looking,
+        Camera::new(eye, eye + along, DVec3::Y, lens).unwrap()
+    );
+    // Squares of these lengths overflow or vanish.
+    for size in [1e-200, 1e200] {
+        let camera = Camera::looking(DVec3::ZERO, size * along, size * DVec3::Y, lens).unwrap();
+        assert_near(camera.forward(), along.normalize(), 1e-15);
+    }
+}
+
+#[test]
+fn axes_are_orthonormal_however_near_up_is_to_the_line_of_sight() {
+    let mut random = Random::new(4);
+    let lens = perspective(45.0, 0.1, 10.0);
+    for exponent in 0..=13 {
+        for _ in 0..100 {
+            let along = random.direction();
+            let up = along + 10_f64.powi(-exponent) * random.direction();
+            let Ok(camera) = Camera::looking(DVec3::ZERO, along, up, lens) else {
+                panic!("1e-{exponent} from the line of sight is a direction");
+            };
+            let axes = [camera.right(), camera.up(), camera.forward()];
+            for i in 0..3 {
+                assert_close(axes[i].length(), 1.0, 1e-15);
+                let leaning = axes[i].dot(axes[(i + 1) % 3]).abs();
+                assert!(
+                    leaning <= 3e-16,
+                    "{leaning} from a right angle at 1e-{exponent}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_no_camera_is_refused() {
+    let lens = perspective(45.0, 0.1, 10.0);
+    let camera = |eye, target, up| Camera::new(eye, target, up, lens).map(|_| ());
+    let (origin, x, y) = (DVec3::ZERO, DVec3::X, DVec3::Y);
+    assert_eq!(camera(origin, origin, y), Err(CameraError::NoDirection));
+    assert_eq!(camera(origin, y, y), Err(CameraError::UpAlongForward));
+    assert_eq!(
+        camera(origin, -3.0 * y, y),
+        Err(CameraError::UpAlongForward)
+    );
+    assert_eq!(
+        camera(origin, x, DVec3::ZERO),
+        Err(CameraError::UpAlongForward)
+    );
+    let slanted = dvec3(0.1, 0.7, -0.3);
+    assert_eq!(
+        camera(origin, 7.0 * slanted, slanted),
+        Err(CameraError::UpAlongForward)
+    );
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let bad = dvec3(0.0, bad, 1.0);
+        assert_eq!(camera(bad, x, y), Err(CameraError::NotFinite("eye")));
+        assert_eq!(
+            camera(origin, bad, y),
+            Err(CameraError::NotFinite("target"))
+        );
+        assert_eq!(
+            camera(origin, x, bad),
+            Err(CameraError::NotFinite("up vector"))
+        );
+        let looking = Camera::looking(origin, bad, y, lens);
+        assert_eq!(looking, Err(CameraError::NotFinite("direction")));
+    }
+    assert_eq!(Viewport::new(0, 5), Err(CameraError::EmptyViewport(0, 5)));
+    assert_eq!(Viewport::new(5, 0), Err(CameraError::EmptyViewport(5, 0)));
+}
+
+#[test]
+fn what_is_no_lens_is_refused() {
+    for fov in [0.0, -1.0, 180.0, 360.0, f64::NAN, f64::INFINITY] {
+        let check = perspective(fov, 0.1, 10.0).check();
+        assert!(
+            matches!(check, Err(CameraError::FieldOfView(_))),
+            "{fov}: {check:?}"
+        );
+    }
+    for height in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let check = orthographic(height, 0.1, 10.0).check();
+        assert!(
+            matches!(check, Err(CameraError::Height(_))),
+            "{height}: {check:?}"
+        );
+    }
+    for near in [0.0, -1.0, f64::NAN, f64::NEG_INFINITY] {
+        let check = perspective(45.0, near, 10.0).check();
+        assert!(
+            matches!(check, Err(CameraError::NearNotPositive(_))),
+            "{near}: {check:?}"
+        );
+    }
+    let unordered = [
+        (1.0, 1.0),
+        (2.0, 1.0),
+        (1.0, f64::NAN),
+        (1.0, f64::INFINITY),
+    ];
+    for (near, far) in unordered {
+        for lens in [perspective(45.0, near, far), orthographic(2.0, near, far)] {
+            let check = lens.check();
+            assert!(
+                matches!(check, Err(CameraError::NearNotBeforeFar { .. })),
+                "{near} {far}: {check:?}"
+            );
+        }
+    }
+    assert!(orthographic(2.0, f64::NAN, 1.0).check().is_err());
+    assert!(orthographic(2.0, f64::NEG_INFINITY, 1.0).check().is_err());
+    assert_eq!(orthographic(2.0, -5.0, -1.0).check(), Ok(()));
+}
