@@ -165,8 +165,8 @@
 //! |---|---|
 //! | whether a hit lies between near and far | `geometry/interval.rs`, exactly `geometry/exact` |
 //! | which of two hits comes first, ties included | `pick/order.rs` |
-//! | which of two touching surfaces is drawn | `render/order.rs` |
-//! | how far `f32` moves what is drawn | `render/transform.rs`, `render/sphere.rs`; in pixels `verify/polygon.rs`, `verify/sphere.rs` |
+//! | which of two touching surfaces is drawn | `render/draw_order.rs` |
+//! | how far `f32` moves what is drawn | `render/transform.rs`, `render/sphere.rs`; in pixels `verify/projection.rs`, `verify/polygon.rs`, `verify/sphere.rs` |
 //! | a camera from flags or from a scene file | `camera/choice.rs` |
 //! | work on all cores | `geometry/shares.rs` |
 //! | a scene without most of its triangles, for one pick | `scene/narrowed.rs`, `pick/narrowed.rs` |

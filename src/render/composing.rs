@@ -2,9 +2,9 @@
 
 use super::{
     batches::{Batch, DrawnShape, Kind, Row},
+    draw_order::{Order, index},
     frustum::Frustum,
     layout,
-    order::{Order, index},
     view_space::ViewSpace,
 };
 use crate::{

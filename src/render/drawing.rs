@@ -3,7 +3,6 @@
 use super::{
     Renderer, Wireframe,
     composing::Draw,
-    flat,
     gpu::{Gpu, GpuError},
     lines::{self, Line},
     pipelines::{BATCHES, Drawn, Pass},
@@ -14,6 +13,7 @@ use super::{
     slices::{Piece, Slice},
     steps::{LINE, Parts, Steps},
     targets::Targets,
+    without_depth,
 };
 use crate::camera::View;
 use std::{collections::VecDeque, ops::Range};
@@ -216,7 +216,7 @@ impl Renderer {
         let mut encoder = gpu.encoder();
         {
             let mut render_pass = match pass {
-                Pass::Mask => flat::begin(&mut encoder, &targets.mask_view, is_first),
+                Pass::Mask => without_depth::begin(&mut encoder, &targets.mask_view, is_first),
                 _ => begin(gpu, &mut encoder, targets, &view, pass, [is_first, is_last]),
             };
             render_pass.set_bind_group(0, &scene_bindings, &[]);

@@ -4,7 +4,6 @@
 use super::{
     Renderer, bindings,
     drawing::Drawing,
-    flat,
     formats::MARKS,
     gpu::{Gpu, GpuError},
     layout,
@@ -12,6 +11,7 @@ use super::{
     shaders::shader_module,
     slices::Piece,
     targets::Targets,
+    without_depth,
 };
 use crate::{camera::View, look};
 use glam::DVec2;
@@ -111,7 +111,7 @@ impl Renderer {
         let mut encoder = gpu.encoder();
         let place = scene.shown(selection);
         {
-            let mut pass = flat::begin(&mut encoder, &targets.outline_view, true);
+            let mut pass = without_depth::begin(&mut encoder, &targets.outline_view, true);
             let rect = place.and_then(|place| screen_rect(place, view, outline_px));
             if let Some([x, y, width, height]) = rect {
                 pass.set_scissor_rect(x, y, width, height);
@@ -168,7 +168,7 @@ impl Renderer {
                 ..Default::default()
             });
             let bind_group = (self.post).bind(gpu, targets, picture, &targets.outline_view);
-            let mut pass = flat::begin(&mut encoder, &view, false);
+            let mut pass = without_depth::begin(&mut encoder, &view, false);
             pass.set_bind_group(0, &bind_group, &[]);
             for &(entry, rect) in rects {
                 let Some([x, y, width, height]) = destination.within(rect) else {
@@ -246,7 +246,7 @@ impl PostPasses {
             .entry((entry, format))
             .or_insert_with(|| {
                 let layout = Some(&self.layout);
-                flat::pipeline(gpu, layout, &self.shader, entries, format.into())
+                without_depth::pipeline(gpu, layout, &self.shader, entries, format.into())
             })
             .clone()
     }

@@ -2,12 +2,12 @@
 
 use super::{
     abilities::Numbers,
-    flat,
     formats::IDS,
     gpu::{Gpu, GpuError},
     rasteriser::{MOST_BITS, Rasteriser, grid_px},
     readback::read,
     shaders::shader_module,
+    without_depth,
 };
 
 /// Triangles in each of four groups. Each triangle has a column or row of the picture: see `shaders/probe.wgsl`.
@@ -26,13 +26,13 @@ pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
         Numbers::Corners | Numbers::Objects => "probe by corner",
     };
     let module = shader_module(gpu, name);
-    let pipeline = flat::pipeline(gpu, None, &module, ["vertex", "id"], IDS.into());
+    let pipeline = without_depth::pipeline(gpu, None, &module, ["vertex", "id"], IDS.into());
     let usage = wgpu::TextureUsages::COPY_SRC;
-    let texture = flat::texture(gpu, "probe", SIZE, IDS, 1, usage, &[]);
+    let texture = without_depth::texture(gpu, "probe", SIZE, IDS, 1, usage, &[]);
     let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
     let mut encoder = gpu.encoder();
     {
-        let mut pass = flat::begin(&mut encoder, &view, true);
+        let mut pass = without_depth::begin(&mut encoder, &view, true);
         pass.set_pipeline(&pipeline);
         pass.draw(0..4 * LANES * 3, 0..1);
     }

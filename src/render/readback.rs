@@ -1,10 +1,11 @@
 //! Reads textures back as pictures on the CPU, among them the finished picture without a window.
 
 use super::{
-    Destination, Marks, Renderer, SceneBuffers, flat,
+    Destination, Marks, Renderer, SceneBuffers,
     formats::{COLOUR, COLOUR_VALUES},
     gpu::{Gpu, GpuError},
     targets::Targets,
+    without_depth,
 };
 use crate::{
     camera::{View, Viewport},
@@ -90,8 +91,9 @@ impl Renderer {
         gpu.check_picture(window)?;
         let size = [window.width(), window.height()];
         let (usage, values) = (wgpu::TextureUsages::COPY_SRC, [COLOUR_VALUES]);
-        let texture =
-            gpu.within_memory(|| flat::texture(gpu, "picture", size, COLOUR, 1, usage, &values))?;
+        let texture = gpu.within_memory(|| {
+            without_depth::texture(gpu, "picture", size, COLOUR, 1, usage, &values)
+        })?;
         let destination = Destination {
             texture: &texture,
             origin_px,

@@ -2,7 +2,9 @@
 //! compiles its built-in resolve anew in each process, which takes longer than drawing a small scene. It compiles a
 //! shader once and keeps it on disk.
 
-use super::{bindings, flat, formats::COLOUR, gpu::Gpu, shaders::shader_module, targets::Targets};
+use super::{
+    bindings, formats::COLOUR, gpu::Gpu, shaders::shader_module, targets::Targets, without_depth,
+};
 
 /// The pass that resolves samples, where the adapter is software.
 #[derive(Debug)]
@@ -22,7 +24,7 @@ impl Resolve {
             bindings::layouts(gpu, "resolve", wgpu::ShaderStages::FRAGMENT, &[samples]);
         let module = shader_module(gpu, "resolve");
         let entries = ["cover", "resolve"];
-        let pipeline = flat::pipeline(gpu, Some(&layout), &module, entries, COLOUR.into());
+        let pipeline = without_depth::pipeline(gpu, Some(&layout), &module, entries, COLOUR.into());
         Self {
             bind_group_layout,
             pipeline,
@@ -36,7 +38,7 @@ impl Resolve {
         };
         let samples = wgpu::BindingResource::TextureView(samples);
         let bind_group = bindings::bind(gpu, "resolve", &self.bind_group_layout, [samples]);
-        let mut pass = flat::begin(encoder, &targets.colour_view, true);
+        let mut pass = without_depth::begin(encoder, &targets.colour_view, true);
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &bind_group, &[]);
         pass.draw(0..3, 0..1);

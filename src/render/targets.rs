@@ -1,9 +1,9 @@
 //! The textures that a picture is drawn into.
 
 use super::{
-    flat,
     formats::{COLOUR, COLOUR_VALUES, DEPTH, IDS, MARKS},
     gpu::{Gpu, GpuError},
+    without_depth,
 };
 use crate::camera::Viewport;
 use wgpu::TextureUsages;
@@ -42,7 +42,7 @@ impl Targets {
             } else {
                 &[]
             };
-            flat::texture(gpu, label, size, format, samples, usage, view_formats)
+            without_depth::texture(gpu, label, size, format, samples, usage, view_formats)
         };
         let view =
             |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());

@@ -51,18 +51,18 @@
 //!
 //! **A whole pick is only as good as its worst step**, and a tree saves more time than all of the above together.
 
+pub mod breaks;
 mod budget;
 pub mod chart;
 mod csv;
 mod effort;
 mod estimates;
 pub mod exact;
-pub mod gallery;
+mod folder;
 pub mod methods;
 pub mod random;
 pub mod real;
 mod run;
-mod save;
 mod scene_rays;
 mod statistics;
 pub mod step;
@@ -76,8 +76,8 @@ pub use budget::{budget, measured};
 pub use csv::{COLUMNS, SUMMARY_COLUMNS, csv, summary_csv};
 pub use effort::Effort;
 pub use estimates::{Estimate, estimates};
+pub use folder::{SaveError, save, save_chart};
 pub use run::{Report, Row, SCENE, run};
-pub use save::{SaveError, save, save_chart};
 pub use scene_rays::SceneRays;
 pub use table::table;
 pub use timing::{Time, processor};

@@ -2,7 +2,7 @@
 
 use super::{
     methods::{
-        files::{self, FileCase},
+        reading::{self, FileCase},
         registry,
     },
     prelude::*,
@@ -143,7 +143,7 @@ fn notes(text: &mut String, step: About, summaries: &[Summary<'_>]) {
             let Some(ns) = summary.ns() else { continue };
             let (name, precision) = summary.method.info.key();
             #[expect(clippy::cast_precision_loss, reason = "a few bytes")]
-            let speed = 1e3 * files::BYTES as f64 / ns;
+            let speed = 1e3 * reading::BYTES as f64 / ns;
             let _ = writeln!(text, "  {name}, {precision}: {speed:.0} MB/s");
         }
     }

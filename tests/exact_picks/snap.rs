@@ -283,6 +283,7 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> Counts {
                 Some(SnapTo::Vertex) => counts.vertices += 1,
                 Some(SnapTo::Edge) => counts.edges += 1,
                 Some(SnapTo::Face) => counts.faces += 1,
+                Some(other) => unreachable!("{other:?}"),
                 None => counts.nothing += 1,
             }
             let is_cut =

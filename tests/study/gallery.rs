@@ -6,7 +6,7 @@ use sightline::{
     scene::{self, Loaded, Progress, gallery::GALLERY},
     study::{
         self, Effort, Report, Row, SCENE, SceneRays,
-        gallery::{self, BREAKS, breaks_on},
+        breaks::{self, BREAKS, breaks_on},
         step::Precision::{F32, F64},
     },
 };
@@ -148,7 +148,7 @@ fn the_chart_matches_the_picture() {
     for broken in &BREAKS {
         let path = format!("gallery:{}", broken.exhibit).into();
         let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
-        let rows = gallery::rows(broken, &loaded.scene, view_of(&loaded, 801, 600));
+        let rows = breaks::rows(broken, &loaded.scene, view_of(&loaded, 801, 600));
         let own = rows
             .iter()
             .filter(|row| row.info.key() == (broken.method, broken.precision));
@@ -205,8 +205,8 @@ fn others_that_are_as_good_are_named() {
     for broken in &BREAKS {
         let path = format!("gallery:{}", broken.exhibit).into();
         let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
-        let rows = gallery::rows(broken, &loaded.scene, view_of(&loaded, 801, 600));
-        let good: Vec<_> = gallery::as_good(&rows).map(|row| row.info.key()).collect();
+        let rows = breaks::rows(broken, &loaded.scene, view_of(&loaded, 801, 600));
+        let good: Vec<_> = breaks::as_good(&rows).map(|row| row.info.key()).collect();
         assert!(
             !good.contains(&(broken.method, broken.precision)),
             "{broken:?}: {good:?}"

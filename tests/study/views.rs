@@ -9,7 +9,7 @@ use sightline::{
     scene::{self, Object, Progress, Scene, Shape, gallery::GALLERY},
     study::{
         self, Effort, Row, SCENE, SceneRays,
-        gallery::BREAKS,
+        breaks::BREAKS,
         methods::picks::ball_scene,
         step::{MethodInfo, Precision::F64},
         swap::{AnyStep, Found, Swap},

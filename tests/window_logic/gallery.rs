@@ -3,7 +3,7 @@
 use super::*;
 use sightline::{
     scene::gallery::GALLERY,
-    study::gallery::{BREAKS, Break},
+    study::breaks::{BREAKS, Break},
     viewer::model::{Compared, Fault, Showing},
 };
 use std::collections::HashMap;

@@ -6,9 +6,9 @@
 use super::{
     Bvh,
     node::{Child, Line, Node, Packet, Place, WIDTH},
-    ray::Frame,
     simd::{Instructions, with_large_pages},
     split::{Leaf, Range, Whole},
+    tree_ray::Frame,
 };
 use crate::geometry::{Aabb, shares::cores};
 use glam::Vec3A;

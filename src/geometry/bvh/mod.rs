@@ -12,9 +12,9 @@
 
 mod build;
 mod node;
-mod ray;
 mod simd;
 mod split;
+mod tree_ray;
 mod validate;
 mod walk;
 
@@ -23,9 +23,9 @@ pub use simd::Simd;
 use super::{Aabb, LocalRay, Pyramid};
 use glam::{DVec3, Vec3};
 use node::{Child, Line, Node, Packet, Place, WIDTH};
-use ray::Frame;
 use simd::Instructions;
 use std::{ops::ControlFlow, sync::atomic::AtomicBool};
+use tree_ray::Frame;
 use walk::Walk;
 
 /// Receives the triangles that a ray may hit. A closure will do, but may not be compiled for a walk's instructions: that

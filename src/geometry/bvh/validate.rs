@@ -3,8 +3,8 @@
 use super::{
     Bvh,
     node::{Child, Node, Packet, Place, WIDTH},
-    ray::Frame,
     split::DEEPEST,
+    tree_ray::Frame,
 };
 
 impl Bvh {

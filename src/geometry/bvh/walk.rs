@@ -3,8 +3,8 @@
 use super::{
     Bvh, Visit,
     node::{Line, Node, Packet, Place, WIDTH},
-    ray::{ShearedRay, TreeRay, Unplaced},
     simd::{Eight, Lanes, Stack, StackRoom, Work},
+    tree_ray::{ShearedRay, TreeRay, Unplaced},
 };
 use crate::geometry::LocalRay;
 use glam::DVec3;

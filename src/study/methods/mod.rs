@@ -6,12 +6,12 @@ pub mod boxes;
 pub mod clipping;
 pub mod closed;
 pub mod depth;
-pub mod files;
 pub mod normals;
 pub mod object_space;
 pub mod packets;
 pub mod picks;
 pub mod rays;
+pub mod reading;
 pub mod spheres;
 pub mod squares;
 pub mod triangles;
@@ -129,7 +129,7 @@ pub fn each_step(visitor: &mut impl Visitor) {
     visitor.visit::<normals::NormalCase>();
     visitor.visit::<depth::DepthCase>();
     visitor.visit::<picks::PickCase>();
-    visitor.visit::<files::FileCase>();
+    visitor.visit::<reading::FileCase>();
 }
 
 /// Every method of every step.

@@ -6,7 +6,7 @@ use crate::{
     scene::Scene,
     study::{
         Row,
-        gallery::{self, Break},
+        breaks::{self, Break},
     },
 };
 
@@ -28,7 +28,7 @@ impl Chart {
     ) -> Self {
         Self {
             of,
-            job: Job::start(move || gallery::rows(of, &scene, view), wake),
+            job: Job::start(move || breaks::rows(of, &scene, view), wake),
             rows: None,
         }
     }

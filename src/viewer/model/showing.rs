@@ -4,7 +4,7 @@ use crate::{
     camera::View,
     scene::{Scene, gallery::Exhibit},
     study::{
-        gallery::{self, Break},
+        breaks::{self, Break},
         swap::{Found, Swap},
     },
 };
@@ -92,7 +92,7 @@ impl Showing {
     /// The method before or after the present one, in a ring with this program's own.
     #[must_use]
     pub fn next_method(&self, forward: bool) -> Option<Swap> {
-        let swaps = gallery::swaps(self.exhibit.name);
+        let swaps = breaks::swaps(self.exhibit.name);
         let own = swaps.len();
         let now = self
             .method
@@ -104,7 +104,7 @@ impl Showing {
     /// Which of the breaks on this scene to show: the present method's own, else one of the same step, else the first.
     #[must_use]
     pub fn subject(&self) -> Option<&'static Break> {
-        let breaks = || gallery::breaks_on(self.exhibit.name);
+        let breaks = || breaks::breaks_on(self.exhibit.name);
         let own = || breaks().find(|known| known.swap() == self.method);
         let step = |known: &&Break| self.method.is_some_and(|swap| swap.step == known.step);
         own()

@@ -11,7 +11,7 @@ use super::{
 use crate::{
     camera::{View, Viewport},
     image::{Id, Image, Rgb},
-    render::{Gpu, GpuError, MeshStore, Renderer, flat, read_rgb},
+    render::{Gpu, GpuError, MeshStore, Renderer, read_rgb, without_depth},
     viewer::{
         jobs::{Uploaded, let_go},
         model::{OnScreen, Stage, State, Subject},
@@ -329,5 +329,5 @@ fn page(gpu: &Gpu, size: Viewport, format: TextureFormat) -> wgpu::Texture {
     let size = [size.width(), size.height()];
     let usage = Usages::TEXTURE_BINDING | Usages::COPY_SRC | Usages::COPY_DST;
     let view_formats = [format.add_srgb_suffix()];
-    flat::texture(gpu, "page", size, format, 1, usage, &view_formats)
+    without_depth::texture(gpu, "page", size, format, 1, usage, &view_formats)
 }

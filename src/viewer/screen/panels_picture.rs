@@ -6,7 +6,7 @@ use super::{
     place::{PixelRect, SceneRect},
     tiles::Tiles,
 };
-use crate::render::{Gpu, bindings::bind, flat, shader_module};
+use crate::render::{Gpu, bindings::bind, shader_module, without_depth};
 use egui::{
     ClippedPrimitive, Pos2, Rect, TextureId, TexturesDelta,
     epaint::{ImageDelta, Primitive},
@@ -47,7 +47,7 @@ impl PanelsPicture {
                 blend,
                 ..format.into()
             };
-            flat::pipeline(gpu, None, &shader, ["cover", fragment], target)
+            without_depth::pipeline(gpu, None, &shader, ["cover", fragment], target)
         };
         Self {
             renderer: Renderer::new(&gpu.device, format, RendererOptions::default()),
@@ -122,7 +122,7 @@ impl PanelsPicture {
         self.renderer
             .update_buffers(&gpu.device, &gpu.queue, &mut encoder, &painted, screen);
         {
-            let mut pass = flat::begin(&mut encoder, &kept.view, false).forget_lifetime();
+            let mut pass = without_depth::begin(&mut encoder, &kept.view, false).forget_lifetime();
             pass.set_pipeline(&self.empty);
             for &[min, max] in &rects {
                 pass.set_scissor_rect(min[0], min[1], max[0] - min[0], max[1] - min[1]);
@@ -161,7 +161,7 @@ impl PanelsPicture {
         let mut encoder = gpu.encoder();
         {
             let view = onto.create_view(&TextureViewDescriptor::default());
-            let mut pass = flat::begin(&mut encoder, &view, false);
+            let mut pass = without_depth::begin(&mut encoder, &view, false);
             pass.set_pipeline(&self.over);
             pass.set_bind_group(0, &kept.bindings, &[]);
             for [x, y, width, height] in kept.tiles.runs(place) {
@@ -178,7 +178,7 @@ impl PanelsPicture {
         {
             let [page, onto] =
                 [page, onto].map(|texture| texture.create_view(&TextureViewDescriptor::default()));
-            let mut pass = flat::begin(&mut encoder, &onto, true);
+            let mut pass = without_depth::begin(&mut encoder, &onto, true);
             pass.set_pipeline(&self.over);
             pass.set_bind_group(0, &bindings(gpu, &self.over, &page), &[]);
             pass.draw(0..3, 0..1);
@@ -199,7 +199,7 @@ impl Kept {
             screen.size_in_pixels,
             wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC,
         );
-        let texture = flat::texture(gpu, "panels", size_px, format, 1, usage, &[]);
+        let texture = without_depth::texture(gpu, "panels", size_px, format, 1, usage, &[]);
         let view = texture.create_view(&TextureViewDescriptor::default());
         Self {
             bindings: bindings(gpu, over, &view),

@@ -9,9 +9,9 @@ use super::{
     contents::{Stamp, Start},
     corners::{MOST_CORNERS, Normal, read_corners, without_comment},
     file,
-    lines::{Lines, Text},
     pieces::Counts,
-    polygon::{Splitter, has_area},
+    text_lines::{Lines, Text},
+    triangulation::{Splitter, has_area},
     words::fields,
 };
 use crate::{geometry::Mesh, scene::Progress};

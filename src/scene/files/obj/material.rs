@@ -2,7 +2,7 @@
 //!
 //! `tobj` is not used for MTL files, because it panics on `Kd 0.5` and drops a whole file for one bad line.
 
-use super::lines::{Lines, decode};
+use super::text_lines::{Lines, decode};
 use crate::{
     colour::Srgb,
     scene::{

@@ -25,22 +25,22 @@
 //! - **Colours** are `Kd`, as sRGB. Textures and transparency are not shown; one warning each says so.
 
 mod again;
+mod assembling;
 mod block;
-mod build;
 mod contents;
 mod corners;
 mod delaunay;
 mod in_file;
-mod lines;
 mod material;
 mod names;
 mod notes;
 mod outline;
 mod pieces;
 mod places;
-mod polygon;
 #[cfg(test)]
 mod tests;
+mod text_lines;
+mod triangulation;
 mod vertices;
 mod wash;
 mod words;
@@ -54,7 +54,6 @@ use block::Block;
 pub use contents::Contents;
 use contents::Stamp;
 pub use in_file::AgainError;
-use lines::{decode, is_utf16};
 use outline::Outline;
 use pieces::Pieces;
 use std::{
@@ -66,6 +65,7 @@ use std::{
     },
     time::Instant,
 };
+use text_lines::{decode, is_utf16};
 
 /// A larger file is refused: it could have more triangles than a 32-bit index can count.
 const MOST_BYTES: u64 = 1 << 32;
@@ -268,7 +268,7 @@ fn read<R: BufRead + Send>(
         known = Some(outline.vertices);
     };
     let (read, start) = (start.elapsed(), Instant::now());
-    let built = build::build(path, blocks, outline, detail, (progress, bytes));
+    let built = assembling::build(path, blocks, outline, detail, (progress, bytes));
     let built = built.map_err(|error| match (error, looks_like) {
         (
             ObjError::NotObj { file, .. }

@@ -1,7 +1,7 @@
 //! Cuts a file into pieces of whole lines. Each piece has the counts of what comes before it (lines, vertices, normals,
 //! faces), so that the pieces can be parsed in parallel and in any order.
 
-use super::{Stop, lines::Lines, words::fields};
+use super::{Stop, text_lines::Lines, words::fields};
 use crate::scene::Progress;
 use std::io::Read;
 

@@ -12,11 +12,11 @@
 use super::{
     BadLine,
     corners::{MOST_CORNERS, Normal, read_corners, without_comment},
-    lines::Lines,
     names::Said,
     outline::Outline,
     pieces::{Counts, Piece},
     places::Places,
+    text_lines::Lines,
     words::{Number, fields},
 };
 use std::ops::Range;

@@ -10,8 +10,8 @@ use crate::{
     scene::gallery::GALLERY,
     study::{
         Row,
+        breaks::{as_good, breaks_on, swaps},
         chart::family,
-        gallery::{as_good, breaks_on, swaps},
         step::MethodInfo,
         swap::{Found, Swap},
     },

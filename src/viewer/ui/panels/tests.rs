@@ -12,7 +12,7 @@ use crate::{
     camera::{CameraChoice, Viewport},
     geometry::Sides,
     scene::{self, Progress},
-    study::gallery::BREAKS,
+    study::breaks::BREAKS,
     viewer::{
         jobs::Checking,
         model::{Action, State},

@@ -1,7 +1,7 @@
 //! Tests that a face read again equals the text of the file, as a simple reader without pieces finds it.
 
 use super::{
-    super::{Again, AgainError, Stamp, lines::Text},
+    super::{Again, AgainError, Stamp, text_lines::Text},
     any_file, read_in,
 };
 use crate::scene::{FileError, Progress};

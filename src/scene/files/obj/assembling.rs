@@ -8,7 +8,7 @@ use super::{
     names::Names,
     notes::{self, LeftOut},
     outline::Outline,
-    polygon::{Splitter, has_area},
+    triangulation::{Splitter, has_area},
     vertices::Stored,
 };
 use crate::{
