@@ -112,7 +112,7 @@ fn a_bad_file_is_exit_code_3_and_named() {
         ),
         (
             "pick no_face.toml --at 1,1",
-            "no_face.toml: section: there is no object 3",
+            "no_face.toml:1: section: there is no object 3",
         ),
         ("pick missing.toml --at 1,1", "missing.toml"),
         ("missing.obj", "missing.obj"),
@@ -165,6 +165,21 @@ fn a_picture_too_large_for_memory_is_refused() {
     let said = crate::error(&run_within(&folder, 3_000_000, args), 2, args);
     assert!(said.contains("16384x16384 needs 6174 MB"), "{said}");
     assert!(!folder.path("out.png").exists());
+}
+
+/// The parser of scene files takes many bytes for each byte of text.
+#[test]
+fn a_scene_file_too_large_for_memory_is_refused() {
+    let folder = Folder::new();
+    std::fs::write(folder.path("long.toml"), "\n".repeat(20_000_000)).unwrap();
+    let said = crate::error(&run_within(&folder, 1_000_000, "list long.toml"), 3, "list");
+    assert!(said.contains("long.toml: cannot be read: "), "{said}");
+    std::fs::write(folder.path("short.toml"), "\n".repeat(2_000_000)).unwrap();
+    assert!(
+        run_within(&folder, 1_000_000, "list short.toml")
+            .status
+            .success()
+    );
 }
 
 /// A camera that cannot be is refused by the line where the file has it.
