@@ -225,14 +225,16 @@ fn files_too_large_to_be_meant() {
     );
 }
 
-/// Files of the system whose size says 0 bytes. The second one holds about 256 GB.
+/// Files of the system whose size says 0 bytes. One holds about 256 GB, one the name of this thread.
 #[cfg(target_os = "linux")]
 #[test]
 fn files_longer_than_their_size_says() {
-    for target in ["/proc/self/status", "/proc/self/pagemap"] {
+    let thread = fs::canonicalize("/proc/thread-self").expect("this thread");
+    fs::write(thread.join("comm"), "newmtl a").expect("its name");
+    for target in [thread.join("comm"), "/proc/self/pagemap".into()] {
         let folder = Folder::new(&[("some.obj", format!("mtllib link.mtl\n{CUBE}").as_bytes())]);
         for name in ["link.obj", "link.mtl"] {
-            std::os::unix::fs::symlink(target, folder.path(name)).expect("a link");
+            std::os::unix::fs::symlink(&target, folder.path(name)).expect("a link");
         }
         let refused = folder.load("link.obj").expect_err("it is refused");
         assert_eq!(folder.relative(&refused), "link.obj: the file is empty");

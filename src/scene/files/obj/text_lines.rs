@@ -119,7 +119,7 @@ struct Utf16<R> {
 impl<R: Read> Read for Utf16<R> {
     fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
         let read = self.text.read(into)?;
-        if read > 0 {
+        if read > 0 || into.is_empty() {
             return Ok(read);
         }
         let mut bytes = Vec::new();
