@@ -9,6 +9,8 @@ mod exact;
 mod flags;
 mod in_file;
 mod pictures;
+#[path = "../common/real_files.rs"]
+mod real_files;
 mod refusals;
 mod section;
 mod snap;

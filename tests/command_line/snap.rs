@@ -1,6 +1,6 @@
 //! `pick --snap` leads positions to vertices, edges and faces, and measures them as the file has them.
 
-use super::Folder;
+use super::{Folder, real_files::real_files};
 use serde_json::{Value, json};
 
 /// A house front: a wall of one quad, and a roof of one polygon of five corners above it, somewhere on a map.
@@ -195,16 +195,33 @@ fn the_edges_of_a_polygon_with_a_hole_are_its_own() {
         let [a, b] = found;
         assert_eq!([a.min(b), a.max(b)], ends.map(u64::from));
     }
-    // A polygon with a hole from a real file: the first position snaps to an edge, the second need only be answered.
-    let Some(shared) = std::env::var_os("SIGHTLINE_SHARED") else {
-        println!("real files: absent");
+    // A polygon with a hole from a real file. Both positions are near the hole's edge from vertex 32 to vertex 35: the
+    // first a little inside the ring, the second on the edge.
+    let Some(shared) = real_files() else {
         return;
     };
-    let model = std::path::Path::new(&shared).join("models/concave_polygon.obj");
+    let model = shared.join("models/concave_polygon.obj");
     let look = "--size 600x600 --ortho 1.6 --eye=5,2.4,2.35 --look=-1,0,0 --snap 2";
-    let at = "44.664375,270.8525 44.66,274.85";
-    let lines = folder.json(&format!("pick {} {look} --at {at}", model.display()));
-    assert_eq!(lines[0]["snap"]["to"], "edge", "{}", lines[0]);
+    let at: [[f64; 2]; 2] = [[44.664_375, 270.8525], [44.66, 274.85]];
+    let words = at.map(|[x, y]| format!("{x},{y}")).join(" ");
+    let lines = folder.json(&format!("pick {} {look} --at {words}", model.display()));
+    assert_eq!(lines.len(), at.len());
+    for (line, [x, y]) in lines.iter().zip(at) {
+        let snap = &line["snap"];
+        let ends = [0, 1].map(|i| snap["vertices"][i]["vertex"].clone());
+        assert_eq!(
+            (&snap["to"], ends),
+            (&json!("edge"), [json!(32), json!(35)])
+        );
+        let length = 0.134_768_981_965_435_94;
+        is(&snap["length"], length, 2e-17);
+        // As z and y in the plane of the ring: 375 pixels a unit, and the vertices as the file has them.
+        let [z, y] = [2.35 + (300.0 - x) / 375.0, 2.4 + (300.0 - y) / 375.0];
+        let aside = (z - 3.0375) * (2.534_12 - 2.4) - (y - 2.4) * (3.024_29 - 3.0375);
+        let away = 375.0 * aside.abs() / length;
+        let found = snap["away_px"].as_f64().unwrap();
+        assert!((found - away).abs() < 1e-4, "{found}, not {away}");
+    }
 }
 
 /// An outline that goes out and straight back encloses no area there.

@@ -3,7 +3,7 @@
 use super::{Folder, SCENE, error, json};
 use std::{
     io::{BufRead, BufReader, Write},
-    process::Stdio,
+    process::{ExitCode, Stdio},
     sync::mpsc,
     thread,
     time::Duration,
@@ -51,10 +51,17 @@ fn standard_input_gives_positions() {
     );
 }
 
+/// Each run ends with its own exit code, whatever the runs before it said.
 #[test]
 fn a_process_may_run_several_commands() {
-    for _ in 0..2 {
-        let _ = sightline::cli::run(["sightline", "list", "nowhere.obj"].map(Into::into));
+    for (scene, code) in [
+        ("nowhere.obj", 3),
+        ("gallery:needles", 0),
+        ("nowhere.obj", 3),
+        ("gallery:needles", 0),
+    ] {
+        let ended = sightline::cli::run(["sightline", "list", scene].map(Into::into));
+        assert_eq!(ended, ExitCode::from(code), "{scene}");
     }
 }
 

@@ -24,6 +24,26 @@ pub fn read(path: &Path) -> Image<Rgb> {
     Image::new(size, bytes.as_chunks().0.to_vec())
 }
 
+/// How many pixels two pictures of one size show differently.
+#[track_caller]
+pub fn differing<T: Copy + PartialEq>(a: &Image<T>, b: &Image<T>) -> usize {
+    differing_where(a, b, |a, b, _| a != b)
+}
+
+/// How many pixels of two pictures of one size differ by a rule, which is given both pixels and their column and row.
+#[track_caller]
+pub fn differing_where<T: Copy>(
+    a: &Image<T>,
+    b: &Image<T>,
+    differ: impl Fn(T, T, [u32; 2]) -> bool,
+) -> usize {
+    assert_eq!(a.size(), b.size(), "pictures of one size");
+    let differ = a
+        .positions()
+        .filter(|&(x, y)| differ(a.at(x, y), b.at(x, y), [x, y]));
+    differ.count()
+}
+
 /// Whether two colours are more than `most` of 255 apart in a channel. A driver's shading differs by a level between
 /// processors, so pictures are never compared byte for byte.
 pub fn apart(a: Rgb, b: Rgb, most: u8) -> bool {

@@ -1,5 +1,9 @@
 //! Helpers that tests share.
-#![allow(dead_code, reason = "each test uses its share")]
+#![allow(dead_code, unused_imports, reason = "each test uses its share")]
+
+mod real_files;
+
+pub use real_files::real_files;
 
 use glam::{DAffine3, DMat3, DVec3, dvec3};
 use sightline::{
@@ -7,7 +11,7 @@ use sightline::{
     geometry::{Mesh, MeshData, Placement, Ray},
     scene::{Object, Scene, Shape},
 };
-use std::{collections::HashMap, path::PathBuf, sync::Arc};
+use std::{collections::HashMap, sync::Arc};
 
 /// A perspective lens with reversed depth; `fov` in degrees.
 pub fn perspective(fov: f64, near: f64, far: f64) -> Lens {
@@ -39,16 +43,6 @@ pub fn view(eye: [f64; 3], target: [f64; 3], lens: Lens, size: [u32; 2]) -> View
         sides: sightline::geometry::Sides::Both,
         section: None,
     }
-}
-
-/// The folder of real files; `None` where there is none, which the test must say ("real files: absent").
-pub fn shared() -> Option<PathBuf> {
-    let folder = std::env::var_os("SIGHTLINE_SHARED").map(PathBuf::from)?;
-    assert!(
-        folder.join("models").is_dir(),
-        "SIGHTLINE_SHARED is set but holds no models"
-    );
-    Some(folder)
 }
 
 /// Random numbers that are the same in every run (xorshift64*, Vigna 2016).

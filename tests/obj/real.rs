@@ -1,6 +1,6 @@
 //! Files made by other programs load with the counts that another reader found. Hostile files get their known verdict.
 
-use super::{bounds, common::shared};
+use super::{bounds, common::real_files};
 use sightline::scene::{Progress, obj::load};
 use std::{fmt::Write, fs, path::Path};
 
@@ -16,12 +16,16 @@ fn table(path: &Path) -> Vec<Vec<String>> {
 
 #[test]
 fn models_hold_what_they_should() {
-    let Some(shared) = shared() else {
-        println!("real files: absent");
+    let Some(shared) = real_files() else {
         return;
     };
     let models = shared.join("models");
-    for row in table(&models.join("expect.tsv")) {
+    let rows = table(&models.join("expect.tsv"));
+    let files = fs::read_dir(&models).expect("a folder");
+    let files = files.map(|entry| entry.expect("an entry").path());
+    let files = files.filter(|path| path.extension().is_some_and(|extension| extension == "obj"));
+    assert!(!rows.is_empty() && rows.len() == files.count(), "{rows:?}");
+    for row in rows {
         let name = &*row[0];
         let number = |column: usize| row[column].parse::<f64>().expect("a number");
         let count = |column: usize| row[column].parse::<usize>().expect("a count");
@@ -76,8 +80,7 @@ const EXCEPTIONS: [(&str, &str); 2] = [
 
 #[test]
 fn hostile_files_get_their_verdict() {
-    let Some(shared) = shared() else {
-        println!("real files: absent");
+    let Some(shared) = real_files() else {
         return;
     };
     let hostile = shared.join("hostile");

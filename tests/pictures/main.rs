@@ -16,7 +16,7 @@ mod scenes;
 
 use common::{orthographic, perspective, view};
 use glam::DVec3;
-use images::apart;
+use images::{apart, differing};
 use scenes::{gpu, shapes};
 use sightline::{
     camera::View,
@@ -64,10 +64,34 @@ fn draw(
     )
 }
 
-/// The number of pixels in which two pictures differ.
-fn differing<T: Copy + PartialEq>(a: &Image<T>, b: &Image<T>) -> usize {
-    let pairs = a.pixels().iter().zip(b.pixels());
-    pairs.filter(|(a, b)| a != b).count()
+/// What is kept of a scene from one drawing to the next.
+struct Kept<'a> {
+    gpu: &'a Gpu,
+    view: View,
+    renderer: Renderer,
+    buffers: SceneBuffers,
+    targets: Targets,
+}
+
+impl<'a> Kept<'a> {
+    fn new(gpu: &'a Gpu, scene: &Scene, view: View) -> Self {
+        Self {
+            gpu,
+            view,
+            renderer: Renderer::new(gpu, 1),
+            buffers: SceneBuffers::upload(gpu, scene).expect("fits"),
+            targets: Targets::new(gpu, view.viewport, 1).expect("fits"),
+        }
+    }
+
+    /// The ids of the scene, which may have changed since it was drawn last.
+    fn ids(&mut self, scene: &Scene) -> Image<Id> {
+        let (gpu, buffers, targets) = (self.gpu, &mut self.buffers, &self.targets);
+        buffers.update(gpu, scene).expect("fits");
+        let drawn = self.renderer.draw(gpu, buffers, targets, &self.view, &[]);
+        drawn.expect("draws");
+        targets.read_ids(gpu).expect("ids")
+    }
 }
 
 /// Writes a picture to the folder `SIGHTLINE_PICTURES`, for people to look at.
@@ -133,18 +157,8 @@ fn drawn_colours_equal_cast_colours() {
 fn hidden_objects_are_absent() {
     let gpu = gpu();
     let mut scene = shapes(DVec3::ZERO);
-    let view = overview([320, 200]);
-    let mut renderer = Renderer::new(&gpu, 1);
-    let mut buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
-    let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
-    let mut drawn = |scene: &Scene, renderer: &mut Renderer| {
-        buffers.update(&gpu, scene).expect("fits");
-        renderer
-            .draw(&gpu, &buffers, &targets, &view, &[])
-            .expect("draws");
-        targets.read_ids(&gpu).expect("ids")
-    };
-    let all = drawn(&scene, &mut renderer);
+    let mut kept = Kept::new(&gpu, &scene, overview([320, 200]));
+    let all = kept.ids(&scene);
     // A mesh, a sphere, a cube, a square, and the first part of a batch of two.
     for hidden in [1, 2, 7, 9, 10] {
         let id = u32::try_from(hidden + 1).expect("small");
@@ -154,9 +168,9 @@ fn hidden_objects_are_absent() {
         );
         scene.set_visible(hidden, false);
     }
-    let left = drawn(&scene, &mut renderer);
+    let left = kept.ids(&scene);
     assert!(
-        differing(&left, &pick::raycast(&scene, &view).0) < 20,
+        differing(&left, &pick::raycast(&scene, &kept.view).0) < 20,
         "hidden for both"
     );
     for hidden in [2, 3, 8, 10, 11] {
@@ -168,11 +182,7 @@ fn hidden_objects_are_absent() {
     for hidden in [1, 2, 7, 9, 10] {
         scene.set_visible(hidden, true);
     }
-    assert_eq!(
-        differing(&drawn(&scene, &mut renderer), &all),
-        0,
-        "shown again"
-    );
+    assert_eq!(differing(&kept.ids(&scene), &all), 0, "shown again");
 }
 
 #[test]

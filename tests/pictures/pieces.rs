@@ -91,9 +91,7 @@ fn objects_that_move_are_drawn_where_they_are() {
     let gpu = gpu();
     let mut scene = shapes(DVec3::ZERO);
     let view = overview([320, 200]);
-    let mut renderer = Renderer::new(&gpu, 1);
-    let mut buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
-    let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
+    let mut kept = Kept::new(&gpu, &scene, view);
     let mut before = draw(&gpu, &scene, &view, &[], &Marks::default(), 1).0;
     let mirror = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
     let up = DAffine3::from_translation(DVec3::new(0.1, 0.3, 0.0));
@@ -104,11 +102,7 @@ fn objects_that_move_are_drawn_where_they_are() {
             scene.place(object, Placement::new(model).expect("invertible"));
         }
         scene.set_visible(2, by == mirror);
-        buffers.update(&gpu, &scene).expect("fits");
-        renderer
-            .draw(&gpu, &buffers, &targets, &view, &[])
-            .expect("draws");
-        let drawn = targets.read_ids(&gpu).expect("ids");
+        let drawn = kept.ids(&scene);
         let fresh = draw(&gpu, &scene, &view, &[], &Marks::default(), 1).0;
         assert_eq!(differing(&drawn, &fresh), 0);
         assert!(differing(&drawn, &before) > 300, "they moved");

@@ -262,8 +262,7 @@ fn slivers_and_coplanar_faces() {
 
 #[test]
 fn real_files() {
-    let Some(folder) = common::shared() else {
-        println!("real files: absent");
+    let Some(folder) = common::real_files() else {
         return;
     };
     let mut paths: Vec<_> = std::fs::read_dir(folder.join("models"))

@@ -130,8 +130,7 @@ fn of_own_scenes() {
 
 #[test]
 fn of_real_files() {
-    let Some(folder) = common::shared() else {
-        println!("real files: absent");
+    let Some(folder) = common::real_files() else {
         return;
     };
     let mut tally = Tally::default();

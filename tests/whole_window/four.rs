@@ -1,38 +1,27 @@
 //! Four views stand side by side. All of them are live, each turns alone, and a point has one colour in all.
 
-use super::*;
-use egui::{Rect, vec2};
-use glam::DVec3;
-use sightline::image::{Image, Rgb};
+use super::{images::differing, *};
+use egui::vec2;
 
-const NAMES: [&str; 4] = ["object", "world", "view", "NDC"];
+pub(super) const NAMES: [&str; 4] = ["object", "world", "view", "NDC"];
 
-/// How many pixels of a rectangle two pictures show differently.
-pub fn differing(a: &Image<Rgb>, b: &Image<Rgb>, rect: Rect) -> usize {
-    let width = a.size().width() as usize;
-    let differ = a.pixels().iter().zip(b.pixels()).enumerate();
-    #[expect(clippy::cast_precision_loss, reason = "windows are small")]
-    let is_in = |i: usize| rect.contains(pos2((i % width) as f32 + 0.5, (i / width) as f32 + 0.5));
-    differ.filter(|(i, (a, b))| a != b && is_in(*i)).count()
-}
-
-fn rects(window: &Offscreen) -> [Rect; 4] {
+pub(super) fn rects(window: &Offscreen) -> [Rect; 4] {
     NAMES.map(|name| control(window, &format!("stage {name}")).rect)
 }
 
 /// The views in which two pictures differ.
 fn changed(a: &Image<Rgb>, b: &Image<Rgb>, rects: [Rect; 4]) -> [bool; 4] {
     // Below their headings.
-    rects.map(|rect| differing(a, b, rect.with_min_y(rect.top() + 36.0).shrink(2.0)) > 60)
+    rects.map(|rect| differing_in(a, b, rect.with_min_y(rect.top() + 36.0).shrink(2.0)) > 60)
 }
 
-fn four() -> (Offscreen, TempDir) {
+pub(super) fn four() -> (Offscreen, TempDir) {
     let (mut window, folder) = row(1.0);
     press_key(&mut window, Modifiers::NONE, Key::Num4);
     (window, folder)
 }
 
-fn away(window: &mut Offscreen) -> Image<Rgb> {
+pub(super) fn away(window: &mut Offscreen) -> Image<Rgb> {
     window.send([Event::PointerGone]);
     window.picture().expect("a picture")
 }
@@ -50,7 +39,7 @@ fn a_key_shows_four_views_with_the_matrices_and_takes_them_away() {
     assert!((object.area() / ndc.area() - 1.0).abs() < 0.02);
     press_key(&mut window, Modifiers::NONE, Key::Num4);
     assert!(!has_control(&window, "P, row z") && !has_control(&window, "stage world"));
-    assert_eq!(differing(&away(&mut window), &before, Rect::EVERYTHING), 0);
+    assert_eq!(differing(&away(&mut window), &before), 0);
     // If the matrices were open before, they stay.
     press_key(&mut window, Modifiers::NONE, Key::P);
     press_key(&mut window, Modifiers::NONE, Key::Num4);
@@ -121,7 +110,7 @@ fn all_views_are_live_and_each_turns_alone() {
     );
     let slid = away(&mut window);
     assert_eq!(changed(&first, &slid, places), [false, true, true, true]);
-    assert!(differing(&first, &slid, p_row) > 20, "P's numbers");
+    assert!(differing_in(&first, &slid, p_row) > 20, "P's numbers");
     // The camera moves, so in view space the world moves.
     press_key(&mut window, Modifiers::NONE, Key::Num7);
     let above = away(&mut window);
@@ -185,13 +174,9 @@ fn one_made_large_is_the_single_stage_and_comes_back() {
         };
         let mut single = Offscreen::open(options, px(SIZE, 1.0), 1.0);
         let single = single.picture().expect("a picture");
-        assert_eq!(differing(&single, &large, Rect::EVERYTHING), 0, "{name}");
+        assert_eq!(differing(&single, &large), 0, "{name}");
         click_on(&mut window, &format!("four views beside {name}"));
-        assert_eq!(
-            differing(&away(&mut window), &all, Rect::EVERYTHING),
-            0,
-            "{name}"
-        );
+        assert_eq!(differing(&away(&mut window), &all), 0, "{name}");
     }
     // A double click beside the objects does the same, and selects nothing.
     let corner = rects(&window)[3].right_bottom() - vec2(6.0, 6.0);
@@ -200,80 +185,6 @@ fn one_made_large_is_the_single_stage_and_comes_back() {
     assert_eq!(selected(&window), None);
     double_click(&mut window, corner);
     assert_eq!(window.state().views(), Views::Four);
-}
-
-#[test]
-fn a_point_has_one_colour_in_all_views_and_the_numbers() {
-    let (mut window, _folder) = four();
-    // This leaves room between the near plane and the cube.
-    type_into(&mut window, "near", "4");
-    press_key(&mut window, Modifiers::NONE, Key::Enter);
-    let places = rects(&window);
-    // The point lies on the cube's front, where the world view shows it.
-    let state = window.state();
-    let front = state.scene().bounds_of(0).corners()[7]
-        .with_x(0.2)
-        .with_y(0.1);
-    let seen = state.pane_view(Stage::World).expect("a view");
-    let at = seen.project(front).expect("in front").px;
-    #[expect(clippy::cast_possible_truncation, reason = "points are f32")]
-    let at = places[1].min + vec2(at.x as f32, at.y as f32);
-    click(&mut window, at);
-    assert_eq!(selected(&window), Some("front"));
-    let picture = away(&mut window);
-    let amber = sightline::look::SELECTION.0;
-    let colour_at = |stage: Stage, at: Option<DVec3>, aside: f64| {
-        let seen = window.state().pane_view(stage).expect("a view");
-        let px = seen.project(at?)?.px + DVec2::new(aside, 0.0);
-        let place = places[stage as usize].min;
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "within the window"
-        )]
-        let [x, y] = [place.x + px.x as f32, place.y + px.y as f32].map(|at| at as u32);
-        Some(picture.at(x, y))
-    };
-    let state = window.state();
-    let world = state.followed_world().expect("a point");
-    let ray = state.view().ray(picked_px(&window).expect("a pick"));
-    let pixel = ray.at(ray.t_min);
-    let in_object = |world| state.scene().objects()[0].placement.point_to_object(world);
-    for (stage, point, pixel) in [
-        (Stage::Object, Some(in_object(world)), None),
-        (Stage::World, Some(world), Some(pixel)),
-        (Stage::View, Some(world), Some(pixel)),
-        (Stage::Ndc, state.ndc_drawn(world), state.ndc_drawn(pixel)),
-    ] {
-        // A ring marks the point, and a dot its pixel.
-        let is_amber = |at, aside: i32| colour_at(stage, at, aside.into()) == Some(amber);
-        assert!((-4..=4).any(|aside| is_amber(point, aside)), "{stage:?}");
-        let has_pixel = stage != Stage::Object;
-        assert_eq!(
-            (-1..=1).any(|aside| is_amber(pixel, aside)),
-            has_pixel,
-            "{stage:?}"
-        );
-    }
-    let title = control(&window, "The pick: front").rect;
-    let (x, y) = (title.left() - 8.0, title.center().y);
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "within the window"
-    )]
-    let dots = (0..12).map(|by| picture.at(x as u32 - by, y as u32));
-    assert!(dots.filter(|dot| *dot == amber).count() >= 4);
-    // In each view the point's numbers stand beside it.
-    let view = window.state().view();
-    let ndc = view.project(world).expect("in front").ndc;
-    let object = window.state().followed().expect("a point").point_object;
-    for point in [object, world, view.camera.to_view(world), ndc] {
-        control(
-            &window,
-            &format!("({:.3}, {:.3}, {:.3})", point.x, point.y, point.z),
-        );
-    }
 }
 
 #[test]
@@ -303,51 +214,8 @@ fn a_row_under_the_cursor_lights_what_it_does() {
             assert_eq!(changed, expected, "{name}");
         }
     }
-    assert_eq!(differing(&away(&mut window), &dark, Rect::EVERYTHING), 0);
+    assert_eq!(differing(&away(&mut window), &dark), 0);
     assert_eq!(window.state().row(), None);
-}
-
-#[test]
-fn a_double_click_on_nothing_makes_a_view_large_and_keeps_the_pick() {
-    let (mut window, _folder) = row(1.0);
-    for at in [MIDDLE, MIDDLE + vec2(20.0, 10.0)] {
-        click(&mut window, at);
-        window.wait_s(1.0);
-    }
-    press_key(&mut window, Modifiers::NONE, Key::Num4);
-    let kept = |window: &Offscreen| {
-        let state = window.state();
-        let landmarks = state.landmarks().to_vec();
-        let hits = state.hits().map(|hits| (hits.px, hits.at));
-        (
-            state.selection().cloned(),
-            hits,
-            state.followed(),
-            landmarks,
-        )
-    };
-    let before = kept(&window);
-    assert!(before.0.as_ref().is_some_and(|is| is.pick.is_some()) && before.3.len() == 2);
-    for (i, stage) in [Stage::Object, Stage::World, Stage::View, Stage::Ndc]
-        .into_iter()
-        .enumerate()
-    {
-        let nothing = rects(&window)[i].right_bottom() - vec2(8.0, 8.0);
-        window.send([Event::PointerMoved(nothing)]);
-        assert_eq!(window.state().cursor(), None, "there is nothing");
-        double_click(&mut window, nothing);
-        assert_eq!(window.state().views(), Views::One(stage));
-        assert_eq!(kept(&window), before, "{stage:?}");
-        let large = control(&window, &format!("stage {}", NAMES[i])).rect;
-        double_click(&mut window, large.right_bottom() - vec2(8.0, 8.0));
-        assert_eq!(window.state().views(), Views::Four);
-        assert_eq!(kept(&window), before, "{stage:?}");
-    }
-    // A single click there selects nothing.
-    window.wait_s(1.0);
-    let nothing = rects(&window)[1].right_bottom() - vec2(8.0, 8.0);
-    click(&mut window, nothing);
-    assert_eq!(window.state().selection(), None);
 }
 
 /// Shift+F12 writes what the window shows in the picture's place: the four views with their labels.
@@ -377,39 +245,8 @@ fn the_views_are_saved_alone_with_their_labels() {
         );
         // The message about the last picture lies over the window. The next picture must not show it.
         let part = shown.part([left, top], saved.size());
-        let differ = (saved.pixels().iter().zip(part.pixels()))
-            .filter(|(a, b)| a != b)
-            .count();
-        assert_eq!(differ, 0, "picture {number}");
+        assert_eq!(differing(&saved, &part), 0, "picture {number}");
     }
-}
-
-#[test]
-fn the_same_pixel_of_a_view_again_is_the_surface_behind() {
-    let (mut window, _folder) = four();
-    let [_, world, ..] = rects(&window);
-    let point = |window: &Offscreen| {
-        let view = window.state().pane_view(Stage::World)?;
-        Some(view.project(DVec3::new(0.1, 0.1, 2.5))?.px)
-    };
-    let at = point(&window).expect("the front cube shows in world");
-    #[expect(clippy::cast_possible_truncation, reason = "points of a window")]
-    let at = world.min + vec2(at.x as f32, at.y as f32);
-    click(&mut window, at);
-    let hits = |window: &Offscreen| {
-        window
-            .state()
-            .hits()
-            .map(|hits| (hits.at, hits.picks.len()))
-    };
-    let (first, count) = hits(&window).expect("a pick");
-    assert!(count > 2, "{count}");
-    window.wait_s(1.0);
-    click(&mut window, at);
-    assert_eq!(hits(&window), Some(((first + 1) % count, count)));
-    // The second click of a double click picks what shows there.
-    double_click(&mut window, at);
-    assert_eq!(hits(&window), Some((first, count)));
 }
 
 #[test]

@@ -64,7 +64,7 @@ fn watch(window: &mut Offscreen, old: &[[u8; 3]]) -> Seen {
 fn check(window: &Offscreen, seen: &Seen, objects: usize) {
     let whole = 2 * u64::from(SIDE * SIDE);
     assert!(seen.before > 1 && seen.drawn >= whole, "{seen:?}");
-    if window.adapter_name().contains("llvmpipe") {
+    if window.is_software() {
         assert!(seen.pieces > 1 && seen.most <= 3 * whole / 4, "{seen:?}");
     }
     assert_eq!(window.state().scene().objects().len(), objects);
@@ -107,13 +107,14 @@ fn a_large_stage_is_taken_into_graphics_memory_beside_the_window() {
     for stage in ["view", "NDC", "picture"] {
         let before = window.drawn().expect("a picture");
         click_on(&mut window, &format!("show {stage}"));
-        while {
+        let is_shown = (0..100_000).any(|_| {
             window.draw().expect("a frame");
             assert!(window.uploaded_work() < LITTLE, "{stage}");
-            !window.shows_scene()
-        } {}
+            window.shows_scene()
+        });
+        assert!(is_shown, "{stage}");
         let picture = egui::Rect::from_center_size(MIDDLE, vec2(300.0, 300.0));
-        let differ = four::differing(&before, &window.drawn().expect("a picture"), picture);
+        let differ = differing_in(&before, &window.drawn().expect("a picture"), picture);
         assert!(differ > 3000, "{stage}: {differ}");
     }
 }

@@ -8,6 +8,7 @@ mod earlier_view;
 mod events;
 mod files;
 mod four;
+mod four_picks;
 mod gallery;
 #[path = "../common/images.rs"]
 mod images;
@@ -33,10 +34,11 @@ mod section;
 mod stalls;
 mod tour;
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, pos2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Role, pos2};
 use glam::DVec2;
 use sightline::{
     camera::Viewport,
+    image::{Image, Rgb},
     viewer::{
         Control, Offscreen, Options,
         model::{Stage, Views},
@@ -202,6 +204,13 @@ fn press_key(window: &mut Offscreen, modifiers: Modifiers, key: Key) {
 )]
 fn whole(at: Pos2) -> [u32; 2] {
     [at.x.round() as u32, at.y.round() as u32]
+}
+
+/// How many pixels of a rectangle of the window, at scale 1, two pictures of it show differently.
+fn differing_in(a: &Image<Rgb>, b: &Image<Rgb>, rect: Rect) -> usize {
+    #[expect(clippy::cast_precision_loss, reason = "windows are small")]
+    let is_in = |[x, y]: [u32; 2]| rect.contains(pos2(x as f32 + 0.5, y as f32 + 0.5));
+    images::differing_where(a, b, |a, b, at| a != b && is_in(at))
 }
 
 fn selected(window: &Offscreen) -> Option<&str> {

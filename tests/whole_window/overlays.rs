@@ -1,7 +1,7 @@
 //! Lines over the scene, such as boxes, normals and the grid, appear where they should and disappear again.
 
 use super::*;
-use egui::{Rect, vec2};
+use egui::vec2;
 use glam::DVec3;
 use sightline::{
     image::{Image, Rgb},
@@ -99,17 +99,14 @@ fn place_of(window: &Offscreen, object: usize) -> Rect {
 }
 
 /// How many pixels around the middle of the picture differ visibly outside of `objects`.
-fn differing(a: &Image<Rgb>, b: &Image<Rgb>, objects: &[Rect]) -> usize {
-    let pixels = (60..580_u16).flat_map(|y| (240..940_u16).map(move |x| (x, y)));
-    let beside = pixels.filter(|(x, y)| {
-        let at = pos2(f32::from(*x), f32::from(*y));
-        !objects.iter().any(|object| object.contains(at))
-    });
-    let differ = beside.filter(|(x, y)| {
-        let [a, b] = [a, b].map(|picture| picture.at(u32::from(*x), u32::from(*y)));
-        images::apart(a, b, 12)
-    });
-    differ.count()
+fn differing_beside(a: &Image<Rgb>, b: &Image<Rgb>, objects: &[Rect]) -> usize {
+    let around = Rect::from_min_max(pos2(240.0, 60.0), pos2(939.5, 579.5));
+    #[expect(clippy::cast_precision_loss, reason = "windows are small")]
+    let counts = |[x, y]: [u32; 2]| {
+        let at = pos2(x as f32, y as f32);
+        around.contains(at) && !objects.iter().any(|object| object.contains(at))
+    };
+    images::differing_where(a, b, |a, b, at| images::apart(a, b, 12) && counts(at))
 }
 
 /// The grid keeps its place and size when an object is hidden or moved, even an object that lies far apart and makes up
@@ -132,14 +129,14 @@ fn the_grid_stays_when_an_object_is_hidden_or_moved() {
     let before = seen(&mut window);
     let mut objects: Vec<_> = (0..4).map(|object| place_of(&window, object)).collect();
     press_key(&mut window, Modifiers::NONE, Key::G);
-    let of_grid = differing(&before, &seen(&mut window), &objects);
+    let of_grid = differing_beside(&before, &seen(&mut window), &objects);
     press_key(&mut window, Modifiers::NONE, Key::G);
     assert!(of_grid > 1500, "{of_grid}");
 
     click_on(&mut window, "distant");
     press_key(&mut window, Modifiers::SHIFT, Key::H);
     assert!(!window.state().scene().objects()[3].visible);
-    let hidden = differing(&before, &seen(&mut window), &objects);
+    let hidden = differing_beside(&before, &seen(&mut window), &objects);
     assert!(20 * hidden < of_grid, "hidden: {hidden} of {of_grid}");
 
     press_key(&mut window, Modifiers::NONE, Key::U);
@@ -148,7 +145,7 @@ fn the_grid_stays_when_an_object_is_hidden_or_moved() {
     type_into(&mut window, "position x", "61");
     press_key(&mut window, Modifiers::NONE, Key::Enter);
     objects.push(place_of(&window, 3));
-    let moved = differing(&before, &seen(&mut window), &objects);
+    let moved = differing_beside(&before, &seen(&mut window), &objects);
     assert!(20 * moved < of_grid, "moved: {moved} of {of_grid}");
     assert!(window.state().scene().objects()[3].visible);
 }

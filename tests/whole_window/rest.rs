@@ -1,6 +1,6 @@
 //! At rest a picture has smooth edges, in software too, and no action has to wait for them.
 
-use super::*;
+use super::{images::differing, *};
 use sightline::{
     image::{Image, Rgb},
     look, render,
@@ -10,15 +10,6 @@ use sightline::{
 fn next(window: &mut Offscreen) -> Image<Rgb> {
     window.draw().expect("a frame");
     window.drawn().expect("a picture")
-}
-
-fn is_software(window: &Offscreen) -> bool {
-    window.adapter_name().contains("llvmpipe")
-}
-
-fn differing(a: &Image<Rgb>, b: &Image<Rgb>) -> usize {
-    let pairs = a.pixels().iter().zip(b.pixels());
-    pairs.filter(|(a, b)| a != b).count()
 }
 
 #[test]
@@ -41,7 +32,7 @@ fn edges_get_smooth_at_rest_at_one_blow() {
             pictures.push(now);
         }
     }
-    assert_eq!(pictures.len(), if is_software(&window) { 2 } else { 1 });
+    assert_eq!(pictures.len(), if window.is_software() { 2 } else { 1 });
     assert!(
         pictures[0] == *pictures.last().expect("one")
             || differing(&pictures[0], &pictures[1]) > 200
@@ -68,7 +59,7 @@ fn what_happens_meanwhile_is_shown_at_once() {
     let rough = next(&mut window);
     window.wait_s(1.0);
     for _ in 0..2 {
-        assert!(!is_software(&window) || differing(&next(&mut window), &rough) == 0);
+        assert!(!window.is_software() || differing(&next(&mut window), &rough) == 0);
     }
     // A click is exact, and the next frame shows it.
     click(&mut window, MIDDLE);

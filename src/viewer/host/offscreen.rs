@@ -288,6 +288,13 @@ impl Offscreen {
         canvas.map_or("", |canvas| canvas.gpu.adapter_name())
     }
 
+    /// Whether the adapter is a program on the CPU, once something was drawn.
+    #[must_use]
+    pub fn is_software(&self) -> bool {
+        let canvas = self.page.canvas.as_ref();
+        canvas.is_some_and(|canvas| canvas.gpu.is_software())
+    }
+
     /// Draws a frame as a window does, the scene only if it changed. Returns whether a new picture of the scene is
     /// shown.
     ///

@@ -1,6 +1,8 @@
 //! Loading gives the same result for pieces of every size, and agrees with `tobj` alone.
 
 mod again;
+#[path = "../../../../tests/common/real_files.rs"]
+mod real_files;
 
 use super::{ObjError, ObjFile, PIECE, decode, open, read};
 use crate::{
@@ -8,12 +10,12 @@ use crate::{
     scene::{Detail, Progress},
 };
 use glam::{DVec3, Vec3};
+use real_files::real_files;
 use std::{
-    env,
     fmt::Write as _,
     fs,
     io::{self, BufReader, Cursor, Read, Write as _},
-    path::{Path, PathBuf},
+    path::Path,
     sync::atomic::{AtomicU64, Ordering::Relaxed},
 };
 
@@ -249,11 +251,10 @@ fn a_file_is_the_same_in_pieces_of_any_size() {
 
 #[test]
 fn files_from_elsewhere_are_the_same_in_pieces() {
-    let Some(shared) = env::var_os("SIGHTLINE_SHARED") else {
-        println!("real files: absent");
+    let Some(folder) = real_files() else {
         return;
     };
-    let folders = ["models", "hostile"].map(|name| PathBuf::from(&shared).join(name));
+    let folders = ["models", "hostile"].map(|name| folder.join(name));
     let files = folders
         .iter()
         .flat_map(|folder| fs::read_dir(folder).expect("a folder"));

@@ -3,10 +3,11 @@
 use super::{
     super::{Again, AgainError, Stamp, text_lines::Text},
     any_file, read_in,
+    real_files::real_files,
 };
 use crate::scene::{FileError, Progress};
 use glam::DVec3;
-use std::{env, fs, path::Path};
+use std::{fs, path::Path};
 
 /// The lines of a text, with any of the three line ends, as an editor numbers them.
 fn editor_lines(text: &str) -> Vec<String> {
@@ -138,13 +139,12 @@ fn every_triangle_is_found_in_its_line() {
 
 #[test]
 fn files_from_elsewhere_say_where_a_triangle_is_from() {
-    let Some(shared) = env::var_os("SIGHTLINE_SHARED") else {
-        println!("real files: absent");
+    let Some(shared) = real_files() else {
         return;
     };
     let mut counts = [0, 0, 0];
     for folder in ["models", "hostile"] {
-        for entry in fs::read_dir(Path::new(&shared).join(folder)).expect("a folder") {
+        for entry in fs::read_dir(shared.join(folder)).expect("a folder") {
             let path = entry.expect("an entry").path();
             let is_obj = path.extension().is_some_and(|extension| extension == "obj");
             if !is_obj || !path.is_file() {
