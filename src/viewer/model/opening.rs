@@ -8,7 +8,7 @@ use super::{
     overlay::Overlays,
     section_memory::SectionMemory,
     showing::Showing,
-    state::{Edits, Selection, Source, State, Step},
+    state::{Edits, Selection, Source, State, Step, Viewpoint},
     timeline::Timeline,
 };
 use crate::{
@@ -123,7 +123,12 @@ impl State {
     /// Gives the picture this size. While view and scene are as they were opened, the opening view is computed again for this
     /// size: so all of the scene is in view, whatever size the window turns out to have.
     pub(super) fn resize(&mut self, viewport: Viewport) {
-        let is_as_opened = self.opened_at == Some(self.viewpoint()) && self.edits == self.filed;
+        // Which sides show moves nothing.
+        let stood = self.opened_at.map(|at| Viewpoint {
+            sides: self.view.sides,
+            ..at
+        });
+        let is_as_opened = stood == Some(self.viewpoint()) && self.edits == self.filed;
         if mem::replace(&mut self.view.viewport, viewport) == viewport {
             return;
         }

@@ -16,7 +16,7 @@ use super::{
 };
 use crate::{
     camera::{Camera, CameraChoice, Orbit, UpAxis, View},
-    geometry::{Placement, Section},
+    geometry::{Placement, Section, Sides},
     pick::{Pick, PickLine},
     scene::{MeshFile, Scene},
     study::swap::Swap,
@@ -65,6 +65,7 @@ pub(super) struct Viewpoint {
     pub camera: Camera,
     pub pivot_world: DVec3,
     pub section: Option<Section>,
+    pub sides: Sides,
 }
 
 /// What is selected, and the ray that it was picked by.
@@ -359,6 +360,7 @@ impl State {
             camera: self.view.camera,
             pivot_world: self.pivot_world,
             section: self.view.section,
+            sides: self.view.sides,
         }
     }
 

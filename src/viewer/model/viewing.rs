@@ -280,6 +280,7 @@ impl State {
         self.pivot_world = to.pivot_world;
         self.view.camera = to.camera;
         self.view.section = to.section;
+        self.view.sides = to.sides;
         self.fit();
     }
 
