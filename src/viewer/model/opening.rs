@@ -135,7 +135,7 @@ impl State {
         if is_as_opened {
             self.view_as_opened();
         }
-        if self.frozen.is_some() {
+        if self.frozen().is_some() {
             // Near depends on which corners of the frozen frustum the picture shows.
             self.fit();
         }

@@ -324,10 +324,10 @@ impl State {
         self.grid
     }
 
-    /// The camera that was left standing in the scene.
+    /// The camera that was left standing in the scene. The four views show none: the world view shows the camera as it is.
     #[must_use]
     pub fn frozen(&self) -> Option<&Frozen> {
-        self.frozen.as_ref()
+        self.frozen.as_ref().filter(|_| self.panes.is_none())
     }
 
     /// The scene of the gallery, if this is one, and the method that picks in it.
