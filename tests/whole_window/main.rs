@@ -29,6 +29,7 @@ mod pictures;
 mod red_fields;
 mod remembering;
 mod rest;
+mod saving;
 mod section;
 mod stalls;
 mod tour;
