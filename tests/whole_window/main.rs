@@ -33,6 +33,7 @@ mod saving;
 mod section;
 mod stalls;
 mod tour;
+mod typed;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, pos2};
 use glam::DVec2;

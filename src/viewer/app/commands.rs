@@ -151,7 +151,7 @@ impl App {
     /// Takes the answer of a file dialog.
     pub fn answered(&mut self, answer: Answer) {
         match answer {
-            Answer::Open(paths) => self.intend(Intent::Open(paths)),
+            Answer::Open(paths) => self.run_after_typing(Command::Open(paths)),
             Answer::Save(path) => self.save(path),
             Answer::NoneToOpen => self.complain(
                 "this desktop shows no file dialog: drop files on the window, or name them on the command line".into(),
@@ -160,6 +160,12 @@ impl App {
                 "nothing is saved: this desktop shows no file dialog; it needs an XDG desktop portal".into(),
             ),
         }
+    }
+
+    /// Does what the user asks for outside a pass: in the next pass, once the number that is being typed is entered.
+    pub fn run_after_typing(&mut self, command: Command) {
+        self.late.push(command);
+        self.context.request_repaint();
     }
 
     /// Sets the camera from a text with a scene file's `[camera]` table.

@@ -19,7 +19,7 @@ use crate::{
         options::Options,
         screen::{Progress, Textures},
         ui::{
-            self, Docks, Drag, Filter, Floating, Intent, Kind, Letters, Notice, Notices,
+            self, Command, Docks, Drag, Filter, Floating, Intent, Kind, Letters, Notice, Notices,
             Statistics, Tour,
         },
     },
@@ -106,6 +106,8 @@ pub(in crate::viewer) struct App {
     pub(super) saving: Vec<(Saving, Option<Intent>)>,
     /// What would drop edits, and waits for the user's answer.
     pub(super) question: Option<Intent>,
+    /// Commands that wait for the next pass: first the number that is being typed is entered.
+    pub(super) late: Vec<Command>,
     /// The build of trees for the scene on screen.
     pub trees: Option<TreeBuild>,
     /// Whether nothing was shown yet: the first scene takes the command line's camera.
@@ -174,6 +176,7 @@ impl App {
             to_save: None,
             saving: Vec::new(),
             question: None,
+            late: Vec::new(),
             trees: None,
             first: true,
             notices: Notices::new(),

@@ -121,7 +121,7 @@ impl Offscreen {
 
     /// Closes the window, as the button of its frame does.
     pub fn close(&mut self) {
-        self.app.run_command(Command::Quit);
+        self.app.run_after_typing(Command::Quit);
         self.settle();
     }
 

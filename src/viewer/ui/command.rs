@@ -80,6 +80,16 @@ pub(in crate::viewer) enum Command {
     Quit,
 }
 
+impl Command {
+    /// Whether it opens, saves or closes. A number that is still being typed is to count before that.
+    pub fn ends_typing(&self) -> bool {
+        matches!(
+            self,
+            Self::OpenDialog | Self::SaveDialog | Self::Open(_) | Self::Reload | Self::Quit
+        )
+    }
+}
+
 /// Where to go, by a number from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::viewer) enum GoTo {
