@@ -93,7 +93,7 @@ impl App {
             }
             Command::Escape => self.escape(),
             Command::NextExhibit { forward } => self.open_next_exhibit(forward),
-            Command::LeaveGallery if self.state.has_outside() => self.act(Action::LeaveGallery),
+            Command::LeaveGallery if self.state.has_outside() => self.intend(Intent::LeaveGallery),
             // The gallery was opened first, so there is no scene to return to: open the demo.
             Command::LeaveGallery => self.intend(Intent::Open(Vec::new())),
             Command::ToggleCheck => {
@@ -136,7 +136,7 @@ impl App {
         } else if selects_none && !self.state.stages().is_empty() {
             self.toggle_views();
         } else if selects_none && self.state.has_outside() {
-            self.act(Action::LeaveGallery);
+            self.intend(Intent::LeaveGallery);
         } else {
             self.act(Action::Select(None));
         }

@@ -1,7 +1,10 @@
 //! Asks the user before anything that would drop edits.
 
 use super::program::{App, Purpose};
-use crate::viewer::ui::{Intent, Reply};
+use crate::viewer::{
+    model::Action,
+    ui::{Intent, Reply},
+};
 
 impl App {
     /// Carries out an intent, or asks first if it would drop edits.
@@ -31,6 +34,7 @@ impl App {
         match intent {
             Intent::Open(paths) => self.load(paths, Purpose::Open),
             Intent::Reload => self.reload(),
+            Intent::LeaveGallery => self.act(Action::LeaveGallery),
             Intent::Quit => {
                 self.keep_memory();
                 self.quit = true;

@@ -108,6 +108,8 @@ pub(in crate::viewer) enum Intent {
     Open(Vec<PathBuf>),
     /// Read the files again.
     Reload,
+    /// Go back to what was open before the gallery.
+    LeaveGallery,
     /// Close the window.
     Quit,
 }
@@ -119,6 +121,11 @@ impl Intent {
             // Undo leads back out of the gallery.
             Self::Open(paths) if is_exhibit(paths) => Vec::new(),
             Self::Reload => state.edited().then_some(state).into_iter().collect(),
+            // Undo leads back in, but the next step ends that.
+            Self::LeaveGallery => {
+                let scenes = state.unsaved_scenes().into_iter();
+                scenes.filter(|scene| scene.showing().is_some()).collect()
+            }
             Self::Open(_) | Self::Quit => state.unsaved_scenes(),
         }
     }
