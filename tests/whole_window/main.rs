@@ -34,6 +34,8 @@ mod section;
 mod stalls;
 mod tour;
 mod typed;
+mod watching;
+mod while_loading;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, pos2};
 use glam::DVec2;

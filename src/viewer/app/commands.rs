@@ -1,7 +1,8 @@
 //! What each command does.
 
 use super::{
-    program::{App, Extent, Host, Purpose, Shot},
+    errands::Purpose,
+    program::{App, Extent, Host, Shot},
     wake::Wake,
 };
 use crate::{

@@ -124,6 +124,7 @@ impl App {
         self.take_projected();
         self.take_uploaded();
         self.take_saved();
+        self.take_ready();
         self.take_checked();
         self.take_chart();
         self.take_waiting();
@@ -166,7 +167,7 @@ impl App {
                 floating: self.floating,
                 tour: self.tour,
                 offers_tour,
-                question: self.question.as_ref(),
+                question: self.question.as_ref().map(|pending| &pending.intent),
                 chart: self.chart.as_ref(),
                 checking: &self.checking,
                 marks: painted(&context, &self.state, &self.checking, &mut self.marks),

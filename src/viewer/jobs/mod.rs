@@ -34,4 +34,4 @@ pub(super) use study::Chart;
 pub(super) use trees::TreeBuild;
 pub(super) use typefaces::{Missing, Typeface, Typefaces};
 pub(super) use uploading::{LITTLE, Making, Upload, Uploaded};
-pub(super) use watching::Watching;
+pub(super) use watching::{Stamps, Watching};

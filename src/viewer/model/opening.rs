@@ -272,6 +272,6 @@ pub(in crate::viewer) struct Snapshot {
     pub scene: Scene,
     pub camera: CameraChoice,
     pub meshes: Vec<MeshFile>,
-    document: u64,
+    pub document: u64,
     edits: Edits,
 }

@@ -124,6 +124,16 @@ pub(super) enum Step {
     Open(Box<State>),
 }
 
+impl Step {
+    /// The scene that it leads to, if that is another one.
+    pub fn scene(&self) -> Option<&State> {
+        match self {
+            Self::Open(state) => Some(state),
+            _ => None,
+        }
+    }
+}
+
 /// Where a scene is from.
 #[derive(Clone, Debug, Default)]
 pub struct Source {
@@ -251,30 +261,6 @@ impl State {
     #[must_use]
     pub fn picked(&self) -> Option<&Pick> {
         self.selection.as_ref()?.pick.as_ref()?.hit.as_ref()
-    }
-
-    /// Whether the scene differs from its files in a model matrix, or has an object that is in none of them. What is hidden
-    /// does not count.
-    #[must_use]
-    pub fn edited(&self) -> bool {
-        self.edits.matrices != self.filed.matrices
-    }
-
-    /// The scenes with edits that closing the window would lose: first those left for the gallery, oldest first, then this
-    /// one.
-    pub(in crate::viewer) fn unsaved_scenes(&self) -> Vec<&Self> {
-        let left = self.timeline.past().iter().filter_map(|step| match step {
-            Step::Open(state) => Some(&**state),
-            _ => None,
-        });
-        let all = left.chain([self]);
-        all.filter(|state| state.edits != state.filed).collect()
-    }
-
-    /// Whether there are unsaved edits.
-    #[must_use]
-    pub fn unsaved(&self) -> bool {
-        !self.unsaved_scenes().is_empty()
     }
 
     /// What undo (`back`) or redo would change, in a word or two; `None` where there is nothing to undo or redo.

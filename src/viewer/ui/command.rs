@@ -2,7 +2,7 @@
 
 use crate::{
     scene::gallery::Exhibit,
-    viewer::model::{Action, State},
+    viewer::model::{Action, State, Version},
 };
 use std::path::{Path, PathBuf};
 
@@ -127,6 +127,15 @@ impl Intent {
                 scenes.filter(|scene| scene.showing().is_some()).collect()
             }
             Self::Open(_) | Self::Quit => state.unsaved_scenes(),
+        }
+    }
+
+    /// The same scenes, with the edits that it would drop.
+    pub fn at_stake(&self, state: &State) -> Vec<Version> {
+        let drops = self.drops(state).into_iter();
+        match self {
+            Self::Reload => drops.map(State::version_of_matrices).collect(),
+            _ => drops.map(State::version).collect(),
         }
     }
 }
