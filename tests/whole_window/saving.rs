@@ -1,6 +1,9 @@
-//! Saving: what the scene file says of its meshes.
+//! Saving: what the scene file says of its meshes, what the dialog suggests, and what waits for a save.
 
-use super::*;
+use super::{
+    keeping::{edit, is_asked},
+    *,
+};
 use std::fs;
 
 #[test]
@@ -39,4 +42,61 @@ fn a_mesh_beside_the_scene_is_named_by_its_name_alone() {
         text.contains("models/tri.obj") && !text.contains(".."),
         "{text}"
     );
+}
+
+/// The question is about edits. Once a dialog that was open already has saved them, what was asked for goes on.
+#[test]
+fn a_question_goes_on_once_there_is_nothing_to_ask() {
+    let (mut window, folder) = row(1.0);
+    edit(&mut window);
+    press_key(&mut window, CTRL, Key::S);
+    window.close();
+    assert!(is_asked(&window) && !window.has_quit());
+    window.save_as(folder.path().join("kept.toml"));
+    assert!(!is_asked(&window) && window.has_quit());
+}
+
+/// A second one would answer for the first.
+#[test]
+fn one_save_dialog_is_open_at_a_time() {
+    let (mut window, folder) = row(1.0);
+    press_key(&mut window, CTRL, Key::S);
+    edit(&mut window);
+    press_key(&mut window, CTRL, Key::S);
+    assert_eq!(window.save_dialogs(), 1);
+    let told = |window: &Offscreen| window.messages().any(|text| text.contains("open already"));
+    assert!(told(&window));
+    // The answer saves what the second key was about.
+    let kept = folder.path().join("kept.toml");
+    window.save_as(kept.clone());
+    assert!(!window.title().starts_with('\u{2022}'));
+    let kept = open(vec![kept], 1.0);
+    assert!(!kept.state().scene().objects()[0].visible);
+    // After a dialog that was cancelled, the next one opens.
+    press_key(&mut window, CTRL, Key::S);
+    window.save_nowhere();
+    press_key(&mut window, CTRL, Key::S);
+    assert_eq!(window.save_dialogs(), 3);
+    // A dialog that is open already also serves what waits for the save.
+    press_key(&mut window, CTRL, Key::Z);
+    window.close();
+    click_on(&mut window, "Save first\u{2026}");
+    assert_eq!(window.save_dialogs(), 3);
+    window.save_as(folder.path().join("again.toml"));
+    assert!(window.has_quit());
+}
+
+#[test]
+fn the_dialog_suggests_the_folder_of_the_scene() {
+    for (opened, suggested) in [
+        (
+            "assets/gallery/wide_lens.toml",
+            "assets/gallery/wide_lens.toml",
+        ),
+        ("assets/gallery/needles.obj", "assets/gallery/scene.toml"),
+    ] {
+        let window = open(vec![opened.into()], 1.0);
+        assert_eq!(window.state().name(), opened.rsplit_once('/').expect("/").1);
+        assert_eq!(window.state().file_to_save(), Path::new(suggested));
+    }
 }

@@ -32,7 +32,11 @@ impl App {
             }
             Command::Act(action) => self.act(action),
             Command::OpenDialog if self.host == Host::Picture => {}
+            Command::OpenDialog if self.asks_for_files => {
+                self.say("the dialog to open files is open already".into());
+            }
             Command::OpenDialog => {
+                self.asks_for_files = true;
                 let wake = self.wake.clone();
                 jobs::open_dialog(move |answer| wake(Wake::Answered(answer)));
             }
@@ -151,15 +155,25 @@ impl App {
 
     /// Takes the answer of a file dialog.
     pub fn answered(&mut self, answer: Answer) {
+        let of_opening = matches!(
+            answer,
+            Answer::Open(_) | Answer::OpenNone | Answer::NoneToOpen
+        );
+        self.asks_for_files &= !of_opening;
         match answer {
             Answer::Open(paths) => self.run_after_typing(Command::Open(paths)),
             Answer::Save(path) => self.save(path),
+            Answer::OpenNone => {}
+            Answer::SaveNone => self.save_nothing(),
             Answer::NoneToOpen => self.complain(
                 "this desktop shows no file dialog: drop files on the window, or name them on the command line".into(),
             ),
-            Answer::NoneToSave => self.complain(
-                "nothing is saved: this desktop shows no file dialog; it needs an XDG desktop portal".into(),
-            ),
+            Answer::NoneToSave => {
+                self.save_nothing();
+                self.complain(
+                    "nothing is saved: this desktop shows no file dialog; it needs an XDG desktop portal".into(),
+                );
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::{
     errands::{Arrival, Errand, Pending, Purpose},
+    intents::give_up,
     program::{App, Host},
     wake::{Wake, Waker},
 };
@@ -153,13 +154,23 @@ impl App {
     }
 
     /// Asks where to save the scene as it is now. With an intent, saves the first scene whose edits the intent would
-    /// drop, perhaps one left for the gallery, and carries out the intent after the save.
+    /// drop, perhaps one left for the gallery, and carries out the intent after the save. One dialog is open at a time.
     pub(super) fn ask_where_to_save(&mut self, then: Option<Pending>) {
         let drops = then.as_ref().map(|then| then.intent.drops(&self.state));
         let scene = drops.and_then(|scenes| scenes.first().copied());
         let scene = scene.unwrap_or(&self.state);
         let (snapshot, file) = (scene.snapshot(), scene.file_to_save());
+        if let Some((asked, waits)) = &mut self.to_save {
+            if asked.document == snapshot.document {
+                *asked = snapshot;
+            }
+            if let Some(before) = then.and_then(|then| waits.replace(then)) {
+                give_up(before);
+            }
+            return self.say("the dialog to save is open already".into());
+        }
         self.to_save = Some((snapshot, then));
+        self.save_dialogs += 1;
         if self.host == Host::Window {
             let wake = self.wake.clone();
             jobs::save_dialog(&file, move |answer| wake(Wake::Answered(answer)));
@@ -176,6 +187,13 @@ impl App {
                 self.saving.push((saving, then));
             }
             Err(text) => self.complain(text),
+        }
+    }
+
+    /// Closes the save dialog without a file.
+    pub(super) fn save_nothing(&mut self) {
+        if let Some((_, Some(then))) = self.to_save.take() {
+            give_up(then);
         }
     }
 

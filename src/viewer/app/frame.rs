@@ -124,6 +124,7 @@ impl App {
         self.take_projected();
         self.take_uploaded();
         self.take_saved();
+        self.take_settled();
         self.take_ready();
         self.take_checked();
         self.take_chart();

@@ -65,6 +65,16 @@ impl App {
         }
     }
 
+    /// Goes on with what was asked about once there is nothing to ask any more: a save may have landed meanwhile.
+    pub(super) fn take_settled(&mut self) {
+        let state = &self.state;
+        let settled = (self.question).take_if(|pending| pending.intent.drops(state).is_empty());
+        if let Some(pending) = settled {
+            self.carry_out(pending);
+            self.context.request_repaint();
+        }
+    }
+
     fn carry_out(&mut self, pending: Pending) {
         match (pending.intent, pending.arrival) {
             (Intent::Open(_) | Intent::Reload, Some(arrival)) => self.show_arrival(*arrival),
@@ -80,7 +90,7 @@ impl App {
 }
 
 /// The user does not want it.
-fn give_up(pending: Pending) {
+pub(super) fn give_up(pending: Pending) {
     if let Some(Arrival { loaded, .. }) = pending.arrival.map(|arrival| *arrival) {
         let size = loaded.scene.size();
         let_go(loaded, size);

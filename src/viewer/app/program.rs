@@ -87,8 +87,13 @@ pub(in crate::viewer) struct App {
     pub(super) uploaded: Vec<(Option<Stage>, Uploaded)>,
     /// The load under way, and what it is for.
     pub(super) loading: Option<(Loading, Errand)>,
-    /// The scene as it was when the save dialog opened, and what to do once it is saved.
+    /// Whether the dialog to open files is open.
+    pub(super) asks_for_files: bool,
+    /// The scene as it was when the save dialog opened, and what to do once it is saved. There is one while the dialog is
+    /// open.
     pub(super) to_save: Option<(Snapshot, Option<Pending>)>,
+    /// How many save dialogs were opened so far.
+    pub save_dialogs: usize,
     /// Saves under way, and what to do after each.
     pub(super) saving: Vec<(Saving, Option<Pending>)>,
     /// What would drop edits, and waits for the user's answer.
@@ -163,7 +168,9 @@ impl App {
             ready: None,
             uploaded: Vec::new(),
             loading: None,
+            asks_for_files: false,
             to_save: None,
+            save_dialogs: 0,
             saving: Vec::new(),
             question: None,
             late: Vec::new(),

@@ -46,6 +46,18 @@ impl Offscreen {
         self.settle();
     }
 
+    /// Cancels the save dialog.
+    pub fn save_nowhere(&mut self) {
+        self.app.answered(Answer::SaveNone);
+        self.settle();
+    }
+
+    /// How many save dialogs were opened so far.
+    #[must_use]
+    pub fn save_dialogs(&self) -> usize {
+        self.app.save_dialogs
+    }
+
     /// Closes the window, as the button of its frame does.
     pub fn close(&mut self) {
         self.app.run_after_typing(Command::Quit);

@@ -235,12 +235,14 @@ impl State {
         of_no_file && !self.scene.objects().is_empty()
     }
 
-    /// The file that is proposed for saving: the scene file that the scene is from, or else `scene.toml`.
+    /// The file that is proposed for saving: the scene file that the scene is from, or else `scene.toml` beside its first
+    /// file.
     #[must_use]
     pub fn file_to_save(&self) -> PathBuf {
         match self.source.paths.as_slice() {
             [own] if scene::is_scene_file(own) => own.clone(),
-            _ => "scene.toml".into(),
+            [first, ..] => first.with_file_name("scene.toml"),
+            [] => "scene.toml".into(),
         }
     }
 
