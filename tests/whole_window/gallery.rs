@@ -205,3 +205,42 @@ fn esc_goes_back_step_by_step_and_out() {
     assert!(window.state().showing().is_some());
     control(&window, "Menu Gallery, leave the gallery: opens the demo.");
 }
+
+/// Undo leads back in until something else is done. So the question comes when the gallery is left.
+#[test]
+fn what_is_edited_in_the_gallery_is_asked_about_before_it_is_left() {
+    let edited_inside = || {
+        let (mut window, folder) = row(1.0);
+        press_key(&mut window, Modifiers::NONE, Key::E);
+        click(&mut window, pos2(675.0, 362.0));
+        press_key(&mut window, Modifiers::SHIFT, Key::H);
+        press_key(&mut window, Modifiers::NONE, Key::Escape);
+        assert!(keeping::is_asked(&window));
+        (window, folder)
+    };
+    let (mut window, _folder) = edited_inside();
+    let name = window.state().name().to_owned();
+    control(
+        &window,
+        &format!("This leaves the gallery. Your edits in {name} are not saved."),
+    );
+    click_on(&mut window, "Cancel");
+    assert!(window.state().showing().is_some() && keeping::is_marked(&window));
+    // Edits of an exhibit before the present one would go as well.
+    press_key(&mut window, Modifiers::NONE, Key::E);
+    assert_ne!(window.state().name(), name);
+    click_on(&mut window, "Gallery");
+    click_on(&mut window, "leave the gallery");
+    click_on(&mut window, "Leave, drop the edits");
+    assert_eq!(window.state().name(), "row.toml");
+    assert!(!keeping::is_marked(&window));
+
+    let (mut window, folder) = edited_inside();
+    click_on(&mut window, "Save first\u{2026}");
+    assert!(window.state().showing().is_some(), "it is not saved yet");
+    let kept = folder.path().join("kept.toml");
+    window.save_as(kept.clone());
+    assert_eq!(window.state().name(), "row.toml");
+    let kept = scene::load(&[kept], &Progress::default()).expect("a scene");
+    assert_eq!(kept.scene.hidden_count(), 1);
+}

@@ -5,13 +5,13 @@ use glam::DVec3;
 use sightline::scene::{self, Object, Progress, Shape};
 
 /// Hides the cube: an edit by keys.
-fn edit(window: &mut Offscreen) {
+pub(super) fn edit(window: &mut Offscreen) {
     click(window, MIDDLE);
     assert_eq!(selected(window), Some("front"));
     press_key(window, Modifiers::SHIFT, Key::H);
 }
 
-fn shown(window: &Offscreen) -> Vec<bool> {
+pub(super) fn shown(window: &Offscreen) -> Vec<bool> {
     let objects = window.state().scene().objects().iter();
     objects.map(|object| object.visible).collect()
 }
@@ -20,11 +20,11 @@ fn eye(window: &Offscreen) -> DVec3 {
     window.state().view().camera.eye()
 }
 
-fn is_asked(window: &Offscreen) -> bool {
+pub(super) fn is_asked(window: &Offscreen) -> bool {
     has_control(window, "Unsaved edits")
 }
 
-fn is_marked(window: &Offscreen) -> bool {
+pub(super) fn is_marked(window: &Offscreen) -> bool {
     window.title().starts_with('\u{2022}')
 }
 

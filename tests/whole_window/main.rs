@@ -30,9 +30,13 @@ mod pictures;
 mod red_fields;
 mod remembering;
 mod rest;
+mod saving;
 mod section;
 mod stalls;
 mod tour;
+mod typed;
+mod watching;
+mod while_loading;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Role, pos2};
 use glam::DVec2;

@@ -84,7 +84,7 @@ fn a_broken_memory_is_no_obstacle() {
 
 /// Runs passes of a window until it meets a condition.
 #[track_caller]
-fn wait_until(window: &mut Offscreen, is_so: impl Fn(&Offscreen) -> bool) {
+pub(super) fn wait_until(window: &mut Offscreen, is_so: impl Fn(&Offscreen) -> bool) {
     for _ in 0..200 {
         window.send([]);
         if is_so(window) {

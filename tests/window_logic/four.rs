@@ -345,3 +345,29 @@ fn views_follow_edits_undo_and_another_scene() {
     state.apply(Action::ToggleFreeze);
     assert_eq!(state.frozen(), None);
 }
+
+/// The world view shows the camera itself. Back in the picture, the frozen one stands where it stood.
+#[test]
+fn a_frozen_camera_outlasts_the_four_views() {
+    let mut state = front_view();
+    state.apply(Action::ToggleFreeze);
+    let frozen = state.frozen().copied();
+    assert!(frozen.is_some());
+    state.apply(Action::LookFrom(DVec3::ONE));
+    let view = *state.view();
+    state.apply(Action::Views(Views::Four));
+    assert_eq!(state.frozen(), None);
+    state.apply(Action::Views(Views::One(Stage::Ndc)));
+    state.apply(Action::Views(Views::Picture));
+    assert_eq!(state.frozen().copied(), frozen);
+    assert_eq!(*state.view(), view, "near and far hold it as before");
+    // Another scene has no frozen camera, and the way back leads to it again.
+    state.apply(Action::Views(Views::Four));
+    let path = std::path::PathBuf::from("gallery:needles");
+    let loaded = scene::load(&[path.clone()], &Progress::default()).expect("it loads");
+    state.open(loaded, vec![path]).expect("a scene");
+    state.apply(Action::Views(Views::Picture));
+    assert_eq!(state.frozen(), None);
+    state.apply(Action::LeaveGallery);
+    assert_eq!(state.frozen().copied(), frozen);
+}

@@ -67,6 +67,7 @@ fn every_change_is_undone_and_done_again_to_the_bit() {
         lens(|controls| controls.fov_deg = 20.0),
         lens(|controls| controls.near = Some(8.25)),
         Action::ToggleProjection,
+        Action::ToggleSides,
         Action::UpAxis(UpAxis::Z),
         Action::Camera(pasted),
         Action::Recentre(MIDDLE + 20.0),

@@ -10,7 +10,7 @@ use crate::{camera::CameraChoice, geometry::Mesh, replace::replace};
 use std::{
     fs,
     io::Write,
-    path::{Path, PathBuf},
+    path::{Component, Path, PathBuf},
     sync::Arc,
 };
 
@@ -70,15 +70,31 @@ impl Drop for Made {
     }
 }
 
-/// The path by which a scene file in `folder` names a file: relative, with slashes, for one in `folder` or below.
+/// The path by which a scene file in `folder` names a file: relative, with slashes, for one in `folder` or below, whichever
+/// way leads there. Another file keeps its own path, without steps up where the system can tell.
 fn from(folder: &Path, file: &Path) -> PathBuf {
-    match file.strip_prefix(folder) {
-        Ok(inside) => {
-            let words: Option<Vec<_>> = inside.iter().map(|word| word.to_str()).collect();
-            words.map_or_else(|| inside.to_owned(), |words| words.join("/").into())
-        }
-        Err(_) => file.to_owned(),
-    }
+    let goes_up = |path: &Path| path.components().any(|word| word == Component::ParentDir);
+    let below = |folder: &Path, file: &Path| {
+        let inside = file.strip_prefix(folder).ok()?;
+        (!goes_up(inside)).then(|| inside.to_owned())
+    };
+    // The file itself may be a link: its own name stays.
+    let resolved = || {
+        Some(
+            fs::canonicalize(file.parent()?)
+                .ok()?
+                .join(file.file_name()?),
+        )
+    };
+    let inside =
+        below(folder, file).or_else(|| below(&fs::canonicalize(folder).ok()?, &resolved()?));
+    let Some(inside) = inside else {
+        return resolved()
+            .filter(|_| cfg!(unix) && goes_up(file))
+            .unwrap_or_else(|| file.to_owned());
+    };
+    let words: Option<Vec<_>> = inside.iter().map(|word| word.to_str()).collect();
+    words.map_or_else(|| inside.clone(), |words| words.join("/").into())
 }
 
 /// The longest file name, in bytes, that common file systems allow.

@@ -1,11 +1,14 @@
 //! What background threads prepare before it is shown: the scene in NDC, and uploads to graphics memory.
 
-use super::program::{App, Arrival};
+use super::{
+    errands::{Arrival, Pending, Purpose},
+    program::App,
+};
 use crate::{
     render::GpuError,
     viewer::{
-        jobs::{InNdc, LITTLE, Making, Projecting, Upload},
-        model::{Made, Stage},
+        jobs::{InNdc, LITTLE, Projecting, Upload},
+        model::Stage,
         ui::Underway,
     },
 };
@@ -36,13 +39,17 @@ impl App {
 
     /// Uploads a loaded scene in the background, then shows it. A small scene is shown at once, and so is any before
     /// the first frame.
-    pub(super) fn arrive(&mut self, making: Making, what: Arrival) {
+    pub(super) fn arrive(&mut self, arrival: Arrival) {
+        let making = arrival.making(&self.state);
         match &self.gpu {
             Some((gpu, meshes)) if making.size() >= LITTLE => {
                 let upload = Upload::start(gpu.clone(), making, meshes.clone(), self.waker());
-                self.arriving = Some((upload, what));
+                self.arriving = Some((upload, arrival));
             }
-            _ => self.arrived(what, None),
+            _ => {
+                self.ready = Some(arrival);
+                self.take_ready();
+            }
         }
     }
 
@@ -51,24 +58,61 @@ impl App {
         let Some(result) = self.arriving.as_ref().and_then(|(upload, _)| upload.poll()) else {
             return;
         };
-        let Some((_, what)) = self.arriving.take() else {
+        let Some((_, mut arrival)) = self.arriving.take() else {
             return;
         };
         match result {
-            Ok(mut uploaded) => {
-                let made = uploaded.as_mut().and_then(|uploaded| uploaded.made.take());
-                (self.uploaded).extend(uploaded.map(|uploaded| (None, uploaded)));
-                self.arrived(what, made);
+            Ok(uploaded) => {
+                arrival.uploaded = uploaded;
+                let uploaded = arrival.uploaded.as_mut();
+                arrival.made = uploaded.and_then(|uploaded| uploaded.made.take());
+                self.ready = Some(arrival);
             }
-            Err(error @ GpuError::SceneTooLarge { .. }) => self.complain(error.to_string()),
+            Err(error @ GpuError::SceneTooLarge { .. }) => {
+                self.give_up_change(&arrival.errand);
+                self.complain(error.to_string());
+            }
             // The next frame reports other errors of the device.
-            Err(_) => self.arrived(what, None),
+            Err(_) => self.ready = Some(arrival),
         }
+        self.take_ready();
         self.context.request_repaint();
     }
 
-    fn arrived(&mut self, Arrival(loaded, paths, purpose): Arrival, made: Option<Made>) {
-        match self.show_scene(*loaded, paths, purpose, made) {
+    /// Shows what has arrived. If that would drop edits that were made while it was loaded, asks first. While a question
+    /// waits for an answer, this waits too.
+    pub(super) fn take_ready(&mut self) {
+        if self.question.is_some() {
+            return;
+        }
+        let Some(arrival) = self.ready.take() else {
+            return;
+        };
+        let errand = &arrival.errand;
+        let drops_more = !errand.is_stale(&self.state) && errand.drops_more(&self.state);
+        match errand.intent().filter(|_| drops_more) {
+            Some(_) if errand.purpose == Purpose::Follow => self.keep_edits(),
+            Some(intent) => self.ask(Pending {
+                intent,
+                arrival: Some(Box::new(arrival)),
+            }),
+            None => self.show_arrival(arrival),
+        }
+    }
+
+    /// Shows a loaded scene.
+    pub(super) fn show_arrival(&mut self, arrival: Arrival) {
+        let Arrival {
+            loaded,
+            errand,
+            made,
+            uploaded,
+        } = arrival;
+        if errand.is_stale(&self.state) {
+            return;
+        }
+        (self.uploaded).extend(uploaded.map(|uploaded| (None, uploaded)));
+        match self.show_scene(*loaded, errand, made) {
             Ok(()) => self.build_trees(),
             Err(text) => self.complain(text),
         }
@@ -76,8 +120,15 @@ impl App {
 
     /// Cancels loading and uploading. Returns whether there was anything to cancel.
     pub(super) fn stop_arriving(&mut self) -> bool {
-        let was = self.underway().is_some();
-        (self.loading, self.arriving) = (None, None);
+        let (loading, arriving) = (self.loading.take(), self.arriving.take());
+        let errands = [
+            loading.map(|(_, errand)| errand),
+            arriving.map(|(_, arrival)| arrival.errand),
+        ];
+        let was = errands.iter().any(Option::is_some);
+        for errand in errands.iter().flatten() {
+            self.give_up_change(errand);
+        }
         was
     }
 

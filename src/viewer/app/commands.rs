@@ -1,7 +1,8 @@
 //! What each command does.
 
 use super::{
-    program::{App, Extent, Host, Purpose, Shot},
+    errands::Purpose,
+    program::{App, Extent, Host, Shot},
     wake::Wake,
 };
 use crate::{
@@ -31,7 +32,11 @@ impl App {
             }
             Command::Act(action) => self.act(action),
             Command::OpenDialog if self.host == Host::Picture => {}
+            Command::OpenDialog if self.asks_for_files => {
+                self.say("the dialog to open files is open already".into());
+            }
             Command::OpenDialog => {
+                self.asks_for_files = true;
                 let wake = self.wake.clone();
                 jobs::open_dialog(move |answer| wake(Wake::Answered(answer)));
             }
@@ -93,7 +98,7 @@ impl App {
             }
             Command::Escape => self.escape(),
             Command::NextExhibit { forward } => self.open_next_exhibit(forward),
-            Command::LeaveGallery if self.state.has_outside() => self.act(Action::LeaveGallery),
+            Command::LeaveGallery if self.state.has_outside() => self.intend(Intent::LeaveGallery),
             // The gallery was opened first, so there is no scene to return to: open the demo.
             Command::LeaveGallery => self.intend(Intent::Open(Vec::new())),
             Command::ToggleCheck => {
@@ -136,7 +141,7 @@ impl App {
         } else if selects_none && !self.state.stages().is_empty() {
             self.toggle_views();
         } else if selects_none && self.state.has_outside() {
-            self.act(Action::LeaveGallery);
+            self.intend(Intent::LeaveGallery);
         } else {
             self.act(Action::Select(None));
         }
@@ -150,16 +155,32 @@ impl App {
 
     /// Takes the answer of a file dialog.
     pub fn answered(&mut self, answer: Answer) {
+        let of_opening = matches!(
+            answer,
+            Answer::Open(_) | Answer::OpenNone | Answer::NoneToOpen
+        );
+        self.asks_for_files &= !of_opening;
         match answer {
-            Answer::Open(paths) => self.intend(Intent::Open(paths)),
+            Answer::Open(paths) => self.run_after_typing(Command::Open(paths)),
             Answer::Save(path) => self.save(path),
+            Answer::OpenNone => {}
+            Answer::SaveNone => self.save_nothing(),
             Answer::NoneToOpen => self.complain(
                 "this desktop shows no file dialog: drop files on the window, or name them on the command line".into(),
             ),
-            Answer::NoneToSave => self.complain(
-                "nothing is saved: this desktop shows no file dialog; it needs an XDG desktop portal".into(),
-            ),
+            Answer::NoneToSave => {
+                self.save_nothing();
+                self.complain(
+                    "nothing is saved: this desktop shows no file dialog; it needs an XDG desktop portal".into(),
+                );
+            }
         }
+    }
+
+    /// Does what the user asks for outside a pass: in the next pass, once the number that is being typed is entered.
+    pub fn run_after_typing(&mut self, command: Command) {
+        self.late.push(command);
+        self.context.request_repaint();
     }
 
     /// Sets the camera from a text with a scene file's `[camera]` table.

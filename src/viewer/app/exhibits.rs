@@ -1,6 +1,6 @@
 //! The gallery: from scene to scene, with the study's chart beside it.
 
-use super::program::{App, Purpose};
+use super::{errands::Purpose, program::App};
 use crate::{
     scene::gallery::{Exhibit, GALLERY},
     viewer::{jobs::Chart, model::Showing},

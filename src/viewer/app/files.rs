@@ -1,16 +1,18 @@
 //! Opening, reloading, adding and saving files.
 
 use super::{
-    program::{App, Arrival, Host, Purpose},
+    errands::{Arrival, Errand, Pending, Purpose},
+    intents::give_up,
+    program::{App, Host},
     wake::{Wake, Waker},
 };
 use crate::{
     scene::{self, Loaded},
     viewer::{
-        jobs::{self, Loading, Making, Saving},
+        jobs::{self, Loading, Saving, Stamps},
         model::{Made, Source, hide, no_section},
         options::Options,
-        ui::{Filter, Intent},
+        ui::Filter,
     },
 };
 use std::path::PathBuf;
@@ -28,14 +30,20 @@ impl App {
     pub fn start_with(loaded: Loaded, options: Options, wake: Waker, host: Host) -> Self {
         let paths = options.paths.clone();
         let mut app = Self::new(options, wake, host);
-        app.loading = Some((Loading::done(loaded), paths, Purpose::Open));
+        let errand = app.errand(paths, Purpose::Open);
+        app.loading = Some((Loading::done(loaded), errand));
         app
     }
 
     /// Begins to load files. Once all of them are loaded, they replace what is shown or are added to it.
     pub(super) fn load(&mut self, paths: Vec<PathBuf>, purpose: Purpose) {
-        let loading = Loading::start(paths.clone(), self.waker());
-        self.loading = Some((loading, paths, purpose));
+        let errand = self.errand(paths.clone(), purpose);
+        self.loading = Some((Loading::start(paths, self.waker()), errand));
+    }
+
+    fn errand(&self, paths: Vec<PathBuf>, purpose: Purpose) -> Errand {
+        let stamps = self.stamps_before(&paths, purpose);
+        Errand::new(paths, purpose, &self.state, stamps)
     }
 
     /// Loads the files on screen again. If nothing was shown yet, opens the command line's files anew.
@@ -52,24 +60,21 @@ impl App {
 
     /// Takes the outcome of a load. The scene on screen stays until the new one is complete.
     pub(super) fn take_loaded(&mut self) {
-        let Some(result) = self.loading.as_ref().and_then(|(load, ..)| load.poll()) else {
+        let Some(result) = self.loading.as_ref().and_then(|(load, _)| load.poll()) else {
             return;
         };
-        let Some((_, paths, purpose)) = self.loading.take() else {
+        let Some((_, errand)) = self.loading.take() else {
             return;
         };
         match result {
-            Ok(loaded) => {
-                let (now, came) = (self.state.scene().clone(), loaded.scene.clone());
-                let making = match purpose {
-                    Purpose::Open => Making::Scene(came),
-                    Purpose::Add => Making::With(now, came),
-                    Purpose::Reload | Purpose::Follow => Making::Again(now, came),
-                };
-                let what = Arrival(Box::new(loaded), paths, purpose);
-                self.arrive(making, what);
-            }
+            Ok(loaded) => self.arrive(Arrival {
+                loaded: Box::new(loaded),
+                errand,
+                made: None,
+                uploaded: None,
+            }),
             Err(error) => {
+                self.give_up_change(&errand);
                 self.forget_gone();
                 self.complain(error.to_string());
             }
@@ -79,17 +84,22 @@ impl App {
     pub(super) fn show_scene(
         &mut self,
         mut loaded: Loaded,
-        paths: Vec<PathBuf>,
-        purpose: Purpose,
+        errand: Errand,
         made: Option<Made>,
     ) -> Result<(), String> {
+        let Errand {
+            paths,
+            purpose,
+            stamps,
+            ..
+        } = errand;
         let warnings = std::mem::take(&mut loaded.warnings);
         let mut unused = Vec::new();
         match purpose {
             Purpose::Add => {
                 self.state.add(loaded, paths, made);
                 self.warn(&warnings);
-                self.watch();
+                self.watch(self.state.document(), stamps);
                 return Ok(());
             }
             Purpose::Reload | Purpose::Follow => self.state.reload_as(loaded, made),
@@ -116,7 +126,7 @@ impl App {
                 self.filter = Filter::default();
             }
         }
-        self.watch();
+        self.watch_anew(stamps);
         self.notices.clear();
         if purpose == Purpose::Follow {
             self.say(format!(
@@ -147,13 +157,23 @@ impl App {
     }
 
     /// Asks where to save the scene as it is now. With an intent, saves the first scene whose edits the intent would
-    /// drop, perhaps one left for the gallery, and carries out the intent after the save.
-    pub(super) fn ask_where_to_save(&mut self, then: Option<Intent>) {
-        let drops = then.as_ref().map(|intent| intent.drops(&self.state));
+    /// drop, perhaps one left for the gallery, and carries out the intent after the save. One dialog is open at a time.
+    pub(super) fn ask_where_to_save(&mut self, then: Option<Pending>) {
+        let drops = then.as_ref().map(|then| then.intent.drops(&self.state));
         let scene = drops.and_then(|scenes| scenes.first().copied());
         let scene = scene.unwrap_or(&self.state);
         let (snapshot, file) = (scene.snapshot(), scene.file_to_save());
+        if let Some((asked, waits)) = &mut self.to_save {
+            if asked.document == snapshot.document {
+                *asked = snapshot;
+            }
+            if let Some(before) = then.and_then(|then| waits.replace(then)) {
+                give_up(before);
+            }
+            return self.say("the dialog to save is open already".into());
+        }
         self.to_save = Some((snapshot, then));
+        self.save_dialogs += 1;
         if self.host == Host::Window {
             let wake = self.wake.clone();
             jobs::save_dialog(&file, move |answer| wake(Wake::Answered(answer)));
@@ -173,9 +193,16 @@ impl App {
         }
     }
 
+    /// Closes the save dialog without a file.
+    pub(super) fn save_nothing(&mut self) {
+        if let Some((_, Some(then))) = self.to_save.take() {
+            give_up(then);
+        }
+    }
+
     /// Takes the outcome of a save. From then on the scene belongs to its new file.
     pub(super) fn take_saved(&mut self) {
-        let poll = |(saving, _): &(Saving, _)| saving.poll();
+        let poll = |(saving, _): &(Saving, Option<Pending>)| saving.poll();
         let done = self
             .saving
             .iter()
@@ -192,10 +219,11 @@ impl App {
                     ..Source::default()
                 };
                 self.remember_opened(&source.paths);
+                let written = Stamps::of(&source.paths);
                 self.state.saved(&saved.snapshot, source);
-                self.watch();
-                if let Some(intent) = then {
-                    self.intend(intent);
+                self.watch(saved.snapshot.document, written);
+                if let Some(then) = then {
+                    self.propose(then);
                 }
             }
             Err(text) => self.complain(text),

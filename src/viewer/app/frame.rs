@@ -125,6 +125,8 @@ impl App {
         self.take_projected();
         self.take_uploaded();
         self.take_saved();
+        self.take_settled();
+        self.take_ready();
         self.take_checked();
         self.take_chart();
         self.take_waiting();
@@ -165,7 +167,11 @@ impl App {
         let is_shot = self.screenshots.wanted.is_some_and(|shot| shot.alone);
         let offers_tour = !is_shot && self.offers_tour();
         let mut none = Notices::new();
+        let due = mem::take(&mut self.late);
         let mut output = context.run_ui(input, |ui| {
+            if !due.is_empty() {
+                ui::leave_text(&context);
+            }
             let mut shown = Shown {
                 state: &self.state,
                 notices: if is_shot {
@@ -177,7 +183,7 @@ impl App {
                 floating: self.floating,
                 tour: self.tour,
                 offers_tour,
-                question: self.question.as_ref(),
+                question: self.question.as_ref().map(|pending| &pending.intent),
                 chart: self.chart.as_ref(),
                 checking: &self.checking,
                 marks: painted(&context, &self.state, &self.checking, &mut self.marks),
@@ -204,6 +210,11 @@ impl App {
                 Command::Open(dropped)
             });
         }
+        if context.text_edit_focused() {
+            let waits = |command: &mut Command| command.ends_typing();
+            self.late.extend(commands.extract_if(.., waits));
+        }
+        commands.extend(due);
         let idle = |command: &Command| {
             use Action::{Enter, Hover, Light, LightRow, Resize};
             matches!(
@@ -212,7 +223,7 @@ impl App {
                     | Command::Act(Enter(_) | Hover(_) | Light(_) | LightRow(_) | Resize(_))
             )
         };
-        let acted = !commands.iter().all(idle);
+        let acted = !commands.iter().all(idle) || !self.late.is_empty();
         let before = (self.state.hover(), self.state.row());
         let cursor = self.state.cursor();
         // A row lights its object only while the cursor is on it.

@@ -1,40 +1,98 @@
 //! Asks the user before anything that would drop edits.
 
-use super::program::{App, Purpose};
-use crate::viewer::ui::{Intent, Reply};
+use super::{
+    errands::{Arrival, Pending, Purpose},
+    program::App,
+};
+use crate::viewer::{
+    jobs::let_go,
+    model::Action,
+    ui::{Intent, Reply},
+};
 
 impl App {
     /// Carries out an intent, or asks first if it would drop edits.
     pub(super) fn intend(&mut self, intent: Intent) {
-        if intent.drops(&self.state).is_empty() {
-            self.carry_out(intent);
+        self.propose(Pending {
+            intent,
+            arrival: None,
+        });
+    }
+
+    /// Does what waited, or asks first if it would drop edits.
+    pub(super) fn propose(&mut self, pending: Pending) {
+        if pending.intent.drops(&self.state).is_empty() {
+            self.carry_out(pending);
         } else {
-            self.question = Some(intent);
-            self.context.request_repaint();
+            self.ask(pending);
         }
+    }
+
+    /// Asks the one question. What was asked about before waits until this is answered.
+    pub(super) fn ask(&mut self, pending: Pending) {
+        let before = self.question.replace(pending);
+        let waits = before.and_then(|before| before.arrival);
+        if let Some(arrival) = waits {
+            self.ready = Some(*arrival);
+        }
+        self.context.request_repaint();
     }
 
     /// Acts on the user's answer to the question.
     pub(super) fn reply(&mut self, reply: Reply) {
-        let Some(intent) = self.question.take() else {
+        let Some(pending) = self.question.take() else {
             return;
         };
-        match (reply, intent) {
-            (Reply::Save, intent) => self.ask_where_to_save(Some(intent)),
-            (Reply::GoOn, intent) => self.carry_out(intent),
-            (Reply::Add, Intent::Open(paths)) => self.load(paths, Purpose::Add),
-            (Reply::Stay | Reply::Add, _) => {}
+        match reply {
+            Reply::Save => self.ask_where_to_save(Some(pending)),
+            Reply::GoOn => self.carry_out(pending),
+            Reply::Add => self.add_instead(pending),
+            Reply::Stay => give_up(pending),
+        }
+        self.take_ready();
+    }
+
+    /// Adds the files that were to be opened.
+    fn add_instead(&mut self, pending: Pending) {
+        match (pending.intent, pending.arrival) {
+            (Intent::Open(_), Some(mut arrival)) => {
+                arrival.errand.purpose = Purpose::Add;
+                (arrival.made, arrival.uploaded) = (None, None);
+                self.arrive(*arrival);
+            }
+            (Intent::Open(paths), None) => self.load(paths, Purpose::Add),
+            _ => {}
         }
     }
 
-    fn carry_out(&mut self, intent: Intent) {
-        match intent {
-            Intent::Open(paths) => self.load(paths, Purpose::Open),
-            Intent::Reload => self.reload(),
-            Intent::Quit => {
+    /// Goes on with what was asked about once there is nothing to ask any more: a save may have landed meanwhile.
+    pub(super) fn take_settled(&mut self) {
+        let state = &self.state;
+        let settled = (self.question).take_if(|pending| pending.intent.drops(state).is_empty());
+        if let Some(pending) = settled {
+            self.carry_out(pending);
+            self.context.request_repaint();
+        }
+    }
+
+    fn carry_out(&mut self, pending: Pending) {
+        match (pending.intent, pending.arrival) {
+            (Intent::Open(_) | Intent::Reload, Some(arrival)) => self.show_arrival(*arrival),
+            (Intent::Open(paths), None) => self.load(paths, Purpose::Open),
+            (Intent::Reload, None) => self.reload(),
+            (Intent::LeaveGallery, _) => self.act(Action::LeaveGallery),
+            (Intent::Quit, _) => {
                 self.keep_memory();
                 self.quit = true;
             }
         }
+    }
+}
+
+/// The user does not want it.
+pub(super) fn give_up(pending: Pending) {
+    if let Some(Arrival { loaded, .. }) = pending.arrival.map(|arrival| *arrival) {
+        let size = loaded.scene.size();
+        let_go(loaded, size);
     }
 }

@@ -4,6 +4,7 @@ mod acting;
 mod arriving;
 mod checks;
 mod commands;
+mod errands;
 mod exhibits;
 mod files;
 mod frame;

@@ -1,6 +1,7 @@
 //! The program behind the window: all that outlives frames, devices and windows, with its messages and its title.
 
 use super::{
+    errands::{Arrival, Errand, Pending},
     memory::Memory,
     numbers::Numbers,
     rest::Rest,
@@ -19,7 +20,7 @@ use crate::{
         options::Options,
         screen::{Progress, Textures},
         ui::{
-            self, Docks, Drag, Filter, Floating, Intent, Kind, Letters, Notice, Notices,
+            self, Command, Docks, Drag, Filter, Floating, Kind, Letters, Notice, Notices,
             Statistics, Tour,
         },
     },
@@ -31,22 +32,6 @@ use std::{
 
 /// How long a confirmation is shown, in seconds.
 const SAID_S: f64 = 4.0;
-
-/// What a load is for.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Purpose {
-    /// To replace what is shown.
-    Open,
-    /// To read the files on screen again: view, selection and visibility stay.
-    Reload,
-    /// The same as [`Self::Reload`], because the files have changed.
-    Follow,
-    /// To add to what is shown.
-    Add,
-}
-
-/// A loaded scene, its files and its purpose: shown once it is in graphics memory.
-pub(super) struct Arrival(pub Box<Loaded>, pub Vec<PathBuf>, pub Purpose);
 
 /// How much of the screen the window covers.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -96,16 +81,25 @@ pub(in crate::viewer) struct App {
     pub(super) projecting: Option<Projecting>,
     /// The upload under way, and what is shown after it.
     pub(super) arriving: Option<(Upload, Arrival)>,
+    /// What is to be shown once no question waits for an answer.
+    pub(super) ready: Option<Arrival>,
     /// Finished uploads for the next frame, each with its stage; `None` is the camera's picture.
     pub(super) uploaded: Vec<(Option<Stage>, Uploaded)>,
-    /// The load under way, its files and its purpose.
-    pub(super) loading: Option<(Loading, Vec<PathBuf>, Purpose)>,
-    /// The scene as it was when the save dialog opened, and what to do once it is saved.
-    pub(super) to_save: Option<(Snapshot, Option<Intent>)>,
+    /// The load under way, and what it is for.
+    pub(super) loading: Option<(Loading, Errand)>,
+    /// Whether the dialog to open files is open.
+    pub(super) asks_for_files: bool,
+    /// The scene as it was when the save dialog opened, and what to do once it is saved. There is one while the dialog is
+    /// open.
+    pub(super) to_save: Option<(Snapshot, Option<Pending>)>,
+    /// How many save dialogs were opened so far.
+    pub save_dialogs: usize,
     /// Saves under way, and what to do after each.
-    pub(super) saving: Vec<(Saving, Option<Intent>)>,
+    pub(super) saving: Vec<(Saving, Option<Pending>)>,
     /// What would drop edits, and waits for the user's answer.
-    pub(super) question: Option<Intent>,
+    pub(super) question: Option<Pending>,
+    /// Commands that wait for the next pass: first the number that is being typed is entered.
+    pub(super) late: Vec<Command>,
     /// The build of trees for the scene on screen.
     pub trees: Option<TreeBuild>,
     /// Whether nothing was shown yet: the first scene takes the command line's camera.
@@ -119,8 +113,10 @@ pub(in crate::viewer) struct App {
     pub memory: Memory,
     /// Writes the memory to its file.
     pub(super) keeping: Keeping,
-    /// Watches the files on screen for changes by others.
-    pub(super) watching: Option<Watching>,
+    /// Watches the files of scenes for changes by others: of the one on show, and of those left for the gallery.
+    pub(super) watching: Vec<(u64, Watching)>,
+    /// The scene's revision at which the watch was brought up to date last.
+    pub(super) watched: u64,
     /// The search for system typefaces with characters that egui's own lack.
     pub(super) typefaces: Typefaces,
     /// Glyphs of panels that are not open yet, rasterised ahead.
@@ -169,11 +165,15 @@ impl App {
             gpu: None,
             projecting: None,
             arriving: None,
+            ready: None,
             uploaded: Vec::new(),
             loading: None,
+            asks_for_files: false,
             to_save: None,
+            save_dialogs: 0,
             saving: Vec::new(),
             question: None,
+            late: Vec::new(),
             trees: None,
             first: true,
             notices: Notices::new(),
@@ -182,7 +182,8 @@ impl App {
             docks: memory.panels,
             memory,
             keeping: Keeping::default(),
-            watching: None,
+            watching: Vec::new(),
+            watched: 0,
             typefaces,
             letters: Letters::default(),
             numbers: Numbers::default(),

@@ -1,45 +1,116 @@
 //! Reads files again when another program changes them, unless that would drop edits.
 
-use super::program::{App, Purpose};
-use crate::{scene::gallery::Exhibit, viewer::jobs::Watching};
-use std::path::PathBuf;
+use super::{
+    errands::{Errand, Purpose},
+    program::App,
+};
+use crate::{
+    scene::gallery::Exhibit,
+    viewer::{
+        jobs::{Stamps, Watching},
+        model::Source,
+    },
+};
+use std::{collections::BTreeSet, path::PathBuf};
 
 impl App {
-    /// Watches the files on screen, in place of those before.
-    pub(super) fn watch(&mut self) {
-        let source = self.state.source();
-        let is_file = |path: &&PathBuf| !matches!(Exhibit::at(path), Ok(Some(_)));
-        let meshes = source.meshes.iter().map(|file| &file.path);
-        let mut files: Vec<_> = source
-            .paths
-            .iter()
-            .chain(meshes)
-            .chain(&source.materials)
-            .filter(is_file)
-            .cloned()
-            .collect();
-        files.sort();
-        files.dedup();
-        self.watching = None;
-        if !files.is_empty() {
-            self.watching = Watching::start(files, self.waker());
+    /// How the files are now that a load is about to read.
+    pub(super) fn stamps_before(&self, paths: &[PathBuf], purpose: Purpose) -> Stamps {
+        let stamps = Stamps::of(paths);
+        if purpose.reads_again() {
+            return stamps.with(Stamps::of(&files_of(self.state.source())));
+        }
+        stamps
+    }
+
+    /// The files on screen have just been read, and were so before: watches them for changes since then.
+    pub(super) fn watch_anew(&mut self, read: Stamps) {
+        let document = self.state.document();
+        let state = &self.state;
+        // Some scenes have gone for good.
+        (self.watching).retain(|(of, _)| *of != document && state.opened(*of).is_some());
+        self.watch(document, read);
+    }
+
+    /// Watches the files of a scene, which may have changed. `read` says how some of them were when they were read. A change
+    /// that is still to be read stays so.
+    pub(super) fn watch(&mut self, document: u64, read: Stamps) {
+        let Some(state) = self.state.opened(document) else {
+            return;
+        };
+        let files = files_of(state.source());
+        let at = self.watching.iter().position(|(of, _)| *of == document);
+        let mut before = at.map(|at| self.watching.swap_remove(at).1);
+        let is_due = before.as_mut().is_some_and(Watching::is_due);
+        let known = before.as_ref().map(Watching::known).cloned();
+        let known = known.unwrap_or_default().with(read);
+        if !files.is_empty()
+            && let Some(mut watching) = Watching::start(&files, &known, self.waker())
+        {
+            watching.set_due(is_due);
+            self.watching.push((document, watching));
         }
     }
 
-    /// Reads the files again after a change.
-    pub(super) fn take_changed(&mut self) {
-        if !self.watching.as_ref().is_some_and(Watching::poll) {
+    /// Watches what is on screen now: undo and redo lead to other scenes and other files.
+    fn keep_watching(&mut self) {
+        let (document, revision) = (self.state.document(), self.state.scene_revision());
+        if self.watched == revision {
             return;
         }
-        let name = self.state.name();
-        if self.loading.is_some() {
-            // The load under way brings newer contents, or another scene.
-        } else if self.state.edited() {
-            self.remind(format!(
-                "{name} has changed on the disk. Your edits are kept: R reads it again"
-            ));
+        self.watched = revision;
+        let files = files_of(self.state.source());
+        let watching = self.watching.iter().find(|(of, _)| *of == document);
+        if !watching.is_some_and(|(_, watching)| watching.is_of(&files)) {
+            self.watch(document, Stamps::default());
+        }
+    }
+
+    /// Reads the files again after a change. A change during a load waits for its end.
+    pub(super) fn take_changed(&mut self) {
+        self.keep_watching();
+        let document = self.state.document();
+        let mut all = self.watching.iter_mut();
+        let Some((_, watching)) = all.find(|(of, _)| *of == document) else {
+            return;
+        };
+        if !watching.is_due() || self.underway().is_some() || self.ready.is_some() {
+            return;
+        }
+        if self.state.edited() {
+            self.keep_edits();
         } else {
             self.load(self.state.source().paths.clone(), Purpose::Follow);
         }
     }
+
+    /// The files have changed, but to read them would drop edits: says so instead.
+    pub(super) fn keep_edits(&mut self) {
+        self.take_as_read(self.state.document());
+        let name = self.state.name();
+        self.remind(format!(
+            "{name} has changed on the disk. Your edits are kept: R reads it again"
+        ));
+    }
+
+    /// The load has failed, or the user has cancelled it: a change that it was to read is not tried again.
+    pub(super) fn give_up_change(&mut self, errand: &Errand) {
+        if errand.purpose.reads_again() {
+            self.take_as_read(errand.document);
+        }
+    }
+
+    fn take_as_read(&mut self, document: u64) {
+        for (_, watching) in self.watching.iter_mut().filter(|(of, _)| *of == document) {
+            watching.set_due(false);
+        }
+    }
+}
+
+/// The files of a scene that others may change.
+fn files_of(source: &Source) -> BTreeSet<PathBuf> {
+    let is_file = |path: &&PathBuf| !matches!(Exhibit::at(path), Ok(Some(_)));
+    let meshes = source.meshes.iter().map(|file| &file.path);
+    let files = source.paths.iter().chain(meshes).chain(&source.materials);
+    files.filter(is_file).cloned().collect()
 }

@@ -2,6 +2,7 @@
 
 mod clipboard;
 mod controls;
+mod handed_files;
 mod mark;
 mod offscreen;
 mod page;

@@ -11,14 +11,13 @@ use crate::{
     render::GpuError,
     viewer::{
         app::{App, Extent, Frame, Host, REST_S, Wake, Waker},
-        jobs::Answer,
         model::State,
         options::Options,
-        ui::{Command, Notice},
+        ui::Notice,
     },
 };
 use std::{
-    path::{Path, PathBuf},
+    path::PathBuf,
     sync::{
         Arc,
         mpsc::{Receiver, channel},
@@ -33,19 +32,6 @@ const LONGEST_WAIT: Duration = Duration::from_mins(2);
 
 /// Seconds between two passes.
 const FRAME_S: f64 = 1.0 / 60.0;
-
-#[derive(Debug)]
-struct Dropped(PathBuf);
-
-impl egui::DroppedFile for Dropped {
-    fn path(&self) -> &Path {
-        &self.0
-    }
-
-    fn bytes(&self) -> Result<Vec<u8>, String> {
-        std::fs::read(&self.0).map_err(|error| error.to_string())
-    }
-}
 
 /// A window that nobody sees.
 pub struct Offscreen {
@@ -110,37 +96,6 @@ impl Offscreen {
     pub fn send_at_once(&mut self, events: Vec<egui::Event>) {
         let input = self.input(events);
         self.pass(input);
-        self.settle();
-    }
-
-    /// Drops a file on the window and waits for what comes of it.
-    pub fn drop_file(&mut self, path: PathBuf) {
-        self.begin_to_drop(path);
-        self.settle();
-    }
-
-    /// Drops a file on the window and waits for nothing: later frames take the result.
-    pub fn begin_to_drop(&mut self, path: PathBuf) {
-        let mut input = self.input(Vec::new());
-        input.dropped_files = vec![Arc::new(Dropped(path))];
-        self.pass(input);
-    }
-
-    /// Closes the window, as the button of its frame does.
-    pub fn close(&mut self) {
-        self.app.run_command(Command::Quit);
-        self.settle();
-    }
-
-    /// Opens files, as when the dialog is answered with them.
-    pub fn open_files(&mut self, paths: Vec<PathBuf>) {
-        self.app.answered(Answer::Open(paths));
-        self.settle();
-    }
-
-    /// Saves to a file, as when the dialog is answered with it.
-    pub fn save_as(&mut self, path: PathBuf) {
-        self.app.answered(Answer::Save(path));
         self.settle();
     }
 
@@ -355,13 +310,13 @@ impl Offscreen {
         }
     }
 
-    fn pass(&mut self, input: egui::RawInput) {
+    pub(super) fn pass(&mut self, input: egui::RawInput) {
         let platform = self.app.pass(input);
         self.take_told(platform);
     }
 
     /// egui's input, a frame later than the one before.
-    fn input(&mut self, events: Vec<egui::Event>) -> egui::RawInput {
+    pub(super) fn input(&mut self, events: Vec<egui::Event>) -> egui::RawInput {
         self.time_s += FRAME_S;
         #[expect(clippy::cast_precision_loss, reason = "windows are not that large")]
         let [width, height] = [self.page.size.width(), self.page.size.height()]

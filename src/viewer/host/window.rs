@@ -183,8 +183,8 @@ impl ApplicationHandler<Wake> for Program {
         };
         match &event {
             WindowEvent::CloseRequested => {
-                self.app.run_command(Command::Quit);
-                self.leave_if_done(event_loop);
+                self.app.run_after_typing(Command::Quit);
+                self.pass(event_loop);
                 return self.request_redraw();
             }
             WindowEvent::RedrawRequested => {

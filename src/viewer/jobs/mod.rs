@@ -1,5 +1,7 @@
-//! What takes long. Each job has a thread of its own and knows no window. When it is done, it wakes its caller, who polls for
-//! the result, or it hands the result to a function that the caller gave.
+//! What takes long, on threads of its own that know no window. Most of it is a `Job`: when it is done, it wakes its caller,
+//! who polls for the result. File dialogs and the question whether the desktop is dark are no `Job`: they hand their answer
+//! to a function that the caller gave. A watch goes on until it is dropped, and wakes its caller at every change. Freeing
+//! memory and writing what is remembered have no result.
 
 mod check;
 mod desktop;
@@ -32,4 +34,4 @@ pub(super) use study::Chart;
 pub(super) use trees::TreeBuild;
 pub(super) use typefaces::{Missing, Typeface, Typefaces};
 pub(super) use uploading::{LITTLE, Making, Upload, Uploaded};
-pub(super) use watching::Watching;
+pub(super) use watching::{Stamps, Watching};

@@ -2,7 +2,7 @@
 
 use notify::{RecommendedWatcher, RecursiveMode, Watcher};
 use std::{
-    collections::BTreeSet,
+    collections::{BTreeMap, BTreeSet},
     fs,
     path::{Path, PathBuf},
     sync::mpsc::{Receiver, channel},
@@ -16,20 +16,57 @@ const QUIET: Duration = Duration::from_millis(300);
 /// When a file was changed last, and its length; `None` while it is not there.
 type Stamp = Option<(SystemTime, u64)>;
 
+/// Files, and how each of them was at some time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::viewer) struct Stamps(BTreeMap<PathBuf, Stamp>);
+
+impl Stamps {
+    /// How files are now.
+    pub fn of<'a>(files: impl IntoIterator<Item = &'a PathBuf>) -> Self {
+        let stamped = files.into_iter().map(|file| (file.clone(), stamp(file)));
+        Self(stamped.collect())
+    }
+
+    /// These, and in place of some of them or beside them, others.
+    pub fn with(mut self, others: Self) -> Self {
+        self.0.extend(others.0);
+        self
+    }
+
+    /// Whether another program has changed a file. A file that is gone may come back at once, so it is waited for. A file
+    /// that was never there, perhaps an MTL file, is not.
+    fn differ(&self, now: &Self) -> bool {
+        let mut both = self.0.values().zip(now.0.values());
+        let is_whole = both.all(|(known, now)| known.is_none() || now.is_some());
+        is_whole && now != self
+    }
+}
+
 /// Files that are watched.
 pub(in crate::viewer) struct Watching {
     /// Dropping it ends the watch.
     _watcher: RecommendedWatcher,
-    changed: Receiver<()>,
+    changed: Receiver<Stamps>,
+    /// How the files were when they last changed.
+    known: Stamps,
+    /// A change is still to be read.
+    is_due: bool,
 }
 
 impl Watching {
-    /// Watches files; calls `wake` whenever one of them has changed. `None` if the system cannot watch.
-    pub fn start(files: Vec<PathBuf>, wake: impl Fn() + Send + 'static) -> Option<Self> {
+    /// Watches files; calls `wake` whenever one of them has changed. `read` says how some of them were when they were read:
+    /// they may have changed since. `None` if the system cannot watch.
+    pub fn start(
+        files: &BTreeSet<PathBuf>,
+        read: &Stamps,
+        wake: impl Fn() + Send + 'static,
+    ) -> Option<Self> {
         let (told, events) = channel();
-        let mut watcher = notify::recommended_watcher(move |event| {
+        // The first look needs no event.
+        let _ = told.send(());
+        let mut watcher = notify::recommended_watcher(move |_: notify::Result<notify::Event>| {
             // The watch has ended when nobody listens any more.
-            let _ = told.send(event);
+            let _ = told.send(());
         })
         .ok()?;
         // When a file is replaced, only its folder gets the event.
@@ -40,19 +77,20 @@ impl Watching {
             }
         }
         // Taken now, before the thread runs, so that no change is missed.
-        let mut known = stamps(&files);
+        let known = files.iter().map(|file| {
+            let read = read.0.get(file).copied();
+            (file.clone(), read.unwrap_or_else(|| stamp(file)))
+        });
+        let known = Stamps(known.collect());
+        let mut last = known.clone();
         let (sender, changed) = channel();
         thread::spawn(move || {
             while events.recv().is_ok() {
                 while events.recv_timeout(QUIET).is_ok() {}
-                let now = stamps(&files);
-                // A file that is gone may come back at once, so it is waited for. A file that was never there, perhaps an
-                // MTL file, is not.
-                let mut both = known.iter().zip(&now);
-                let is_whole = both.all(|(known, now)| known.is_none() || now.is_some());
-                if is_whole && now != known {
-                    known = now;
-                    if sender.send(()).is_err() {
+                let now = Stamps::of(last.0.keys());
+                if last.differ(&now) {
+                    last = now.clone();
+                    if sender.send(now).is_err() {
                         return;
                     }
                     wake();
@@ -62,12 +100,33 @@ impl Watching {
         Some(Self {
             _watcher: watcher,
             changed,
+            known,
+            is_due: false,
         })
     }
 
-    /// Whether a file has changed since the last call.
-    pub fn poll(&self) -> bool {
-        self.changed.try_iter().count() > 0
+    /// Whether a file has changed, and that is still to be read.
+    pub fn is_due(&mut self) -> bool {
+        if let Some(now) = self.changed.try_iter().last() {
+            self.known = now;
+            self.is_due = true;
+        }
+        self.is_due
+    }
+
+    /// Sets whether a change is still to be read.
+    pub fn set_due(&mut self, is_due: bool) {
+        self.is_due = is_due;
+    }
+
+    /// How the files were when they last changed.
+    pub fn known(&self) -> &Stamps {
+        &self.known
+    }
+
+    /// Whether it watches these files and no others.
+    pub fn is_of(&self, files: &BTreeSet<PathBuf>) -> bool {
+        self.known.0.keys().eq(files)
     }
 }
 
@@ -80,10 +139,7 @@ fn folder_of(file: &Path) -> Option<&Path> {
     })
 }
 
-fn stamps(files: &[PathBuf]) -> Vec<Stamp> {
-    let stamp = |file: &PathBuf| {
-        let about = fs::metadata(file).ok()?;
-        Some((about.modified().ok()?, about.len()))
-    };
-    files.iter().map(stamp).collect()
+fn stamp(file: &PathBuf) -> Stamp {
+    let about = fs::metadata(file).ok()?;
+    Some((about.modified().ok()?, about.len()))
 }

@@ -136,6 +136,7 @@ impl Action {
                 | Self::Pose(_)
                 | Self::Lens(_)
                 | Self::ToggleProjection
+                | Self::ToggleSides
                 | Self::UpAxis(_)
                 | Self::Camera(_)
                 | Self::Section(_)

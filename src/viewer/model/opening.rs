@@ -8,7 +8,7 @@ use super::{
     overlay::Overlays,
     section_memory::SectionMemory,
     showing::Showing,
-    state::{Edits, Selection, Source, State, Step},
+    state::{Edits, Selection, Source, State, Step, Viewpoint},
     timeline::Timeline,
 };
 use crate::{
@@ -123,14 +123,19 @@ impl State {
     /// Gives the picture this size. While view and scene are as they were opened, the opening view is computed again for this
     /// size: so all of the scene is in view, whatever size the window turns out to have.
     pub(super) fn resize(&mut self, viewport: Viewport) {
-        let is_as_opened = self.opened_at == Some(self.viewpoint()) && self.edits == self.filed;
+        // Which sides show moves nothing.
+        let stood = self.opened_at.map(|at| Viewpoint {
+            sides: self.view.sides,
+            ..at
+        });
+        let is_as_opened = stood == Some(self.viewpoint()) && self.edits == self.filed;
         if mem::replace(&mut self.view.viewport, viewport) == viewport {
             return;
         }
         if is_as_opened {
             self.view_as_opened();
         }
-        if self.frozen.is_some() {
+        if self.frozen().is_some() {
             // Near depends on which corners of the frozen frustum the picture shows.
             self.fit();
         }
@@ -230,12 +235,14 @@ impl State {
         of_no_file && !self.scene.objects().is_empty()
     }
 
-    /// The file that is proposed for saving: the scene file that the scene is from, or else `scene.toml`.
+    /// The file that is proposed for saving: the scene file that the scene is from, or else `scene.toml` beside its first
+    /// file.
     #[must_use]
     pub fn file_to_save(&self) -> PathBuf {
         match self.source.paths.as_slice() {
             [own] if scene::is_scene_file(own) => own.clone(),
-            _ => "scene.toml".into(),
+            [first, ..] => first.with_file_name("scene.toml"),
+            [] => "scene.toml".into(),
         }
     }
 
@@ -267,6 +274,6 @@ pub(in crate::viewer) struct Snapshot {
     pub scene: Scene,
     pub camera: CameraChoice,
     pub meshes: Vec<MeshFile>,
-    document: u64,
+    pub document: u64,
     edits: Edits,
 }

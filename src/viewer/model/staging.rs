@@ -51,11 +51,13 @@ impl State {
         if views == Views::Picture {
             if let Some(panes) = self.panes.take() {
                 self.unused.extend([panes.alone.scene, panes.ndc.scene]);
+                if self.frozen.is_some() {
+                    // It shows again, and near and far hold it.
+                    self.fit();
+                }
             }
             return;
         }
-        // The world view shows the present camera.
-        self.frozen = None;
         self.cursor = None;
         let large = match views {
             Views::One(stage) => Some(stage),

@@ -16,7 +16,7 @@ use super::{
 };
 use crate::{
     camera::{Camera, CameraChoice, Orbit, UpAxis, View},
-    geometry::{Placement, Section},
+    geometry::{Placement, Section, Sides},
     pick::{Pick, PickLine},
     scene::{MeshFile, Scene},
     study::swap::Swap,
@@ -65,6 +65,7 @@ pub(super) struct Viewpoint {
     pub camera: Camera,
     pub pivot_world: DVec3,
     pub section: Option<Section>,
+    pub sides: Sides,
 }
 
 /// What is selected, and the ray that it was picked by.
@@ -121,6 +122,16 @@ pub(super) enum Step {
     Measured(Vec<Entry>),
     /// Another scene was open, with all of its state.
     Open(Box<State>),
+}
+
+impl Step {
+    /// The scene that it leads to, if that is another one.
+    pub fn scene(&self) -> Option<&State> {
+        match self {
+            Self::Open(state) => Some(state),
+            _ => None,
+        }
+    }
 }
 
 /// Where a scene is from.
@@ -252,30 +263,6 @@ impl State {
         self.selection.as_ref()?.pick.as_ref()?.hit.as_ref()
     }
 
-    /// Whether the scene differs from its files in a model matrix, or has an object that is in none of them. What is hidden
-    /// does not count.
-    #[must_use]
-    pub fn edited(&self) -> bool {
-        self.edits.matrices != self.filed.matrices
-    }
-
-    /// The scenes with edits that closing the window would lose: first those left for the gallery, oldest first, then this
-    /// one.
-    pub(in crate::viewer) fn unsaved_scenes(&self) -> Vec<&Self> {
-        let left = self.timeline.past().iter().filter_map(|step| match step {
-            Step::Open(state) => Some(&**state),
-            _ => None,
-        });
-        let all = left.chain([self]);
-        all.filter(|state| state.edits != state.filed).collect()
-    }
-
-    /// Whether there are unsaved edits.
-    #[must_use]
-    pub fn unsaved(&self) -> bool {
-        !self.unsaved_scenes().is_empty()
-    }
-
     /// What undo (`back`) or redo would change, in a word or two; `None` where there is nothing to undo or redo.
     #[must_use]
     pub fn next_step(&self, back: bool) -> Option<&'static str> {
@@ -323,10 +310,10 @@ impl State {
         self.grid
     }
 
-    /// The camera that was left standing in the scene.
+    /// The camera that was left standing in the scene. The four views show none: the world view shows the camera as it is.
     #[must_use]
     pub fn frozen(&self) -> Option<&Frozen> {
-        self.frozen.as_ref()
+        self.frozen.as_ref().filter(|_| self.panes.is_none())
     }
 
     /// The scene of the gallery, if this is one, and the method that picks in it.
@@ -359,6 +346,7 @@ impl State {
             camera: self.view.camera,
             pivot_world: self.pivot_world,
             section: self.view.section,
+            sides: self.view.sides,
         }
     }
 

@@ -59,7 +59,7 @@ impl State {
             hover: self.hover(),
             overlays: self.overlays,
             grid: self.grid.then_some(self.up_axis),
-            frozen: self.frozen,
+            frozen: self.frozen().copied(),
             lesson: None,
         }
     }

@@ -95,6 +95,11 @@ impl<S> Timeline<S> {
     }
 
     /// All steps.
+    pub fn all(&self) -> impl Iterator<Item = &S> {
+        self.past.iter().chain(&self.future)
+    }
+
+    /// All steps, to be changed.
     pub fn all_mut(&mut self) -> impl Iterator<Item = &mut S> {
         self.past.iter_mut().chain(&mut self.future)
     }

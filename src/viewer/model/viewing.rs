@@ -125,8 +125,8 @@ impl State {
         let (bounds, camera) = (self.scene.visible_bounds(), &view.camera);
         let (mut near, mut far) = fit_near_far(camera, &bounds, controls.near, controls.far);
         let others = self
-            .frozen
-            .iter()
+            .frozen()
+            .into_iter()
             .filter(|frozen| !looks_alike(&frozen.view, view));
         let points: Vec<_> = others.flat_map(|frozen| corners(&frozen.view)).collect();
         let depth = |point: &DVec3| camera.to_view(*point).z;
@@ -280,6 +280,7 @@ impl State {
         self.pivot_world = to.pivot_world;
         self.view.camera = to.camera;
         self.view.section = to.section;
+        self.view.sides = to.sides;
         self.fit();
     }
 
@@ -301,7 +302,7 @@ impl State {
     /// The world-space box about all that shows: visible objects and a frozen camera's frustum.
     pub(super) fn shown_bounds(&self) -> Aabb {
         let bounds = self.scene.visible_bounds();
-        let views = self.frozen.iter().map(|frozen| frozen.view);
+        let views = self.frozen().into_iter().map(|frozen| frozen.view);
         views.fold(bounds, with_frustum)
     }
 

@@ -2,7 +2,7 @@
 
 use crate::{
     scene::gallery::Exhibit,
-    viewer::model::{Action, State},
+    viewer::model::{Action, State, Version},
 };
 use std::path::{Path, PathBuf};
 
@@ -80,6 +80,16 @@ pub(in crate::viewer) enum Command {
     Quit,
 }
 
+impl Command {
+    /// Whether it opens, saves or closes. A number that is still being typed is to count before that.
+    pub fn ends_typing(&self) -> bool {
+        matches!(
+            self,
+            Self::OpenDialog | Self::SaveDialog | Self::Open(_) | Self::Reload | Self::Quit
+        )
+    }
+}
+
 /// Where to go, by a number from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::viewer) enum GoTo {
@@ -98,6 +108,8 @@ pub(in crate::viewer) enum Intent {
     Open(Vec<PathBuf>),
     /// Read the files again.
     Reload,
+    /// Go back to what was open before the gallery.
+    LeaveGallery,
     /// Close the window.
     Quit,
 }
@@ -109,7 +121,21 @@ impl Intent {
             // Undo leads back out of the gallery.
             Self::Open(paths) if is_exhibit(paths) => Vec::new(),
             Self::Reload => state.edited().then_some(state).into_iter().collect(),
+            // Undo leads back in, but the next step ends that.
+            Self::LeaveGallery => {
+                let scenes = state.unsaved_scenes().into_iter();
+                scenes.filter(|scene| scene.showing().is_some()).collect()
+            }
             Self::Open(_) | Self::Quit => state.unsaved_scenes(),
+        }
+    }
+
+    /// The same scenes, with the edits that it would drop.
+    pub fn at_stake(&self, state: &State) -> Vec<Version> {
+        let drops = self.drops(state).into_iter();
+        match self {
+            Self::Reload => drops.map(State::version_of_matrices).collect(),
+            _ => drops.map(State::version).collect(),
         }
     }
 }

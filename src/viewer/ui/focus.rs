@@ -4,6 +4,17 @@
 use egui::{Context, Id};
 use std::mem;
 
+/// Takes the focus from the text that is being edited: its field then does what Enter does.
+pub(in crate::viewer) fn leave_text(ctx: &Context) {
+    if ctx.text_edit_focused() {
+        ctx.memory_mut(|memory| {
+            if let Some(id) = memory.focused() {
+                memory.surrender_focus(id);
+            }
+        });
+    }
+}
+
 /// What had the focus when the keys of a pass were pressed. egui drops the focus before we see the key that dropped it.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Focus {

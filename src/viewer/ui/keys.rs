@@ -295,12 +295,18 @@ const fn look(to_eye: DVec3) -> Command {
     act(Action::LookFrom(to_eye))
 }
 
-/// The commands of the keys that were pressed: none while a text is edited, only Esc's while a question waits for an answer.
-/// A focused control gets Enter, Esc and the arrows. If none has the focus, Esc first gives up texts that are shown in red.
+/// The commands of the keys that were pressed: only those that open, save and quit while a text is edited, only Esc's while
+/// a question waits for an answer. A focused control gets Enter, Esc and the arrows. If none has the focus, Esc first gives up texts that are shown in red.
 pub(in crate::viewer) fn pressed(ctx: &egui::Context, has_question: bool) -> Vec<Command> {
     let focus = Focus::of_pass(ctx);
     if focus.types {
-        return Vec::new();
+        return if has_question {
+            Vec::new()
+        } else {
+            pressed_among(ctx, |modifiers, _, command| {
+                modifiers == CTRL && command.ends_typing()
+            })
+        };
     }
     if has_question {
         let escapes = ctx.input_mut(|input| input.count_and_consume_key(NONE, Key::Escape));
@@ -316,18 +322,29 @@ pub(in crate::viewer) fn pressed(ctx: &egui::Context, has_question: bool) -> Vec
                 Key::Enter | Key::Escape | Key::ArrowUp | Key::ArrowDown
             )
     };
-    ctx.input_mut(|input| {
-        let mut asked = Vec::new();
-        let shortcuts = BINDINGS.iter().flat_map(|binding| binding.shortcuts);
-        for (modifiers, key, command) in shortcuts.filter(|(_, key, _)| !is_taken(*key)) {
-            // A key that was pressed twice within a slow frame acts twice.
-            let times = input.count_and_consume_key(*modifiers, *key);
-            asked.extend(iter::repeat_n(command.clone(), times));
-        }
+    let mut asked = pressed_among(ctx, |_, key, _| !is_taken(key));
+    ctx.input(|input| {
         asked.extend(input.events.iter().filter_map(|event| match event {
             Event::Paste(text) => Some(Command::Paste(text.clone())),
             _ => None,
         }));
-        asked
+    });
+    asked
+}
+
+/// The commands of those shortcuts that were pressed and that `counts` lets through.
+fn pressed_among(
+    ctx: &egui::Context,
+    counts: impl Fn(Modifiers, Key, &Command) -> bool,
+) -> Vec<Command> {
+    let shortcuts = BINDINGS.iter().flat_map(|binding| binding.shortcuts);
+    let shortcuts = shortcuts.filter(|(modifiers, key, command)| counts(*modifiers, *key, command));
+    ctx.input_mut(|input| {
+        let asked = shortcuts.flat_map(|(modifiers, key, command)| {
+            // A key that was pressed twice within a slow frame acts twice.
+            let times = input.count_and_consume_key(*modifiers, *key);
+            iter::repeat_n(command.clone(), times)
+        });
+        asked.collect()
     })
 }

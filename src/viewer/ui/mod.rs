@@ -11,6 +11,7 @@ mod theme;
 mod tour;
 
 pub(super) use command::{Command, GoTo, Intent, Reply, TourMove};
+pub(super) use focus::leave_text;
 pub(super) use letters::Letters;
 pub(super) use mouse::Drag;
 pub(super) use notice::{Kind, Notice, Notices};

@@ -31,11 +31,12 @@ pub(in crate::viewer) struct Asked {
 
 /// Lays out the window.
 pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<Drag>) -> Asked {
-    let mut commands = Vec::new();
+    // The buttons at the top come after the fields below, whose numbers count once a click leaves them.
+    let (mut commands, mut of_toolbar) = (Vec::new(), Vec::new());
     let window = ui.max_rect().size();
     let wanted = sections(shown);
     if !shown.is_bare {
-        Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &wanted, &mut commands));
+        Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &wanted, &mut of_toolbar));
         Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
     }
     let room = room(window, ui.available_size());
@@ -91,6 +92,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     if let Some(intent) = shown.question {
         question::show(ui.ctx(), shown.state, intent, &mut commands);
     }
+    commands.append(&mut of_toolbar);
     commands.extend(keys::pressed(ui.ctx(), shown.question.is_some()));
     let (place, panes) = place.inner.unzip();
     Asked {

@@ -12,6 +12,7 @@ pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut
     let (what, go_on) = match intent {
         Intent::Open(_) => ("opens other files", "Open, drop the edits"),
         Intent::Reload => ("reads the files again", "Reload, drop the edits"),
+        Intent::LeaveGallery => ("leaves the gallery", "Leave, drop the edits"),
         Intent::Quit => ("closes the window", "Close, drop the edits"),
     };
     let scenes: Vec<_> = intent.drops(state).into_iter().map(State::name).collect();

@@ -1,0 +1,99 @@
+//! A number that is typed and not entered yet counts when the scene is saved, closed or replaced.
+
+use super::{keeping::is_asked, *};
+use sightline::scene::{self, Progress};
+
+type Does = fn(&mut Offscreen, &Path);
+
+/// A window in which a position is typed, but not entered.
+fn typing(text: &str) -> (Offscreen, TempDir) {
+    let (mut window, folder) = row(1.0);
+    std::fs::write(folder.path().join("other.toml"), ROW).expect("writable");
+    click(&mut window, MIDDLE);
+    click_on(&mut window, "Model matrix");
+    type_into(&mut window, "position x", text);
+    assert_eq!(x(&window), 0.0);
+    (window, folder)
+}
+
+fn x(window: &Offscreen) -> f64 {
+    let object = &window.state().scene().objects()[0];
+    object.placement.model().translation.x
+}
+
+#[test]
+fn a_typed_number_is_saved() {
+    let ways: [(&str, Does); 2] = [
+        ("button", |window, _| click_on(window, "Save\u{2026}")),
+        ("key", |window, _| press_key(window, CTRL, Key::S)),
+    ];
+    for (way, save) in ways {
+        let (mut window, folder) = typing("0.25");
+        let kept = folder.path().join("kept.toml");
+        save(&mut window, folder.path());
+        assert_eq!(x(&window), 0.25, "{way}");
+        window.save_as(kept.clone());
+        let kept = scene::load(&[kept], &Progress::default()).expect("a scene");
+        let at = kept.scene.objects()[0].placement.model().translation;
+        assert_eq!(at.x, 0.25, "{way}");
+    }
+}
+
+#[test]
+fn a_typed_number_is_asked_about_before_it_goes() {
+    let ways: [(&str, Does); 7] = [
+        ("frame", |window, _| window.close()),
+        ("Ctrl+Q", |window, _| press_key(window, CTRL, Key::Q)),
+        ("dialog", |window, folder| {
+            window.open_files(vec![folder.join("other.toml")]);
+        }),
+        ("drop", |window, folder| {
+            window.drop_file(folder.join("other.toml"));
+        }),
+        ("reload", |window, _| click_on(window, "Reload")),
+        ("Ctrl+S, frame", |window, _| {
+            press_key(window, CTRL, Key::S);
+            window.close();
+        }),
+        ("recent", |window, _| {
+            click_on(window, "Recent");
+            click_on(window, "row.toml");
+        }),
+    ];
+    for (way, goes) in ways {
+        let (mut window, folder) = typing("0.25");
+        goes(&mut window, folder.path());
+        assert!(is_asked(&window) && !window.has_quit(), "{way}");
+        click_on(&mut window, "Cancel");
+        assert_eq!(x(&window), 0.25, "{way}");
+        assert_eq!(window.state().name(), "row.toml", "{way}");
+    }
+}
+
+/// A text that is no number is left as Enter leaves it: red, and the number before stays in force.
+#[test]
+fn a_text_that_is_no_number_counts_for_nothing() {
+    let (mut window, folder) = typing("abc");
+    press_key(&mut window, CTRL, Key::S);
+    let kept = folder.path().join("kept.toml");
+    window.save_as(kept.clone());
+    assert_eq!(control(&window, "position x").value, "abc");
+    let kept = scene::load(&[kept], &Progress::default()).expect("a scene");
+    let at = kept.scene.objects()[0].placement.model().translation;
+    assert_eq!(at.x, 0.0);
+    window.close();
+    assert!(window.has_quit(), "nothing is edited");
+}
+
+/// Other keys belong to the text.
+#[test]
+fn letters_are_typed() {
+    let (mut window, _folder) = typing("0.25");
+    for key in [Key::R, Key::Num7, Key::B] {
+        let view = *window.state().view();
+        press_key(&mut window, Modifiers::NONE, key);
+        assert_eq!(*window.state().view(), view);
+    }
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(x(&window), 0.0);
+}

@@ -1,0 +1,136 @@
+//! What is edited while a load runs is asked about before the loaded scene takes its place.
+
+use super::{
+    keeping::{edit, is_asked, is_marked, shown},
+    *,
+};
+use glam::DVec3;
+use sightline::scene::{self, Progress};
+use std::{fs, thread, time::Duration};
+
+/// Cells along each side of a ground whose load takes longer than a few frames.
+const SIDE: u32 = 450;
+
+fn redo() -> Event {
+    key_event(CTRL, Key::Y, true)
+}
+
+/// A window that asks about a row of objects: while a large file was loading, the front one was hidden.
+fn edited_while_another_loads() -> (Offscreen, TempDir) {
+    let (mut window, folder) = row(1.0);
+    let path = stalls::ground(folder.path(), SIDE);
+    edit(&mut window);
+    press_key(&mut window, CTRL, Key::Z);
+    window.picture().expect("a picture");
+    assert!(!is_marked(&window));
+    window.begin_to_drop(path);
+    assert!(!is_asked(&window), "nothing is edited yet");
+    window.frame(redo()).expect("a frame");
+    assert_eq!(window.state().name(), "row.toml", "the other still loads");
+    assert_eq!(shown(&window), [false, true, true]);
+    window.send([]);
+    assert!(is_asked(&window));
+    assert_eq!(window.state().name(), "row.toml");
+    (window, folder)
+}
+
+#[test]
+fn edits_during_a_load_stay_if_the_user_says_so() {
+    let (mut window, _folder) = edited_while_another_loads();
+    click_on(&mut window, "Cancel");
+    window.send([]);
+    assert!(!is_asked(&window) && is_marked(&window));
+    assert_eq!(window.state().name(), "row.toml");
+    press_key(&mut window, CTRL, Key::Z);
+    assert_eq!(shown(&window), [true; 3]);
+}
+
+#[test]
+fn edits_during_a_load_go_only_if_the_user_says_so() {
+    let (mut window, _folder) = edited_while_another_loads();
+    click_on(&mut window, "Open, drop the edits");
+    assert_eq!(window.state().name(), "ground.obj");
+    assert!(!is_asked(&window) && !is_marked(&window));
+}
+
+#[test]
+fn what_was_loaded_meanwhile_can_be_added() {
+    let (mut window, _folder) = edited_while_another_loads();
+    click_on(&mut window, "Add to the scene");
+    assert_eq!(window.state().name(), "row.toml");
+    assert_eq!(shown(&window), [false, true, true, true]);
+}
+
+#[test]
+fn edits_during_a_load_can_be_saved_first() {
+    let (mut window, folder) = edited_while_another_loads();
+    click_on(&mut window, "Save first\u{2026}");
+    assert_eq!(window.state().name(), "row.toml", "it is not saved yet");
+    let kept = folder.path().join("kept.toml");
+    window.save_as(kept.clone());
+    assert_eq!(window.state().name(), "ground.obj");
+    let kept = scene::load(&[kept], &Progress::default()).expect("a scene");
+    assert!(!kept.scene.objects()[0].visible);
+}
+
+fn place(window: &Offscreen) -> DVec3 {
+    let object = &window.state().scene().objects()[0];
+    object.placement.model().translation
+}
+
+/// A window that shows a large file. Redo moves its object to x = 1.5.
+fn large_with_a_move() -> (Offscreen, TempDir) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = stalls::ground(folder.path(), SIDE);
+    let mut window = open(vec![path], 1.0);
+    click(&mut window, MIDDLE);
+    click_on(&mut window, "Model matrix");
+    type_into(&mut window, "position x", "1.5");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(place(&window).x, 1.5);
+    press_key(&mut window, CTRL, Key::Z);
+    assert!(!is_marked(&window));
+    window.picture().expect("a picture");
+    (window, folder)
+}
+
+#[test]
+fn moves_while_the_files_are_read_again_are_asked_about() {
+    let (mut window, _folder) = large_with_a_move();
+    window.frame(press(Key::R)).expect("a frame");
+    assert!(!is_asked(&window));
+    window.frame(redo()).expect("a frame");
+    assert_eq!(place(&window).x, 1.5);
+    window.send([]);
+    assert!(is_asked(&window));
+    click_on(&mut window, "Cancel");
+    assert_eq!(place(&window).x, 1.5);
+    press_key(&mut window, Modifiers::NONE, Key::R);
+    click_on(&mut window, "Reload, drop the edits");
+    assert_eq!(place(&window).x, 0.0);
+}
+
+#[test]
+fn moves_while_a_changed_file_is_read_are_kept() {
+    let (mut window, folder) = large_with_a_move();
+    let path = folder.path().join("ground.obj");
+    let text = fs::read_to_string(&path).expect("a file");
+    fs::write(&path, text + "# changed\n").expect("writable");
+    let loads = |window: &Offscreen| has_control(window, "cancel");
+    for _ in 0..500 {
+        window
+            .frame(Event::PointerMoved(pos2(480.0, 80.0)))
+            .expect("a frame");
+        if loads(&window) {
+            break;
+        }
+        thread::sleep(Duration::from_millis(10));
+    }
+    assert!(loads(&window), "it is read again");
+    window.frame(redo()).expect("a frame");
+    window.send([]);
+    assert_eq!(place(&window).x, 1.5);
+    assert!(!is_asked(&window) && is_marked(&window));
+    let told = |text: &str| text.contains("has changed on the disk");
+    assert!(window.messages().any(told));
+}
