@@ -203,11 +203,15 @@ fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
     for (way, events) in ways {
         window.begin_to_drop(path.clone());
         // Parsing the text comes first and is half of the work.
+        let mut told = Vec::new();
         while loaded_percent(&window).is_none_or(|percent| percent < 55.0) {
             window.frame(Event::PointerGone).expect("a frame");
+            told.extend(loaded_percent(&window).filter(|percent| *percent > 0.0));
             let count = window.state().scene().objects().len();
             assert_eq!(count, 3, "{way}: it tells before it is done");
         }
+        assert!(told[0] < 40.0, "{way}: {told:?} while the text is parsed");
+        assert!(told.is_sorted(), "{way}: {told:?}");
         for event in events(&window) {
             window.frame(event).expect("a frame");
         }
