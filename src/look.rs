@@ -41,8 +41,13 @@ pub const IN_ONE_PLACE: Srgb = Srgb([0, 114, 178]);
 /// What is wrong: a difference that nothing explains, a method's wrong answer.
 pub const WRONG: Srgb = Srgb([213, 94, 0]);
 
+/// Back faces where a section opens a solid.
+pub const INSIDE: Srgb = Srgb([156, 126, 62]);
+/// Text of warnings, on dark panels and on light ones.
+pub const WARNING: [Srgb; 2] = [Srgb([200, 195, 10]), Srgb([120, 46, 0])];
+
 /// The colours that have a meaning, each a different one. What is under the cursor is lit instead.
-pub const MEANINGS: [Srgb; 16] = [
+pub const MEANINGS: [Srgb; 19] = [
     SELECTION,
     HIT,
     AXES[0],
@@ -59,10 +64,10 @@ pub const MEANINGS: [Srgb; 16] = [
     BEYOND_F32,
     IN_ONE_PLACE,
     WRONG,
+    INSIDE,
+    WARNING[0],
+    WARNING[1],
 ];
-
-/// Back faces where a section opens a solid.
-pub const INSIDE: Srgb = Srgb([164, 122, 58]);
 
 /// Lines of the floor's grid, and each tenth of them.
 pub const GRID: [Srgb; 2] = [Srgb([62, 68, 80]), Srgb([84, 92, 107])];

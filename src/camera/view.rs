@@ -195,8 +195,8 @@ impl View {
         })
     }
 
-    /// Whether part of a world-space box may be in the picture: false if the box is empty or lies outside one of the
-    /// view volume's six planes.
+    /// Whether part of a world-space box may be in the picture: false if the box is empty, lies outside one of the view
+    /// volume's six planes or is cut away by the section.
     #[must_use]
     pub(crate) fn may_see(&self, bounds_world: &Aabb) -> bool {
         let lens = self.camera.lens();
@@ -212,10 +212,11 @@ impl View {
                 -p.y - y,
                 p.z - lens.far,
                 lens.near - p.z,
+                self.section.map_or(0.0, |section| -section.side(corner)),
             ]
         });
         !bounds_world.is_empty()
-            && (0..6).all(|plane| excess.iter().any(|corner| corner[plane] <= 0.0))
+            && (0..7).all(|plane| excess.iter().any(|corner| corner[plane] <= 0.0))
     }
 }
 

@@ -91,7 +91,7 @@ pub use sight::{Sight, Whereabouts, sight};
 
 use crate::{
     camera::View,
-    geometry::{Hit, overlap},
+    geometry::{Hit, overlap, shares::on_all_cores},
     scene::Scene,
 };
 use glam::DVec2;
@@ -162,6 +162,9 @@ pub fn pick(scene: &Scene, view: &View, px: DVec2) -> Option<Pick> {
     Some(Pick::of(&at, &hit, next.as_ref(), exact, differs_px))
 }
 
+/// Records take some hundredths of a millisecond each: with this many, threads are quicker.
+const WORTH_THREADS: usize = 64;
+
 /// Every surface at a pixel position, from front to back.
 #[must_use]
 pub fn pick_all(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
@@ -176,11 +179,15 @@ pub fn pick_all(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
     // Once a hit is in doubt, all later hits are.
     let sure = hits.partition_point(|hit| !is_in_doubt(scene, &ray, hit.limit()));
     let at = record::At { scene, view, px };
-    let picks = hits.iter().enumerate().map(|(i, hit)| {
+    let pick = |i: usize| {
         let exact = tied[i] || i >= sure;
-        Pick::of(&at, hit, hits.get(i + 1), exact, differs_px)
-    });
-    picks.collect()
+        Pick::of(&at, &hits[i], hits.get(i + 1), exact, differs_px)
+    };
+    if hits.len() < WORTH_THREADS {
+        (0..hits.len()).map(pick).collect()
+    } else {
+        on_all_cores(0..hits.len(), pick)
+    }
 }
 
 /// For each hit, from front to back: whether `f64` leaves its order with some other hit open.

@@ -153,6 +153,12 @@ impl Scene {
         self.sums.all().visible_bounds
     }
 
+    /// Whether a condition holds for the box about some visible object. It must hold for a box if it holds for one inside
+    /// that box. Also true when the search would take too long.
+    pub(crate) fn any_visible(&self, holds: impl Fn(&Aabb) -> bool) -> bool {
+        self.sums.any_visible(&self.objects, &self.bounds, holds)
+    }
+
     /// How many objects are hidden.
     #[must_use]
     pub fn hidden_count(&self) -> usize {

@@ -10,6 +10,8 @@ use std::mem;
 
 /// The number of objects in a run.
 const RUN: usize = 512;
+/// The most objects that a query asks before it gives up: about a millisecond.
+const MOST_ASKED: usize = 1 << 14;
 
 /// Boxes and counts over objects.
 #[derive(Clone, Copy, Debug)]
@@ -89,6 +91,26 @@ impl Sums {
     /// Over all objects.
     pub fn all(&self) -> &Sum {
         &self.all
+    }
+
+    /// Whether a condition holds for the box about some visible object. It must hold for a box if it holds for one inside
+    /// that box. Also true after [`MOST_ASKED`] objects.
+    pub fn any_visible(
+        &self,
+        objects: &[Object],
+        bounds: &[Aabb],
+        holds: impl Fn(&Aabb) -> bool,
+    ) -> bool {
+        let runs = self
+            .runs
+            .iter()
+            .zip(objects.chunks(RUN).zip(bounds.chunks(RUN)));
+        let may = runs.filter(|(sum, _)| holds(&sum.visible_bounds));
+        let asked = may.flat_map(|(_, (objects, bounds))| objects.iter().zip(bounds));
+        let is_it = |(object, bounds): (&Object, &Aabb)| object.visible && holds(bounds);
+        (0..)
+            .zip(asked)
+            .any(|(at, each)| at >= MOST_ASKED || is_it(each))
     }
 
     /// Recomputes the sums after an object was moved, shown or hidden.

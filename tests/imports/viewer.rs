@@ -130,18 +130,39 @@ fn one_driver_orders_the_steps_of_a_frame() {
     assert_eq!(offered, ["frame", "pass", "take_finished"]);
 }
 
-/// Panels are laid out in each pass, so they go through no list of all objects. The list's filter goes through it once
-/// for each text.
+/// Where files of the panels and of the screen name all objects or all batches: the list and its filter, which goes
+/// through them once for each text, and the overlays of a scene in which nothing is selected, which stop at their most
+/// lines.
+const OF_ALL_OBJECTS: [(&str, &str); 4] = [
+    ("objects.rs", "letobjects=state.scene().objects().iter()"),
+    ("objects.rs", "letobjects=state.scene().objects();"),
+    ("overlay_lines.rs", "None=>scene.objects(),"),
+    ("overlay_lines.rs", "None=>scene.batches(),"),
+];
+
+/// Panels are laid out in each pass, and what stands over the scene is made for each picture, so they go through no list
+/// of all objects.
 #[test]
-fn panels_go_through_no_list_of_all_objects() {
-    let mut seen = 0;
-    for path in files_of("ui/panels") {
-        let code: String = code(&path).split_whitespace().collect();
-        let walks = [".objects().iter()", ".objects(){", ".batches().iter()"];
-        let walks = walks.map(|walk| code.matches(walk).count());
-        let may = usize::from(path.ends_with("objects.rs"));
-        assert_eq!(walks.iter().sum::<usize>(), may, "{}", path.display());
+fn panels_and_pictures_go_through_no_list_of_all_objects() {
+    let (mut seen, mut named) = (0, 0);
+    for path in ["ui/panels", "screen"].into_iter().flat_map(files_of) {
+        let mut code: String = code(&path).split_whitespace().collect();
+        for (_, words) in OF_ALL_OBJECTS
+            .iter()
+            .filter(|(file, _)| path.ends_with(file))
+        {
+            named += code.matches(words).count();
+            code = code.replace(words, "");
+        }
+        for list in [".objects()", ".batches()"] {
+            let whole = code.split(list).skip(1).find(|after| {
+                let of_one = ["[", ".get(", ".len()", ".is_empty()"];
+                !of_one.iter().any(|part| after.starts_with(part))
+            });
+            assert_eq!(whole, None, "{}", path.display());
+        }
         seen += 1;
     }
-    assert!(seen > 30, "{seen}");
+    assert!(seen > 50, "{seen}");
+    assert_eq!(named, OF_ALL_OBJECTS.len(), "each exception is one place");
 }

@@ -57,10 +57,10 @@ fn files_open_whole_in_view_whatever_the_window_s_size() {
 
 #[test]
 fn nothing_in_view_always_offers_a_way_that_helps() {
-    let nothing = "Nothing in view";
+    let [nothing, fit] = BETWEEN;
     let planes = [("near", "50", ("far", "100")), ("far", "2", ("near", "1"))];
     for (plane, typed, other) in planes {
-        for way in ["Frame all (A)", "A", "Reset"] {
+        for way in [fit, "A", "Reset"] {
             let (mut window, _folder) = row(1.0);
             assert!(!has_control(&window, nothing));
             // The other plane is set first, because near must stay before far.
@@ -90,6 +90,104 @@ fn nothing_in_view_always_offers_a_way_that_helps() {
             .iter()
             .all(|object| object.visible)
     );
+}
+
+/// Two cubes, one before near and one beyond far.
+const AROUND: &str = "
+[camera]
+eye = [0, 0, 10]
+target = [0, 0, 0]
+near = 20
+far = 60
+
+[[object]]
+shape = \"cube\"
+
+[[object]]
+shape = \"cube\"
+position = [0, 0, -100]
+";
+
+/// The section of this scene keeps none of its cubes.
+const CUT: &str = "
+[camera]
+eye = [0, 0, 10]
+target = [0, 0, 0]
+section = \"x:100\"
+
+[[object]]
+shape = \"cube\"
+";
+
+const BETWEEN: [&str; 2] = [
+    "Nothing in view: no object is between near and far",
+    "Fit near and far",
+];
+const SECTION: [&str; 2] = [
+    "Nothing in view: the section cuts everything away",
+    "Section off (Z)",
+];
+
+/// Picks in the picture's middle, whether or not anything is there.
+fn sees_something(window: &mut Offscreen) -> bool {
+    window.wait_s(1.0);
+    click(window, MIDDLE);
+    selected(window).is_some()
+}
+
+/// The box about all objects may reach into the view where none of them does.
+#[test]
+fn objects_around_the_view_leave_it_empty() {
+    let ways: [fn(&mut Offscreen); 3] = [
+        |window| click_on(window, BETWEEN[1]),
+        |window| press_key(window, NONE, Key::A),
+        |window| click_on(window, "fit near"),
+    ];
+    for (at, way) in ways.into_iter().enumerate() {
+        let (mut window, _folder) = row_as(AROUND, 1.0);
+        assert!(has_control(&window, BETWEEN[0]));
+        way(&mut window);
+        assert!(!has_control(&window, BETWEEN[0]), "{at}");
+        assert!(sees_something(&mut window), "{at}");
+    }
+}
+
+#[test]
+fn a_section_may_cut_everything_away() {
+    let (mut window, _folder) = row_as(CUT, 1.0);
+    assert!(has_control(&window, SECTION[0]));
+    click_on(&mut window, SECTION[1]);
+    assert!(!has_control(&window, SECTION[0]));
+    assert!(sees_something(&mut window));
+    press_key(&mut window, CTRL, Key::Z);
+    assert!(has_control(&window, SECTION[0]), "undone");
+    press_key(&mut window, NONE, Key::Z);
+    assert!(!has_control(&window, SECTION[0]));
+    // The camera looks away as well: one button brings the scene back.
+    press_key(&mut window, CTRL, Key::Z);
+    for (field, value) in [("target z", "20")] {
+        type_into(&mut window, field, value);
+        press_key(&mut window, NONE, Key::Enter);
+    }
+    click_on(&mut window, SECTION[1]);
+    assert!(sees_something(&mut window));
+    assert_eq!(window.state().view().section, None);
+}
+
+/// In one scene the section keeps one cube, near and far another. In the other the section keeps none, and none is
+/// between near and far.
+#[test]
+fn section_near_and_far_may_leave_nothing_together() {
+    let between = "[[object]]\nshape = \"cube\"\nposition = [0, 0, -30]\n";
+    for (section, more) in [("z:-5", between), ("x:100", "")] {
+        let section = format!("[camera]\nsection = \"{section}\"");
+        let text = AROUND.replace("[camera]", &section) + more;
+        let (mut window, _folder) = row_as(&text, 1.0);
+        assert!(has_control(&window, SECTION[0]));
+        click_on(&mut window, SECTION[1]);
+        assert!(!has_control(&window, SECTION[0]) && !has_control(&window, BETWEEN[0]));
+        assert!(sees_something(&mut window));
+    }
 }
 
 #[test]

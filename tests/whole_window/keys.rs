@@ -263,6 +263,12 @@ fn every_control_has_a_name() {
         }
     };
     check(&window);
+    press_key(&mut window, NONE, Key::Escape);
+    // The toolbar's button and the heading that folds the panel.
+    for name in ["Matrices panel", "Matrices"] {
+        control(&window, name);
+    }
+    check(&window);
     // Each of two windows has its own close button.
     for key in [Key::Escape, Key::P, Key::H] {
         press_key(&mut window, NONE, key);

@@ -134,7 +134,7 @@ fn all_of_the_toolbar_can_be_reached_at_any_width() {
         "Grid",
         "Freeze",
         "Overlays",
-        "Matrices",
+        "Matrices panel",
         "Compare",
         "Gallery",
         "Look",

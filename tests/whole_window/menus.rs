@@ -2,7 +2,7 @@
 
 use super::*;
 
-fn open_menu(window: &mut Offscreen, at: Pos2) {
+pub(super) fn open_menu(window: &mut Offscreen, at: Pos2) {
     window.send([Event::PointerMoved(at)]);
     let press = |pressed| button(at, PointerButton::Secondary, pressed);
     window.send([press(true), press(false)]);
@@ -73,4 +73,85 @@ fn on_nothing_it_is_about_the_view() {
         MIDDLE + egui::vec2(40.0, 0.0),
     );
     assert!(!has_control(&window, "Pick this point"));
+}
+
+/// The same key then does what it does without a menu.
+#[test]
+fn esc_closes_a_menu_and_nothing_else() {
+    let esc = |window: &mut Offscreen| press_key(window, Modifiers::NONE, Key::Escape);
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    window.wait_s(1.0);
+    open_menu(&mut window, MIDDLE);
+    assert!(has_control(&window, "Hide it"));
+    esc(&mut window);
+    assert!(!has_control(&window, "Hide it"), "it is closed");
+    assert_eq!(selected(&window), Some("front"));
+    esc(&mut window);
+    assert_eq!(selected(&window), None);
+    // A menu of the toolbar, over the four views and in the gallery.
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    click_on(&mut window, "Overlays");
+    assert!(has_control(&window, "wireframe"));
+    esc(&mut window);
+    assert!(!has_control(&window, "wireframe"));
+    assert_eq!(window.state().views(), Views::Four);
+    esc(&mut window);
+    assert_eq!(window.state().views(), Views::Picture);
+    press_key(&mut window, Modifiers::NONE, Key::E);
+    click_on(&mut window, "Views");
+    assert!(has_control(&window, "Bottom"));
+    esc(&mut window);
+    assert!(!has_control(&window, "Bottom"));
+    assert!(window.state().showing().is_some(), "still in the gallery");
+    esc(&mut window);
+    assert!(window.state().showing().is_none());
+}
+
+/// A point of one of the four views over an object, or over none.
+fn point_of(window: &mut Offscreen, stage: &str, is_over: Option<usize>) -> Pos2 {
+    let rect = control(window, &format!("stage {stage}")).rect;
+    let inside = rect.with_min_y(rect.top() + 40.0).shrink(12.0);
+    for i in 0..400_u16 {
+        let [x, y] = [i % 20, i / 20].map(|at| f32::from(at) / 19.0);
+        let at = inside.lerp_inside(egui::vec2(x, y));
+        window.send([Event::PointerMoved(at)]);
+        if window.state().hover() == is_over {
+            return at;
+        }
+    }
+    panic!("{is_over:?} is nowhere in {stage}")
+}
+
+#[test]
+fn in_the_four_views_it_is_about_the_view_under_the_cursor() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    let hidden = |window: &Offscreen| -> Vec<_> {
+        let objects = window.state().scene().objects().iter();
+        objects.map(|object| !object.visible).collect()
+    };
+    for stage in ["world", "view", "NDC"] {
+        let at = point_of(&mut window, stage, Some(0));
+        open_menu(&mut window, at);
+        click_on(&mut window, "Hide it");
+        assert_eq!(hidden(&window), [true, false, false], "{stage}");
+        open_menu(&mut window, at);
+        click_on(&mut window, "Show all");
+        assert_eq!(hidden(&window), [false; 3], "{stage}");
+        assert_eq!(window.state().views(), Views::Four);
+        // It picks in the view in which it was opened.
+        let at = point_of(&mut window, stage, Some(0));
+        open_menu(&mut window, at);
+        click_on(&mut window, "Pick this point");
+        assert_eq!(selected(&window), Some("front"), "{stage}");
+        press_key(&mut window, Modifiers::NONE, Key::Escape);
+        // On nothing, a view can be framed alone.
+        let at = point_of(&mut window, stage, None);
+        let before = *window.state().view();
+        open_menu(&mut window, at);
+        assert!(!has_control(&window, "Hide it"));
+        click_on(&mut window, "Frame this view");
+        assert_eq!(*window.state().view(), before, "{stage}: the camera stays");
+    }
 }

@@ -39,7 +39,7 @@ fn whatever_changes_is_painted() {
         is_as_painted_anew(&mut window, "hovering rows");
         type_into(&mut window, "near", "0.5");
         is_as_painted_anew(&mut window, "typing");
-        click_on(&mut window, "Matrices");
+        click_on(&mut window, "Matrices panel");
         is_as_painted_anew(&mut window, "a panel over the picture");
         press_key(&mut window, Modifiers::NONE, Key::P);
         is_as_painted_anew(&mut window, "that it is gone");

@@ -35,7 +35,9 @@
 
 use super::{
     DescriptionError, MeshFile, MeshFiles, ObjError, Object, Problem, Progress, SaveError, Scene,
-    Warning, entry::Entry,
+    Warning,
+    entry::Entry,
+    pieces::{self, Stopped},
 };
 use crate::camera::CameraChoice;
 use glam::DVec3;
@@ -43,7 +45,7 @@ use serde::{Deserialize, Serialize};
 use std::path::Path;
 use toml::{
     Spanned,
-    de::{DeTable, DeValue, Deserializer, Error, ValueDeserializer},
+    de::{Deserializer, Error, ValueDeserializer},
 };
 
 /// What a scene file says.
@@ -82,36 +84,37 @@ pub fn parse(
         line: at.map(line),
         problem: Box::new(problem),
     };
-    // Some messages quote the file over several lines.
-    let syntax = |error: Error| {
+    // Some messages quote the file over several lines. Positions count from the byte `start`.
+    let syntax = |start: usize, error: Error| {
         let message = error.message().lines().next().unwrap_or_default();
-        let at = error.span().map(|span| span.start);
+        let at = error.span().map(|span| start + span.start);
         fail(at, Problem::Syntax(message.to_owned()))
     };
     let cancelled = |cancelled| fail(None, Problem::Mesh(ObjError::Cancelled(cancelled)));
-    // Parsed twice: once for the positions in the text, once for the values.
+    // Gone through twice: once for the positions in the text, once for the values.
     progress.expect(2 * text.len() as u64);
-    let mut table = DeTable::parse(text).map_err(syntax)?;
-    progress.advance(text.len() as u64).map_err(cancelled)?;
-    let objects = match table.as_ref().get("object").map(Spanned::as_ref) {
-        Some(DeValue::Array(_)) => table.as_mut().remove("object"),
-        _ => None,
-    };
-    let scene = SceneFile::deserialize(Deserializer::from(table)).map_err(syntax)?;
+    let parsed = pieces::parse(text, progress).map_err(|stopped| match stopped {
+        Stopped::Cancelled(by) => cancelled(by),
+        Stopped::Syntax(error) => syntax(0, error),
+    })?;
+    let (start, rest) = parsed.rest;
+    let scene = SceneFile::deserialize(Deserializer::from(rest));
+    let scene = scene.map_err(|error| syntax(start, error))?;
     if let Some(camera) = &scene.camera {
         check_camera(camera.get_ref())
-            .map_err(|problem| fail(Some(camera.span().start), problem))?;
+            .map_err(|problem| fail(Some(start + camera.span().start), problem))?;
     }
     let folder = file.parent().unwrap_or(Path::new(""));
     let mut made = Vec::new();
     let mut read = 0;
-    for object in entries(objects) {
-        let to = object.span().end.max(read);
+    for (start, object) in parsed.objects {
+        let to = (start + object.span().end).max(read);
         let entry = Spanned::<Entry>::deserialize(ValueDeserializer::from(object));
-        let entry = entry.map_err(syntax)?;
+        let entry = entry.map_err(|error| syntax(start, error))?;
+        let at = Some(start + entry.span().start);
         let mut load = |path: &Path| meshes.load(path, progress, warnings);
         let objects = entry.get_ref().objects(folder, &mut load);
-        made.extend(objects.map_err(|problem| fail(Some(entry.span().start), problem))?);
+        made.extend(objects.map_err(|problem| fail(at, problem))?);
         progress.advance((to - read) as u64).map_err(cancelled)?;
         read = to;
     }
@@ -123,15 +126,6 @@ pub fn parse(
         camera_line: (scene.camera.as_ref()).map_or(1, |camera| line(camera.span().start)),
         camera: scene.camera.map(Spanned::into_inner),
     })
-}
-
-/// The elements of an array.
-fn entries(array: Option<Spanned<DeValue<'_>>>) -> impl Iterator<Item = Spanned<DeValue<'_>>> {
-    let array = match array.map(Spanned::into_inner) {
-        Some(DeValue::Array(array)) => Some(array),
-        _ => None,
-    };
-    array.into_iter().flatten()
 }
 
 fn check_camera(camera: &CameraChoice) -> Result<(), Problem> {

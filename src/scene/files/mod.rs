@@ -11,6 +11,7 @@ mod load_error;
 mod loaded;
 mod mesh_files;
 pub mod obj;
+mod pieces;
 mod problem;
 mod progress;
 mod save;

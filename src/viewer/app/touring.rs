@@ -4,10 +4,13 @@ use super::program::App;
 use crate::viewer::ui::{Command, Intent, Seen, TourMove};
 
 impl App {
-    /// Moves through the tour. The tour begins by opening the demo.
+    /// Moves through the tour. The tour begins by opening the demo. The panel that a step is about becomes visible.
     pub(super) fn go_on_tour(&mut self, to: TourMove) {
         self.memory.toured = true;
         self.tour = self.tour.unwrap_or_default().after(to);
+        if let Some(panel) = self.tour.and_then(|tour| tour.step().2.panel) {
+            self.docks.show(panel);
+        }
         if to == TourMove::Begin && !self.state.is_demo() {
             self.intend(Intent::Open(Vec::new()));
         }

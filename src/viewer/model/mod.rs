@@ -5,6 +5,7 @@ mod action;
 mod command_line;
 mod comparing;
 mod editing;
+mod emptied;
 mod hits;
 mod ids;
 mod made;
@@ -37,6 +38,7 @@ mod views;
 
 pub use action::{Action, LensControls};
 pub(super) use command_line::{pick_command, verify_command, view_command};
+pub use emptied::EmptiedBy;
 pub use hits::{DepthSteps, Landmark, PickView, RayHits, triangle};
 pub(crate) use ids::{hide, no_section, no_such_object};
 pub(super) use made::Made;

@@ -251,10 +251,16 @@ impl State {
         ray.at(depth / ray.direction.dot(self.view.camera.forward()))
     }
 
-    /// If near and far were set by hand and would leave nothing of a box in view, they are fitted to the scene again.
+    /// If near and far were set by hand and would leave nothing of a box in view, or none of the visible objects, they are
+    /// fitted to the scene again. What a section cuts away counts as in view.
     pub(super) fn free_planes_for(&mut self, bounds_world: &Aabb) {
         let is_set = self.controls.near.is_some() || self.controls.far.is_some();
-        if is_set && !bounds_world.is_empty() && !self.view.may_see(bounds_world) {
+        let uncut = View {
+            section: None,
+            ..self.view
+        };
+        let sees = || uncut.may_see(bounds_world) && self.may_show(&uncut);
+        if is_set && !bounds_world.is_empty() && !sees() {
             (self.controls.near, self.controls.far) = (None, None);
             self.fit();
         }

@@ -9,6 +9,7 @@ use crate::{
     viewer::model::{Overlay, Subject},
 };
 use glam::DVec3;
+use std::slice;
 
 /// More lines than this take longer than a frame may.
 const MOST: usize = 100_000;
@@ -22,16 +23,14 @@ pub(in crate::viewer) fn lines(subject: &Subject) -> Vec<Line> {
         ..
     } = *subject;
     let shows_lines = [Overlay::Normals, Overlay::Boxes].map(|overlay| overlays.shows(overlay));
-    let asked = if shows_lines.contains(&true) {
-        scene.objects()
-    } else {
-        &[]
+    let asked = match selected {
+        _ if !shows_lines.contains(&true) => &[],
+        Some(selected) => scene.objects().get(selected..=selected).unwrap_or_default(),
+        None => scene.objects(),
     };
-    let objects = (0..).zip(asked).filter(|(index, object)| {
-        object.visible && selected.is_none_or(|selected| selected == *index)
-    });
+    let objects = (selected.unwrap_or(0)..).zip(asked);
     let mut lines = Vec::new();
-    for (index, object) in objects {
+    for (index, object) in objects.filter(|(_, object)| object.visible) {
         if overlays.shows(Overlay::Normals) {
             lines.extend(normals(object).take(MOST));
         }
@@ -44,7 +43,12 @@ pub(in crate::viewer) fn lines(subject: &Subject) -> Vec<Line> {
         }
     }
     if let Some(level) = overlays.tree_level {
-        for batch in scene.batches() {
+        let batches = match selected {
+            Some(selected) if selected >= scene.objects().len() => &[],
+            Some(selected) => slice::from_ref(scene.batch_of(selected)),
+            None => scene.batches(),
+        };
+        for batch in batches {
             let shows = |index: usize| {
                 scene.objects()[index].visible && selected.is_none_or(|selected| selected == index)
             };

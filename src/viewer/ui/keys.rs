@@ -295,8 +295,14 @@ const fn look(to_eye: DVec3) -> Command {
     act(Action::LookFrom(to_eye))
 }
 
+/// Takes Esc, which closed a menu and does nothing else then.
+pub(in crate::viewer) fn take_escape(ctx: &egui::Context) {
+    ctx.input_mut(|input| input.consume_key(NONE, Key::Escape));
+}
+
 /// The commands of the keys that were pressed: only those that open, save and quit while a text is edited, only Esc's while
-/// a question waits for an answer. A focused control gets Enter, Esc and the arrows. If none has the focus, Esc first gives up texts that are shown in red.
+/// a question waits for an answer. A focused control gets Enter, Esc and the arrows. If none has
+/// the focus, Esc first gives up texts that are shown in red.
 pub(in crate::viewer) fn pressed(ctx: &egui::Context, has_question: bool) -> Vec<Command> {
     let focus = Focus::of_pass(ctx);
     if focus.types {
@@ -313,7 +319,7 @@ pub(in crate::viewer) fn pressed(ctx: &egui::Context, has_question: bool) -> Vec
         return vec![Command::Escape; escapes.min(1)];
     }
     if !focus.any && ctx.input(|input| input.key_pressed(Key::Escape)) && give_up_refused(ctx) {
-        ctx.input_mut(|input| input.consume_key(NONE, Key::Escape));
+        take_escape(ctx);
     }
     let is_taken = |key: Key| {
         focus.any

@@ -1,7 +1,7 @@
 //! How panels look, and which characters their own typefaces lack.
 
 use super::mouse;
-use crate::{colour::Srgb, viewer::jobs::Missing};
+use crate::{colour::Srgb, look, viewer::jobs::Missing};
 use egui::{Color32, Theme, ThemePreference, epaint::text::FallbackRequest};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -51,19 +51,19 @@ impl Look {
 }
 
 /// egui as the viewer wants it: dark or light as the desktop is, with text that is readable on projectors too, which do not
-/// show dark greys. Warnings are yellow: orange is the selection.
+/// show dark greys. Warnings are olive on dark panels and brown on light ones: yellow and orange mean other things.
 pub(in crate::viewer) fn context() -> egui::Context {
     let context = egui::Context::default();
     mouse::options(&context);
     let mut dark = egui::Visuals::dark();
     dark.error_fg_color = Color32::from_rgb(255, 120, 105);
-    dark.warn_fg_color = Color32::from_rgb(236, 224, 90);
+    dark.warn_fg_color = color32(look::WARNING[0]);
     dark.override_text_color = Some(Color32::from_gray(222));
     dark.weak_text_color = Some(Color32::from_gray(160));
     context.set_visuals_of(Theme::Dark, dark);
     let mut light = egui::Visuals::light();
     light.error_fg_color = Color32::from_rgb(176, 20, 0);
-    light.warn_fg_color = Color32::from_rgb(104, 96, 0);
+    light.warn_fg_color = color32(look::WARNING[1]);
     light.override_text_color = Some(Color32::from_gray(24));
     light.weak_text_color = Some(Color32::from_gray(86));
     context.set_visuals_of(Theme::Light, light);
@@ -84,7 +84,6 @@ pub(in crate::viewer) fn note_missing(context: &egui::Context, missing: Missing)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::look;
 
     /// A colour's hue in degrees. Red is at 0, yellow at 60.
     fn hue_deg(colour: Color32) -> f32 {

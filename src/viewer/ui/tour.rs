@@ -5,7 +5,10 @@ mod seen;
 pub(in crate::viewer) use seen::Seen;
 use seen::turns;
 
-use super::command::{Command, TourMove};
+use super::{
+    command::{Command, TourMove},
+    panels::Section,
+};
 use crate::{
     camera::{DepthMapping, Projection},
     scene::Shape,
@@ -30,6 +33,8 @@ pub(in crate::viewer) struct Step {
     example: Option<[f64; 3]>,
     /// The step is done in the camera's picture, not in the four views.
     is_in_picture: bool,
+    /// The panel that the step is about, where it is about one. In a small window another panel may stand in its place.
+    pub panel: Option<Section>,
     is_done: fn(&Seen) -> bool,
 }
 
@@ -47,6 +52,7 @@ const fn step(task: &'static str, why: &'static str, is_done: fn(&Seen) -> bool)
         why,
         example: None,
         is_in_picture: false,
+        panel: None,
         is_done,
     }
 }
@@ -83,6 +89,7 @@ const CHAPTERS: [Chapter; 8] = [
         title: "Perspective and orthographic",
         steps: &[
             Step {
+                panel: Some(Section::Camera),
                 example: Some([-1.0, 1.5, 2.0]),
                 ..step(
                     "In the panel Camera set fov to 90, near to 1, far to 10 and depth to standard.",
@@ -116,29 +123,38 @@ const CHAPTERS: [Chapter; 8] = [
     Chapter {
         title: "Clipping",
         steps: &[
-            step(
-                "In the field near type a larger number, such as 9.5, until the near plane has passed the egg.",
-                "What lies in front of near or beyond far is cut away. Picture and picks agree on that by one number, depth along F: a hit counts where near <= t < far, and t is that depth.",
-                |seen| seen.near_is_past(EGG),
-            ),
-            step(
-                "Check fit beside near.",
-                "A fitted near plane is as far away as the scene allows, which saves digits of the depth buffer.",
-                |seen| {
-                    seen.acts(|action| matches!(action, Action::Lens(_)))
-                        && seen.state.controls().near.is_none()
-                },
-            ),
+            Step {
+                panel: Some(Section::Camera),
+                ..step(
+                    "In the field near type a larger number, such as 9.5, until the near plane has passed the egg.",
+                    "What lies in front of near or beyond far is cut away. Picture and picks agree on that by one number, depth along F: a hit counts where near <= t < far, and t is that depth.",
+                    |seen| seen.near_is_past(EGG),
+                )
+            },
+            Step {
+                panel: Some(Section::Camera),
+                ..step(
+                    "Check fit beside near.",
+                    "A fitted near plane is as far away as the scene allows, which saves digits of the depth buffer.",
+                    |seen| {
+                        seen.acts(|action| matches!(action, Action::Lens(_)))
+                            && seen.state.controls().near.is_none()
+                    },
+                )
+            },
         ],
     },
     Chapter {
         title: "From a pixel to a ray",
         steps: &[
-            step(
-                "Click the egg. A ring with a dot marks the point that the ray hit.",
-                "The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. Its ray starts at the eye and runs along F + x aspect tan(fov / 2) R + y tan(fov / 2) U. That direction is not normalised, so that t is depth.",
-                |seen| seen.clicks() && seen.picked().is_some_and(|object| object.name == EGG),
-            ),
+            Step {
+                panel: Some(Section::Pick),
+                ..step(
+                    "Click the egg. A ring with a dot marks the point that the ray hit.",
+                    "The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. Its ray starts at the eye and runs along F + x aspect tan(fov / 2) R + y tan(fov / 2) U. That direction is not normalised, so that t is depth.",
+                    |seen| seen.clicks() && seen.picked().is_some_and(|object| object.name == EGG),
+                )
+            },
             Step {
                 is_in_picture: true,
                 ..step(
@@ -215,25 +231,31 @@ const CHAPTERS: [Chapter; 8] = [
     Chapter {
         title: "Near, far and the depth buffer",
         steps: &[
-            step(
-                "Press Enter. Set near to 0.001 and depth to standard, click the tower and unfold Depth buffer, far down in the panel Pick.",
-                "Standard depth is a + b / z. Nearly all of its f32 values lie just beyond near. At the tower they are far apart, and two surfaces within one step look like one.",
-                |seen| {
-                    let lens = seen.state.controls();
-                    let near = lens.near.is_some_and(|near| near <= 0.001);
-                    near && lens.depth == DepthMapping::Standard
-                        && seen.picked().is_some_and(|object| object.name == TOWER)
-                        && seen.command == Some(&Command::ShowsDepthSteps)
-                },
-            ),
-            step(
-                "Set depth to reversed.",
-                "Reversed depth puts far at 0, where f32 has most of its values: that makes up for 1 / z. Enter brings back the view that the scene opened with.",
-                |seen| {
-                    seen.acts(|action| matches!(action, Action::Lens(_)))
-                        && seen.state.controls().depth == DepthMapping::Reversed
-                },
-            ),
+            Step {
+                panel: Some(Section::Camera),
+                ..step(
+                    "Press Enter. Set near to 0.001 and depth to standard, click the tower and unfold Depth buffer, far down in the panel Pick.",
+                    "Standard depth is a + b / z. Nearly all of its f32 values lie just beyond near. At the tower they are far apart, and two surfaces within one step look like one.",
+                    |seen| {
+                        let lens = seen.state.controls();
+                        let near = lens.near.is_some_and(|near| near <= 0.001);
+                        near && lens.depth == DepthMapping::Standard
+                            && seen.picked().is_some_and(|object| object.name == TOWER)
+                            && seen.command == Some(&Command::ShowsDepthSteps)
+                    },
+                )
+            },
+            Step {
+                panel: Some(Section::Camera),
+                ..step(
+                    "Set depth to reversed.",
+                    "Reversed depth puts far at 0, where f32 has most of its values: that makes up for 1 / z. Enter brings back the view that the scene opened with.",
+                    |seen| {
+                        seen.acts(|action| matches!(action, Action::Lens(_)))
+                            && seen.state.controls().depth == DepthMapping::Reversed
+                    },
+                )
+            },
         ],
     },
     Chapter {

@@ -6,7 +6,7 @@ use super::{
     shown::{Shown, Underway},
 };
 use crate::viewer::{
-    model::{Action, State},
+    model::{Action, EmptiedBy, State},
     ui::{
         command::Command,
         notice::{Kind, Notices},
@@ -41,7 +41,7 @@ pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mu
                     });
                 });
             });
-    } else if let Some((text, button, command)) = hint(shown.state) {
+    } else if let Some((text, button, asked)) = hint(shown.state) {
         Area::new(Id::unique("hint"))
             .fixed_pos(rect.center())
             .pivot(Align2::CENTER_CENTER)
@@ -51,7 +51,7 @@ pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mu
                         ui.label(text).hint("why the picture is empty");
                         let button = ui.button(button).hint("a way to see something");
                         if button.clicked() {
-                            commands.push(command);
+                            commands.extend(asked);
                         }
                     });
                 });
@@ -65,7 +65,8 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
     let earlier = notices.len().saturating_sub(SHOWN);
     if earlier > 0 {
         let text = format!("dismiss all ({earlier} earlier)");
-        if ui.button(text).clicked() {
+        let dismiss = ui.button(text).hint("remove every message");
+        if dismiss.clicked() {
             return notices.clear();
         }
     }
@@ -98,18 +99,29 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
     }
 }
 
-/// Why the picture is empty, and what helps.
-fn hint(state: &State) -> Option<(&'static str, &'static str, Command)> {
-    let bounds = state.scene().visible_bounds();
+/// Why the picture is empty, the name of a button that helps, and what that does.
+fn hint(state: &State) -> Option<(&'static str, &'static str, Vec<Command>)> {
     if state.scene().objects().is_empty() {
         let text = "Drop an OBJ or scene file here";
-        return Some((text, "Open\u{2026} (Ctrl+O)", Command::OpenDialog));
+        return Some((text, "Open\u{2026} (Ctrl+O)", vec![Command::OpenDialog]));
     }
-    if bounds.is_empty() {
+    if state.scene().visible_bounds().is_empty() {
         let show = Command::Act(Action::ShowAll);
-        return Some(("Everything is hidden", "Show all (U)", show));
+        return Some(("Everything is hidden", "Show all (U)", vec![show]));
     }
-    let frame = Command::Act(Action::FrameAll);
-    let is_out = !state.view().may_see(&bounds);
-    is_out.then_some(("Nothing in view", "Frame all (A)", frame))
+    // The four views show what the camera does not see.
+    let (by, actions) = state.emptied().filter(|_| state.stages().is_empty())?;
+    let (text, button) = match by {
+        EmptiedBy::Section => (
+            "Nothing in view: the section cuts everything away",
+            "Section off (Z)",
+        ),
+        EmptiedBy::Planes => (
+            "Nothing in view: no object is between near and far",
+            "Fit near and far",
+        ),
+        EmptiedBy::Pose => ("Nothing in view", "Frame all (A)"),
+    };
+    let actions = actions.into_iter().chain([Action::Release]);
+    Some((text, button, actions.map(Command::Act).collect()))
 }

@@ -156,8 +156,7 @@ impl Docks {
         let Place { side, folded } = self[Section::Pipeline];
         let show = are_wanted && !folded && self.showing[side as usize];
         if !show {
-            self[Section::Pipeline].folded = false;
-            self.open(side);
+            self.show(Section::Pipeline);
         }
         !show
     }
@@ -166,6 +165,12 @@ impl Docks {
     pub fn at(&self, side: Side, sections: &[Section]) -> Vec<Section> {
         let here = sections.iter().copied();
         here.filter(|section| self[*section].side == side).collect()
+    }
+
+    /// Makes a panel visible, wherever it stands.
+    pub fn show(&mut self, section: Section) {
+        self[section].folded = false;
+        self.open(self[section].side);
     }
 
     /// How wide each side is in points, both together at most `room`; `None` for a side that does not show: it is folded, has

@@ -17,7 +17,7 @@ use crate::viewer::{
         mouse::{self, Drag},
     },
 };
-use egui::{CentralPanel, Panel, Rect, Ui};
+use egui::{CentralPanel, Panel, Popup, Rect, Ui};
 
 /// The result of a pass over the panels.
 pub(in crate::viewer) struct Asked {
@@ -33,16 +33,18 @@ pub(in crate::viewer) struct Asked {
 pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<Drag>) -> Asked {
     // The buttons at the top come after the fields below, whose numbers count once a click leaves them.
     let (mut commands, mut of_toolbar) = (Vec::new(), Vec::new());
+    // Esc closes a menu while the panels are laid out, so this is asked before.
+    let has_menu = Popup::is_any_open(ui.ctx());
     let window = ui.max_rect().size();
     let wanted = sections(shown);
     if !shown.is_bare {
         Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &wanted, &mut of_toolbar));
         Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
     }
-    let room = room(window, ui.available_size());
     if let Some(tour) = shown.tour.filter(|_| !shown.is_bare) {
         tour_card::strip(ui, tour, shown.state, &mut commands);
     }
+    let room = room(window, ui.available_size());
     let widths = shown.docks.widths(&wanted, room);
     shown.docks.showing = widths.map(|width| width.is_some());
     let edges = Side::BOTH.map(|side| {
@@ -93,6 +95,9 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         question::show(ui.ctx(), shown.state, intent, &mut commands);
     }
     commands.append(&mut of_toolbar);
+    if has_menu {
+        keys::take_escape(ui.ctx());
+    }
     commands.extend(keys::pressed(ui.ctx(), shown.question.is_some()));
     let (place, panes) = place.inner.unzip();
     Asked {

@@ -15,7 +15,7 @@ struct Opened {
     px: DVec2,
 }
 
-/// The menu on the picture. `px` is where the cursor is now, in pixels.
+/// The menu on the picture, or on one of the four views. `px` is where the cursor is now, in pixels.
 pub(super) fn of_picture(
     picture: &Response,
     state: &State,
@@ -63,9 +63,12 @@ pub(super) fn of_object(
             let hint = "as a click there: picks the nearest surface";
             let pick = [Action::Select(None), Action::Click(px, time_s)];
             lines.add("Pick this point", "", hint, &pick);
-            let hint = "the camera looks at this point, and turns about it";
-            let centre = [Action::Recentre(px)];
-            lines.add("Centre the view here", "double click", hint, &centre);
+            // In one of the four views, a double click makes it large.
+            if state.stages().is_empty() {
+                let hint = "the camera looks at this point, and turns about it";
+                let centre = [Action::Recentre(px)];
+                lines.add("Centre the view here", "double click", hint, &centre);
+            }
         }
         // These act on the selection, so they select the object first. If it is selected already, its picked point stays.
         let is_selected = state.selected() == Some(index);
@@ -97,10 +100,15 @@ pub(super) fn of_object(
 fn of_nothing(picture: &Response, state: &State, commands: &mut Vec<Command>) {
     Popup::context_menu(picture).show(|ui| {
         let mut lines = Lines { ui, commands };
-        let hint = "move the camera until all of the scene is in view";
-        lines.add("Frame all", "A", hint, &[Action::FrameAll]);
-        let hint = "the view that the scene opened with";
-        lines.add("Reset the view", "Enter", hint, &[Action::ResetView]);
+        if state.stages().is_empty() {
+            let hint = "move the camera until all of the scene is in view";
+            lines.add("Frame all", "A", hint, &[Action::FrameAll]);
+            let hint = "the view that the scene opened with";
+            lines.add("Reset the view", "Enter", hint, &[Action::ResetView]);
+        } else {
+            let hint = "all of it in view again, as it was at first; the camera stays";
+            lines.add("Frame this view", "", hint, &[Action::ResetView]);
+        }
         lines.show_all(state);
         lines.ui.separator();
         let (name, hint) = (

@@ -42,7 +42,7 @@ mod tools;
 mod tour_card;
 mod wings;
 
-pub(in crate::viewer) use docks::Docks;
+pub(in crate::viewer) use docks::{Docks, Section};
 pub(super) use field::give_up_refused;
 pub(in crate::viewer) use layout::show;
 pub(in crate::viewer) use objects::Filter;

@@ -1,7 +1,7 @@
 //! The four views side by side, or one of them large, each with its heading, its mouse actions and its axes.
 
 use super::{
-    axis_cross,
+    axis_cross, menu,
     names::{Hint, bounded, named},
     pane_labels,
 };
@@ -98,6 +98,8 @@ fn pane(
     let (response, actions) = mouse::scene(ui, id, rect, place, drag);
     named(&response, &format!("stage {}", stage.name()));
     bounded(&response);
+    let px = response.interact_pointer_pos().map(|at| place.to_px(at));
+    menu::of_picture(&response, state, px, commands);
     let mut hovers = false;
     for action in actions {
         if action != Action::Hover(None) {

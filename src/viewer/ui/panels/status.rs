@@ -2,7 +2,7 @@
 
 use super::names::Hint;
 use crate::viewer::model::State;
-use egui::{RichText, Ui};
+use egui::Ui;
 use std::time::Duration;
 
 /// What the status line knows of the machine.
@@ -33,7 +33,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, statistics: &Statistics) {
         ui.weak(statistics.adapter.as_str())
             .hint("what draws: the graphics card, or the processor in its place");
         if statistics.software {
-            ui.label(RichText::new("software").color(ui.visuals().warn_fg_color))
+            ui.label("software")
                 .hint("no graphics card is used: the processor draws");
         }
         ui.separator();

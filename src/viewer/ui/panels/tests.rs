@@ -6,7 +6,7 @@ use super::{
     layout::show,
     objects::Filter,
     shown::{Floating, Shown},
-    status::Statistics,
+    status::{self, Statistics},
 };
 use crate::{
     camera::{CameraChoice, Viewport},
@@ -16,7 +16,12 @@ use crate::{
     viewer::{
         jobs::Checking,
         model::{Action, State},
-        ui::{command::Command, keys::BINDINGS, notice::Notices, theme::Look},
+        ui::{
+            command::Command,
+            keys::BINDINGS,
+            notice::Notices,
+            theme::{self, Look},
+        },
     },
 };
 use egui::{Event, Key, Modifiers, RawInput, Rect, Shape, pos2, vec2};
@@ -159,6 +164,35 @@ fn what_a_click_was_compared_with_is_marked_only_in_its_own_picture() {
     assert!(!is_marked(&state));
     state.apply(Action::Click(DVec2::new(30.0, 300.0), 9.0));
     assert!(is_marked(&state));
+}
+
+/// That the processor draws is no warning.
+#[test]
+fn software_is_said_in_the_colour_of_text() {
+    let state = opened("gallery:needles");
+    let statistics = Statistics {
+        software: true,
+        ..Statistics::default()
+    };
+    let context = theme::context();
+    let mut output = context.run_ui(RawInput::default(), |ui| {
+        status::show(ui, &state, &statistics);
+    });
+    output.textures_delta.clear();
+    let warns = context.global_style().visuals.warn_fg_color;
+    let colour = |shape: &Shape| match shape {
+        Shape::Text(text) if text.galley.text() == "software" => {
+            let own = text.galley.job.sections[0].format.color;
+            Some([Some(own), text.override_text_color])
+        }
+        _ => None,
+    };
+    let colours = output
+        .shapes
+        .iter()
+        .find_map(|clipped| colour(&clipped.shape));
+    let colours = colours.expect("the word");
+    assert!(!colours.contains(&Some(warns)), "{colours:?}");
 }
 
 #[test]

@@ -152,7 +152,7 @@ fn add(ui: &mut Ui, shown: &Shown, tool: &Tool, with_name: bool, commands: &mut 
             response
         }
     };
-    named(&response, tool.name);
+    named(&response, tool.called);
     let hint = if with_name {
         tool.hint.clone()
     } else {

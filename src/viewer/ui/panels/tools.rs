@@ -19,6 +19,8 @@ pub(super) struct Tool {
     /// A glyph of the panels' own fonts.
     pub icon: &'static str,
     pub name: &'static str,
+    /// What screen readers call it: its name, unless another control has that.
+    pub called: &'static str,
     /// What it does, and its key.
     pub hint: String,
     /// Whether what it switches is on; `None` if it switches nothing.
@@ -60,6 +62,7 @@ fn tool(icon: &'static str, name: &'static str, hint: impl Into<String>, does: D
     Tool {
         icon,
         name,
+        called: name,
         hint: hint.into(),
         is_on: None,
         enabled: true,
@@ -191,6 +194,12 @@ fn showing(state: &State) -> Vec<Tool> {
 }
 
 fn learning(shown: &Shown) -> Vec<Tool> {
+    let matrices = ask(
+        "\u{25a4}",
+        "Matrices",
+        "the matrices P, V and M, and the pick on its way through them (P)",
+        Command::TogglePipeline,
+    );
     vec![
         ask(
             "\u{229e}",
@@ -199,13 +208,11 @@ fn learning(shown: &Shown) -> Vec<Tool> {
             Command::ToggleFour,
         )
         .switched(!shown.state.stages().is_empty()),
-        ask(
-            "\u{25a4}",
-            "Matrices",
-            "the matrices P, V and M, and the pick on its way through them (P)",
-            Command::TogglePipeline,
-        )
-        .switched(shown.floating.pipeline),
+        // The panel's heading is called "Matrices".
+        Tool {
+            called: "Matrices panel",
+            ..matrices.switched(shown.floating.pipeline)
+        },
         ask(
             "\u{2714}",
             "Compare",

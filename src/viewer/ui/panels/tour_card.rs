@@ -17,8 +17,9 @@ use egui::{
 const MARGIN: f32 = 12.0;
 /// The gap between two paragraphs, in points.
 const GAP: f32 = 3.0;
-/// The strip takes no more than this share of the window's height: what is longer scrolls.
-const MOST: f32 = 0.4;
+/// The strip takes no more than this share of the window's height: what is longer scrolls. More would leave no room for
+/// panels in a small window, of which the picture keeps half.
+const MOST: f32 = 0.2;
 /// Marks a step that is done.
 const TICK: &str = "\u{2714}";
 

@@ -1,0 +1,75 @@
+//! Whether nothing of the scene is in the picture, why, and what brings it back.
+
+use super::{
+    action::{Action, LensControls},
+    state::State,
+};
+use crate::{camera::View, geometry::Section};
+
+/// What leaves the picture empty.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EmptiedBy {
+    /// The section cuts away all that would be in view.
+    Section,
+    /// No object is between near and far, at least one of which is set by hand.
+    Planes,
+    /// The camera looks elsewhere.
+    Pose,
+}
+
+impl State {
+    /// Whether a visible object may be in the picture of a view. Judged by the boxes about objects and by the corners of
+    /// the view volume.
+    pub(super) fn may_show(&self, view: &View) -> bool {
+        let keeps = |section: Section| {
+            let mut corners = view.frustum_corners().into_iter();
+            corners.any(|corner| section.side(corner) >= 0.0)
+        };
+        view.section.is_none_or(keeps) && self.scene.any_visible(|bounds| view.may_see(bounds))
+    }
+
+    /// The lens with near and far fitted to the scene.
+    fn fitted(&self) -> LensControls {
+        LensControls {
+            near: None,
+            far: None,
+            ..self.controls
+        }
+    }
+
+    /// What leaves the picture without any of the visible objects, and the actions that bring some into view. `None` if one
+    /// may be in view.
+    #[must_use]
+    pub fn emptied(&self) -> Option<(EmptiedBy, Vec<Action>)> {
+        let view = self.view;
+        if self.may_show(&view) {
+            return None;
+        }
+        let uncut = View {
+            section: None,
+            ..view
+        };
+        let fits = |view: View| {
+            let camera = self.camera_with(&self.fitted());
+            camera.is_ok_and(|camera| self.may_show(&View { camera, ..view }))
+        };
+        let is_cut = view.section.is_some() && self.takes_sections();
+        let cut_off = Action::Section(None);
+        let fit = Action::Lens(self.fitted());
+        let keeps = |section: Section| {
+            let kept = |corner| section.side(corner) >= 0.0;
+            (self.scene).any_visible(|bounds| bounds.corners().into_iter().any(kept))
+        };
+        Some(if is_cut && self.may_show(&uncut) {
+            (EmptiedBy::Section, vec![cut_off])
+        } else if fits(view) {
+            (EmptiedBy::Planes, vec![fit])
+        } else if is_cut && fits(uncut) {
+            (EmptiedBy::Section, vec![cut_off, fit])
+        } else if is_cut && !view.section.is_some_and(keeps) {
+            (EmptiedBy::Section, vec![cut_off, Action::FrameAll])
+        } else {
+            (EmptiedBy::Pose, vec![Action::FrameAll])
+        })
+    }
+}
