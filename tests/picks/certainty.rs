@@ -138,6 +138,28 @@ fn exact_says_when_f64_cannot_decide() {
     assert_eq!(picks[0].gap, Some(0.0));
 }
 
+/// Threads share the records of a ray through many surfaces. The records are in order all the same.
+#[test]
+fn many_surfaces_on_a_ray_are_in_order() {
+    let square = |i: u32| {
+        let at = DAffine3::from_translation(-f64::from(i) * DVec3::Z);
+        Object::new(i.to_string(), Shape::Square, Placement::new(at).unwrap())
+    };
+    let scene = Scene::new((0..300).map(square).collect());
+    let lens = orthographic(2.0, 1.0, 400.0);
+    let view = view([0.0, 0.0, 2.0], [0.0; 3], lens, [80, 60]);
+    let picks = pick::pick_all(&scene, &view, dvec2(41.5, 31.5));
+    let found: Vec<_> = picks
+        .iter()
+        .map(|pick| (pick.id, pick.t, pick.gap))
+        .collect();
+    let expected = (1..=300_u32).map(|id| {
+        let gap = (id < 300).then_some(1.0);
+        (id as usize, f64::from(id) + 1.0, gap)
+    });
+    assert_eq!(found, expected.collect::<Vec<_>>());
+}
+
 #[test]
 fn a_pick_does_not_wait_for_a_tree() {
     let side = 30_u32;
