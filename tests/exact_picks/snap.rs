@@ -186,6 +186,18 @@ struct Counts {
     /// Of the edges, those seen where they come out from behind a surface.
     between: usize,
 }
+impl Counts {
+    /// Counts what a position snapped to.
+    fn note(&mut self, to: Option<SnapTo>) {
+        match to {
+            Some(SnapTo::Vertex) => self.vertices += 1,
+            Some(SnapTo::Edge) => self.edges += 1,
+            Some(SnapTo::Face) => self.faces += 1,
+            Some(other) => unreachable!("{other:?}"),
+            None => self.nothing += 1,
+        }
+    }
+}
 
 fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> Counts {
     let mut random = Random::new(seed);
@@ -279,13 +291,7 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> Counts {
                 }
                 (None, _) => {}
             }
-            match to {
-                Some(SnapTo::Vertex) => counts.vertices += 1,
-                Some(SnapTo::Edge) => counts.edges += 1,
-                Some(SnapTo::Face) => counts.faces += 1,
-                Some(other) => unreachable!("{other:?}"),
-                None => counts.nothing += 1,
-            }
+            counts.note(to);
             let is_cut =
                 to == Some(SnapTo::Edge) && edge.is_some_and(|(_, kind)| kind == Kind::Cut);
             counts.ends += usize::from(is_cut);

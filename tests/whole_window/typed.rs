@@ -1,4 +1,5 @@
 //! A number that is typed and not entered yet counts when the scene is saved, closed or replaced.
+#![expect(clippy::float_cmp, reason = "numbers as they were typed")]
 
 use super::{keeping::is_asked, *};
 use sightline::scene::{self, Progress};

@@ -1,4 +1,5 @@
 //! What is edited while a load runs is asked about before the loaded scene takes its place.
+#![expect(clippy::float_cmp, reason = "numbers as they were typed")]
 
 use super::{
     keeping::{edit, is_asked, is_marked, shown},

@@ -364,7 +364,7 @@ fn a_frozen_camera_outlasts_the_four_views() {
     // Another scene has no frozen camera, and the way back leads to it again.
     state.apply(Action::Views(Views::Four));
     let path = std::path::PathBuf::from("gallery:needles");
-    let loaded = scene::load(&[path.clone()], &Progress::default()).expect("it loads");
+    let loaded = scene::load(std::slice::from_ref(&path), &Progress::default()).expect("it loads");
     state.open(loaded, vec![path]).expect("a scene");
     state.apply(Action::Views(Views::Picture));
     assert_eq!(state.frozen(), None);

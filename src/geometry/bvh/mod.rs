@@ -2,7 +2,7 @@
 //!
 //! A node has eight boxes and a leaf eight triangles, so that one instruction handles eight numbers (Wald, Benthin &
 //! Boulos, "Getting rid of packets", RT 2008; Embree's layout). Boxes and triangles are tested in `f32`, with a proven
-//! bound on the rounding errors ([`ray`]): the ray certainly misses whatever is rejected. The caller decides the rest in
+//! bound on the rounding errors ([`tree_ray`]): the ray certainly misses whatever is rejected. The caller decides the rest in
 //! `f64`, so the answer is the same to the bit, whichever instructions there are.
 
 #![allow(

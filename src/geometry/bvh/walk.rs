@@ -327,7 +327,7 @@ impl TriangleFilter {
         }
     }
 
-    /// Which triangles the ray may hit before `end`; see [`super::ray`] for the bounds.
+    /// Which triangles the ray may hit before `end`; see [`super::tree_ray`] for the bounds.
     #[inline(always)]
     fn may_hit<L: Lanes>(&self, lanes: L, packet: &Packet, end: f32) -> u32 {
         let [a, b, c] = &packet.corners;

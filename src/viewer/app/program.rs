@@ -68,6 +68,7 @@ pub(in crate::viewer) enum Host {
 }
 
 /// All that outlives frames, devices and windows.
+#[expect(clippy::struct_excessive_bools, reason = "each is about another thing")]
 pub(in crate::viewer) struct App {
     pub options: Options,
     /// Wakes whoever shows this.
