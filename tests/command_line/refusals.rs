@@ -182,23 +182,25 @@ fn a_scene_file_too_large_for_memory_is_refused() {
     );
 }
 
-/// A camera that cannot be is refused by the line where the file has it.
+/// A camera that cannot be is refused by the line where the file has it, also far down in a long file, which is parsed
+/// in pieces.
 #[test]
 fn a_camera_that_cannot_be_is_named_by_file_and_line() {
     let folder = Folder::new();
+    let object = "[[object]]\nshape = \"cube\"\n";
     for (camera, what) in [
         ("fov = 200", "field of view"),
         ("near = 0", "near"),
         ("eye = [1, 1, 1]\ntarget = [1, 1, 1]", "eye"),
         ("section = \"face:1,99\"", "section"),
     ] {
-        let text = format!("{}\n[camera]\n{camera}\n", "[[object]]\nshape = \"cube\"");
-        std::fs::write(folder.path("bad.toml"), text).unwrap();
-        let line = folder.error("pick bad.toml --at 5,5", 3);
-        assert!(
-            line.contains("bad.toml:3: ") && line.contains(what),
-            "{line}"
-        );
+        for count in [1, 3000] {
+            let text = format!("{}[camera]\n{camera}\n", object.repeat(count));
+            std::fs::write(folder.path("bad.toml"), text).unwrap();
+            let line = folder.error("pick bad.toml --at 5,5", 3);
+            let place = format!("bad.toml:{}: ", 2 * count + 1);
+            assert!(line.contains(&place) && line.contains(what), "{line}");
+        }
     }
 }
 

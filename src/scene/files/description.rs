@@ -123,7 +123,7 @@ pub fn parse(
         .map_err(cancelled)?;
     Ok(Description {
         objects: made,
-        camera_line: (scene.camera.as_ref()).map_or(1, |camera| line(camera.span().start)),
+        camera_line: (scene.camera.as_ref()).map_or(1, |camera| line(start + camera.span().start)),
         camera: scene.camera.map(Spanned::into_inner),
     })
 }
