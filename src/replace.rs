@@ -77,10 +77,9 @@ impl Written {
     /// # Errors
     /// The system's error.
     pub fn put_in_place(self) -> io::Result<()> {
-        match self.beside {
-            Some(beside) => beside.persist(&self.target).map_err(|error| error.error)?,
-            None => return Ok(()),
-        };
+        if let Some(beside) = self.beside {
+            beside.persist(&self.target).map_err(|error| error.error)?;
+        }
         Ok(())
     }
 }

@@ -31,6 +31,7 @@ pub use view::ViewArgs;
 pub use window::WindowArgs;
 
 use crate::{
+    camera::Viewport,
     render::{Gpu, GpuError},
     scene::{self, Detail, Loaded, Progress},
 };
@@ -186,4 +187,14 @@ fn build_trees(scene: &scene::Scene) {
     let start = Instant::now();
     scene.build_trees();
     log::info!("built the trees in {:.1?}", start.elapsed());
+}
+
+/// Refuses a picture that does not fit into memory with this many bytes per pixel, before any work.
+fn check_memory(size: Viewport, bytes_per_pixel: usize) -> Result<(), CliError> {
+    let pixels = size.width() as usize * size.height() as usize;
+    let bytes = pixels.saturating_mul(bytes_per_pixel);
+    Vec::<u8>::new().try_reserve_exact(bytes).map_err(|_| {
+        let size = format!("{}x{}", size.width(), size.height());
+        CliError::TooLarge { size, bytes }
+    })
 }

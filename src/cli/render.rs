@@ -1,10 +1,11 @@
 //! `sightline render`: draws a picture without a window.
 
 use super::{
-    CliError, SceneArgs, ViewArgs, build_trees, load, load_beside_gpu, pick::inside, value,
+    CliError, SceneArgs, ViewArgs, build_trees, check_memory, load, load_beside_gpu, pick::inside,
+    value,
 };
 use crate::{
-    camera::{View, Viewport},
+    camera::View,
     image::{Id, Image, ImageError, Rgb},
     pick, render,
     replace::target,
@@ -113,16 +114,6 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     };
     colours.write_png(&args.output)?;
     ids.map_or(Ok(()), |ids| Ok(ids.put_in_place()?))
-}
-
-/// Refuses a picture that does not fit into memory with this many bytes per pixel, before any work.
-pub(super) fn check_memory(size: Viewport, bytes_per_pixel: usize) -> Result<(), CliError> {
-    let pixels = size.width() as usize * size.height() as usize;
-    let bytes = pixels.saturating_mul(bytes_per_pixel);
-    Vec::<u8>::new().try_reserve_exact(bytes).map_err(|_| {
-        let size = format!("{}x{}", size.width(), size.height());
-        CliError::TooLarge { size, bytes }
-    })
 }
 
 fn raycast(scene: &Scene, view: &View, selection: Option<usize>) -> (Image<Id>, Image<Rgb>) {

@@ -1,8 +1,6 @@
 //! `sightline verify`: compares the drawn picture with picks, pixel by pixel.
 
-use super::{
-    CliError, SceneArgs, ViewArgs, build_trees, load_beside_gpu, render::check_memory, value,
-};
+use super::{CliError, SceneArgs, ViewArgs, build_trees, check_memory, load_beside_gpu, value};
 use crate::{
     camera::View,
     image::{Id, Image, Rgb},

@@ -121,11 +121,9 @@ fn write(
         writer.write_image_data(bytes)?;
         Ok(writer.finish()?)
     });
+    let path = path.to_owned();
     match written {
-        Ok(file) => Ok(WrittenPng {
-            path: path.to_owned(),
-            file,
-        }),
-        Err(source) => Err(failed(path, source)),
+        Ok(file) => Ok(WrittenPng { path, file }),
+        Err(source) => Err(failed(&path, source)),
     }
 }

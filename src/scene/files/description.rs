@@ -37,7 +37,7 @@ use super::{
     DescriptionError, MeshFile, MeshFiles, ObjError, Object, Problem, Progress, SaveError, Scene,
     Warning,
     entry::Entry,
-    pieces::{self, Stopped},
+    toml_pieces::{self, Stopped},
 };
 use crate::camera::CameraChoice;
 use glam::DVec3;
@@ -93,7 +93,7 @@ pub fn parse(
     let cancelled = |cancelled| fail(None, Problem::Mesh(ObjError::Cancelled(cancelled)));
     // Gone through twice: once for the positions in the text, once for the values.
     progress.expect(2 * text.len() as u64);
-    let parsed = pieces::parse(text, progress).map_err(|stopped| match stopped {
+    let parsed = toml_pieces::parse(text, progress).map_err(|stopped| match stopped {
         Stopped::Cancelled(by) => cancelled(by),
         Stopped::Syntax(error) => syntax(0, error),
     })?;

@@ -11,10 +11,10 @@ mod load_error;
 mod loaded;
 mod mesh_files;
 pub mod obj;
-mod pieces;
 mod problem;
 mod progress;
 mod save;
+mod toml_pieces;
 mod warning;
 
 use super::{Object, Scene, Shape};

@@ -110,7 +110,10 @@ fn hint(state: &State) -> Option<(&'static str, &'static str, Vec<Command>)> {
         return Some(("Everything is hidden", "Show all (U)", vec![show]));
     }
     // The four views show what the camera does not see.
-    let (by, actions) = state.emptied().filter(|_| state.stages().is_empty())?;
+    if !state.stages().is_empty() {
+        return None;
+    }
+    let (by, actions) = state.emptied()?;
     let (text, button) = match by {
         EmptiedBy::Section => (
             "Nothing in view: the section cuts everything away",
