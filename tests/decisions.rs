@@ -3,18 +3,18 @@
 #![cfg(feature = "window")]
 
 mod common;
-#[path = "common/families.rs"]
-mod families;
 #[path = "common/oracle.rs"]
 mod oracle;
+#[path = "common/triangle_families.rs"]
+mod triangle_families;
 
 use common::{Random, mesh};
-use families::{Case, FAMILIES, Family};
 use glam::DVec3;
 use sightline::geometry::{
     LocalRay, Mesh, Ray, Sides, TriangleHit, VertexRay, guarded_volume, signed_volume,
 };
 use std::{sync::Arc, thread};
+use triangle_families::{Case, FAMILIES, Family};
 
 /// Rays of each family. Each is judged against four triangles, and for which of them is nearest.
 const RAYS: u32 = 30_000;

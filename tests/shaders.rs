@@ -2,7 +2,7 @@
 #![cfg(feature = "window")]
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
-use sightline::render::{SHADERS, layout};
+use sightline::render::{SHADERS, shader_structs};
 use std::mem::{offset_of, size_of};
 
 fn module(name: &str) -> naga::Module {
@@ -48,11 +48,11 @@ fn wgsl_layout(shader: &str, name: &str) -> (Vec<(String, usize)>, usize) {
     found.unwrap_or_else(|| panic!("{shader} has no {name}"))
 }
 
-/// Compares a struct of `layout` with the shader's struct of the same name.
+/// Compares a struct of `shader_structs` with the shader's struct of the same name.
 macro_rules! same_layout {
     ($shader:literal, $name:ident { $($field:ident),* }) => {
-        let rust = vec![$((stringify!($field).to_owned(), offset_of!(layout::$name, $field))),*];
-        let rust = (rust, size_of::<layout::$name>());
+        let rust = vec![$((stringify!($field).to_owned(), offset_of!(shader_structs::$name, $field))),*];
+        let rust = (rust, size_of::<shader_structs::$name>());
         assert_eq!(rust, wgsl_layout($shader, stringify!($name)), "{} in {}", stringify!($name), $shader);
     };
 }
@@ -144,8 +144,11 @@ fn flags_have_one_value_on_both_sides() {
             ref other => panic!("{name} is {other:?}"),
         }
     };
-    assert_eq!(value("NUMBERS_TRIANGLES"), layout::Batch::NUMBERS_TRIANGLES);
-    assert_eq!(value("MIRRORS"), layout::Batch::MIRRORS);
+    assert_eq!(
+        value("NUMBERS_TRIANGLES"),
+        shader_structs::Batch::NUMBERS_TRIANGLES
+    );
+    assert_eq!(value("MIRRORS"), shader_structs::Batch::MIRRORS);
 }
 
 /// The shader's instance attributes, in their order, fill the struct `Batch`.
@@ -165,13 +168,22 @@ fn attributes_of_an_instance_are_the_fields_of_its_row() {
         found.push((member.name.as_deref().expect("a name"), at));
         at += layouter[member.ty].size as usize;
     }
-    assert_eq!(at, size_of::<layout::Batch>());
+    assert_eq!(at, size_of::<shader_structs::Batch>());
     for (name, offset) in [
-        ("pivot_and_view_depth", offset_of!(layout::Batch, pivot)),
-        ("linear_x", offset_of!(layout::Batch, linear)),
-        ("translation", offset_of!(layout::Batch, translation)),
-        ("normal_x", offset_of!(layout::Batch, normal)),
-        ("numbers", offset_of!(layout::Batch, object_of_part_0)),
+        (
+            "pivot_and_view_depth",
+            offset_of!(shader_structs::Batch, pivot),
+        ),
+        ("linear_x", offset_of!(shader_structs::Batch, linear)),
+        (
+            "translation",
+            offset_of!(shader_structs::Batch, translation),
+        ),
+        ("normal_x", offset_of!(shader_structs::Batch, normal)),
+        (
+            "numbers",
+            offset_of!(shader_structs::Batch, object_of_part_0),
+        ),
     ] {
         assert!(
             found.contains(&(name, offset)),

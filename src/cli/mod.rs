@@ -2,6 +2,7 @@
 //!
 //! Only results go to stdout. Errors, warnings and progress go to stderr, each on one line.
 
+mod camera_flags;
 mod command_first;
 mod contract;
 mod desktop;
@@ -16,9 +17,9 @@ mod study;
 mod terminal;
 mod value;
 mod verify;
-mod view;
 mod window;
 
+pub use camera_flags::ViewArgs;
 pub use desktop::InstallDesktopArgs;
 pub use doctor::DoctorArgs;
 pub use error::CliError;
@@ -27,7 +28,6 @@ pub use pick::{At, PickArgs};
 pub use render::{By, RenderArgs};
 pub use study::StudyArgs;
 pub use verify::{Picker, VerifyArgs};
-pub use view::ViewArgs;
 pub use window::WindowArgs;
 
 use crate::{

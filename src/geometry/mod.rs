@@ -15,10 +15,11 @@
 //! * **Winding** is counter-clockwise seen from outside; normals point outwards and are never flipped
 //!   towards the ray. A hit is at the *front* when `direction . normal < 0`.
 
+mod aabb;
 pub(crate) mod binary;
-mod bounds;
 mod bvh;
 mod clip;
+mod crease_normals;
 mod cuboid;
 mod cuboid_hits;
 pub(crate) mod double_double;
@@ -28,7 +29,6 @@ mod interval;
 mod line;
 mod local_ray;
 mod mesh;
-mod normals;
 mod pixel_grid;
 mod pixel_rays;
 mod placed_point;
@@ -50,11 +50,12 @@ mod trs;
 mod vertex_ray;
 mod world_ray;
 
-pub use bounds::Aabb;
+pub use aabb::Aabb;
 pub(crate) use bvh::Entry;
 #[doc(hidden)] // public for tests and benches
 pub use bvh::{Bvh, Simd, Visit};
 pub(crate) use clip::clip;
+pub use crease_normals::{CornerNormals, crease_normals, face_normal};
 pub use cuboid::Cuboid;
 pub(crate) use exact::dyadic;
 pub(crate) use exact::{
@@ -67,7 +68,6 @@ pub use line::ThroughPoint;
 pub use local_ray::{LocalRay, PlacedRay};
 pub(crate) use mesh::BLOCK;
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
-pub use normals::{CornerNormals, crease_normals, face_normal};
 pub use pixel_grid::PixelGrid;
 pub(crate) use pixel_grid::RayDifferential;
 pub use pixel_rays::PixelRays;

@@ -1,8 +1,8 @@
 //! The batches of a scene, as they are drawn, and the row of a GPU table that each becomes in a view.
 
 use super::{
-    layout,
     mesh_buffers::MeshBuffers,
+    shader_structs,
     sphere::sphere,
     transform::{VertexToView, normal_to_view},
     view_space::ViewSpace,
@@ -95,8 +95,8 @@ pub(super) struct TriangleBatch {
 
 /// A row of one of the GPU tables.
 pub(super) enum Row {
-    Triangles(layout::Batch),
-    Sphere(layout::Sphere),
+    Triangles(shader_structs::Batch),
+    Sphere(shader_structs::Sphere),
 }
 
 impl Batch {
@@ -104,7 +104,7 @@ impl Batch {
     pub fn seen_in(&self, space: &ViewSpace) -> Row {
         match &self.own {
             Own::Triangles(own) => Row::Triangles(own.seen_in(space, &self.placement)),
-            Own::Sphere { .. } if self.shown == 0 => Row::Sphere(layout::Sphere::default()),
+            Own::Sphere { .. } if self.shown == 0 => Row::Sphere(shader_structs::Sphere::default()),
             Own::Sphere { object } => Row::Sphere(sphere(space, &self.placement, *object)),
         }
     }
@@ -137,11 +137,11 @@ impl Batch {
 }
 
 impl TriangleBatch {
-    fn seen_in(&self, space: &ViewSpace, placement: &Placement) -> layout::Batch {
+    fn seen_in(&self, space: &ViewSpace, placement: &Placement) -> shader_structs::Batch {
         let to_view = VertexToView::new(space, placement, self.origin, &self.bounds);
-        let numbers = u32::from(self.numbers_triangles) * layout::Batch::NUMBERS_TRIANGLES;
-        let mirrors = u32::from(placement.mirrors()) * layout::Batch::MIRRORS;
-        layout::Batch {
+        let numbers = u32::from(self.numbers_triangles) * shader_structs::Batch::NUMBERS_TRIANGLES;
+        let mirrors = u32::from(placement.mirrors()) * shader_structs::Batch::MIRRORS;
+        shader_structs::Batch {
             pivot: to_view.pivot.to_array(),
             view_depth: to_view.view_depth,
             linear: to_view.linear.to_cols_array_2d(),

@@ -4,7 +4,7 @@ use super::{
     batches::{Batch, DrawnShape, Kind, Row},
     draw_order::{Order, index},
     frustum::Frustum,
-    layout,
+    shader_structs,
     view_space::ViewSpace,
 };
 use crate::{
@@ -122,8 +122,8 @@ pub(super) struct Draw {
 /// Composed rows, the next ones of each table.
 #[derive(Debug, Default)]
 pub(super) struct Share {
-    pub triangles: Vec<layout::Batch>,
-    pub spheres: Vec<layout::Sphere>,
+    pub triangles: Vec<shader_structs::Batch>,
+    pub spheres: Vec<shader_structs::Sphere>,
     /// How many rows each table has before them.
     pub before: [u32; 2],
     pub draws: Vec<Draw>,
@@ -190,7 +190,7 @@ impl Composer {
                 share.triangles.push(row);
                 0
             }
-            Row::Sphere(row) if row == layout::Sphere::default() => return,
+            Row::Sphere(row) if row == shader_structs::Sphere::default() => return,
             Row::Sphere(row) => {
                 share.spheres.push(row);
                 1

@@ -1,7 +1,7 @@
 //! Lines in the world. They are in the picture, hidden by what is in front of them, but not in the ids.
 
 use super::{
-    layout::LineVertex,
+    shader_structs::LineVertex,
     view_units::{depth_origin, view_unit},
 };
 use crate::{camera::View, colour::Srgb};

@@ -3,7 +3,7 @@
 use super::{
     abilities::Numbers,
     gpu::{Gpu, GpuError},
-    layout::Vertex,
+    shader_structs::Vertex,
 };
 use crate::{
     colour::Srgb,

@@ -36,7 +36,6 @@ mod formats;
 mod frustum;
 mod gpu;
 mod gpu_error;
-pub mod layout;
 mod lines;
 mod mesh_buffers;
 mod mesh_store;
@@ -53,6 +52,7 @@ pub(crate) mod rounding;
 mod scene_buffers;
 pub(crate) mod section;
 mod seen;
+pub mod shader_structs;
 mod shaders;
 mod slices;
 pub mod sphere;
@@ -121,7 +121,7 @@ impl Renderer {
             pipelines: pipelines::Pipelines::new(gpu, colour_samples),
             post: outline::PostPasses::new(gpu),
             resolve: OnceCell::new(),
-            frame: uniform_buffer::<layout::Frame>(gpu, "frame"),
+            frame: uniform_buffer::<shader_structs::Frame>(gpu, "frame"),
         }
     }
 }

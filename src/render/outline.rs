@@ -6,8 +6,8 @@ use super::{
     drawing::Drawing,
     formats::MARKS,
     gpu::{Gpu, GpuError},
-    layout,
     scene_buffers::{Place, SceneBuffers},
+    shader_structs,
     shaders::shader_module,
     slices::Piece,
     targets::Targets,
@@ -101,7 +101,7 @@ impl Renderer {
         selection: usize,
     ) {
         let outline_px = self.outline_px();
-        let uniform = layout::Composite {
+        let uniform = shader_structs::Composite {
             outline_px,
             ..uniform(&Marks::default(), [0, 0], 1)
         };
@@ -209,12 +209,12 @@ impl PostPasses {
             shader: shader_module(gpu, "composite"),
             bind_group_layout,
             layout,
-            uniform: super::uniform_buffer::<layout::Composite>(gpu, "composite"),
+            uniform: super::uniform_buffer::<shader_structs::Composite>(gpu, "composite"),
             made: HashMap::new(),
         }
     }
 
-    fn write(&self, gpu: &Gpu, uniform: &layout::Composite) {
+    fn write(&self, gpu: &Gpu, uniform: &shader_structs::Composite) {
         gpu.queue
             .write_buffer(&self.uniform, 0, bytemuck::bytes_of(uniform));
     }
@@ -253,11 +253,11 @@ impl PostPasses {
 }
 
 #[expect(clippy::cast_precision_loss, reason = "textures are not that large")]
-fn uniform(marks: &Marks, origin_px: [u32; 2], coarseness: u32) -> layout::Composite {
+fn uniform(marks: &Marks, origin_px: [u32; 2], coarseness: u32) -> shader_structs::Composite {
     let of_index = |i: usize| u32::try_from(i + 1).unwrap_or(u32::MAX);
     // 0 is the background's id, so "none" is another number.
     let id = |object: Option<usize>| object.map_or(u32::MAX, of_index);
-    layout::Composite {
+    shader_structs::Composite {
         origin_px: origin_px.map(|px| px as f32),
         selection: id(marks.selection),
         hover: id(marks.hover),

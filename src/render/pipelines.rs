@@ -6,7 +6,7 @@ use super::{
     bindings,
     formats::{COLOUR, DEPTH, IDS, MARKS},
     gpu::Gpu,
-    layout::{Batch, LineVertex, Vertex},
+    shader_structs::{Batch, LineVertex, Vertex},
     shaders::shader_module,
 };
 use crate::camera::{DepthMapping, View};

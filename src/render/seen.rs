@@ -5,7 +5,7 @@ use super::{
     batches::{Batch, Row},
     composing::{Composer, Draw, Share, ToDraw},
     gpu::{Gpu, GpuError},
-    layout,
+    shader_structs,
 };
 use crate::camera::View;
 use bytemuck::{Pod, Zeroable};
@@ -29,9 +29,9 @@ const PATIENCE: Duration = Duration::from_millis(2);
 #[derive(Clone, Debug)]
 pub(super) struct Tables {
     gpu: Gpu,
-    /// [`layout::Batch`] of each batch of triangles that is seen.
+    /// [`shader_structs::Batch`] of each batch of triangles that is seen.
     pub triangles: wgpu::Buffer,
-    /// [`layout::Sphere`] of each sphere that is seen.
+    /// [`shader_structs::Sphere`] of each sphere that is seen.
     pub spheres: wgpu::Buffer,
     /// The extra rows.
     alone: [u32; 2],
@@ -54,13 +54,18 @@ impl Tables {
         }
         Ok(Self {
             gpu: gpu.clone(),
-            triangles: table::<layout::Batch>(
+            triangles: table::<shader_structs::Batch>(
                 gpu,
                 "model matrices",
                 BufferUsages::VERTEX,
                 triangles,
             )?,
-            spheres: table::<layout::Sphere>(gpu, "spheres", BufferUsages::STORAGE, spheres)?,
+            spheres: table::<shader_structs::Sphere>(
+                gpu,
+                "spheres",
+                BufferUsages::STORAGE,
+                spheres,
+            )?,
             alone: [triangles, spheres],
         })
     }
@@ -77,8 +82,8 @@ impl Tables {
 
     /// Sets the triangle that the next draw of a row begins with.
     pub fn begin_at(&self, row: u32, first_triangle: u32) {
-        let byte = offset_of!(layout::Batch, first_triangle);
-        let at = u64::from(row) * size_of::<layout::Batch>() as u64 + byte as u64;
+        let byte = offset_of!(shader_structs::Batch, first_triangle);
+        let at = u64::from(row) * size_of::<shader_structs::Batch>() as u64 + byte as u64;
         let bytes = bytemuck::bytes_of(&first_triangle);
         self.gpu.queue.write_buffer(&self.triangles, at, bytes);
     }

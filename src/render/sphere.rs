@@ -7,8 +7,8 @@
 //! picture's size in pixels, nothing else.
 
 use super::{
-    layout::{Quadratic, Sphere as Row},
     rounding::{U, UNDERFLOW, narrow},
+    shader_structs::{Quadratic, Sphere as Row},
     transform::normal_to_view,
     view_space::{ViewPoint, ViewSpace},
     view_units::depth_origin,

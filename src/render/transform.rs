@@ -3,9 +3,9 @@
 //! rounding of the result, wherever in the world things stand.
 
 use super::{
-    layout,
     rounding::{U, UNDERFLOW, is_f32, larger, narrow},
     section::{KEPT_BEFORE, ScreenSection},
+    shader_structs,
     view_space::ViewSpace,
     view_units::view_unit,
 };
@@ -23,7 +23,7 @@ use std::ops::{Add, Mul, Range};
 
 /// The numbers that all of a frame shares.
 #[must_use]
-pub fn frame(view: &View) -> layout::Frame {
+pub fn frame(view: &View) -> shader_structs::Frame {
     let lens = view.camera.lens();
     let half = view.half_extent();
     let perspective = matches!(lens.projection, Projection::Perspective { .. });
@@ -33,7 +33,7 @@ pub fn frame(view: &View) -> layout::Frame {
     let [right, down, section_start, section_per_q] = section;
     // In perspective the unit cancels in the division.
     let unit = if perspective { 1.0 } else { view_unit(view) };
-    layout::Frame {
+    shader_structs::Frame {
         ndc_per_view: (half * unit).recip().as_vec2().to_array(),
         #[expect(clippy::cast_precision_loss, reason = "textures are not that large")]
         viewport_px: [view.viewport.width() as f32, view.viewport.height() as f32],

@@ -3,7 +3,7 @@
 #![allow(unsafe_code, reason = "a library in C++")]
 
 use crate::{
-    memory::{Cost, Count},
+    allocations::{Cost, Count},
     meshes::Sample,
     rivals::{Answer, Built, Rival},
 };

@@ -1,8 +1,8 @@
 //! The measured libraries: each builds a tree and finds nearest hits with it.
 
 use crate::{
+    allocations::{Cost, cost_of},
     embree,
-    memory::{Cost, cost_of},
     meshes::Sample,
 };
 use glam::{DVec3, Vec3A};

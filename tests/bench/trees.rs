@@ -7,13 +7,13 @@
 //!
 //! The last line of each mesh is the cost of a hover: rays through one pixel after the other, each timed alone.
 
+mod allocations;
 mod embree;
-mod memory;
 mod meshes;
 mod rays;
 mod rivals;
 
-use memory::Cost;
+use allocations::Cost;
 use meshes::Sample;
 use rivals::{Answer, Built, Rival};
 use sightline::geometry::{Aabb, Mesh, Ray, Sides};

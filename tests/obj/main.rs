@@ -4,8 +4,8 @@
 mod adverse;
 #[path = "../common/mod.rs"]
 mod common;
+mod foreign_files;
 mod mended;
-mod real;
 mod refusals;
 mod shading;
 mod shapes;

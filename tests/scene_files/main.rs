@@ -1,9 +1,9 @@
 //! Scene files load as written, saved ones read back the same, and errors name the file and line.
 #![cfg(feature = "window")]
 
-mod beside;
 #[path = "../common/mod.rs"]
 mod common;
+mod moved_folder;
 mod saved;
 
 use common::assert_near;

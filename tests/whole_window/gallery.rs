@@ -215,7 +215,7 @@ fn what_is_edited_in_the_gallery_is_asked_about_before_it_is_left() {
         click(&mut window, pos2(675.0, 362.0));
         press_key(&mut window, Modifiers::SHIFT, Key::H);
         press_key(&mut window, Modifiers::NONE, Key::Escape);
-        assert!(keeping::is_asked(&window));
+        assert!(nothing_lost::is_asked(&window));
         (window, folder)
     };
     let (mut window, _folder) = edited_inside();
@@ -225,7 +225,7 @@ fn what_is_edited_in_the_gallery_is_asked_about_before_it_is_left() {
         &format!("This leaves the gallery. Your edits in {name} are not saved."),
     );
     click_on(&mut window, "Cancel");
-    assert!(window.state().showing().is_some() && keeping::is_marked(&window));
+    assert!(window.state().showing().is_some() && nothing_lost::is_marked(&window));
     // Edits of an exhibit before the present one would go as well.
     press_key(&mut window, Modifiers::NONE, Key::E);
     assert_ne!(window.state().name(), name);
@@ -233,7 +233,7 @@ fn what_is_edited_in_the_gallery_is_asked_about_before_it_is_left() {
     click_on(&mut window, "leave the gallery");
     click_on(&mut window, "Leave, drop the edits");
     assert_eq!(window.state().name(), "row.toml");
-    assert!(!keeping::is_marked(&window));
+    assert!(!nothing_lost::is_marked(&window));
 
     let (mut window, folder) = edited_inside();
     click_on(&mut window, "Save first\u{2026}");

@@ -1,7 +1,7 @@
 //! Saving: what the scene file says of its meshes, what the dialog suggests, and what waits for a save.
 
 use super::{
-    keeping::{edit, is_asked},
+    nothing_lost::{edit, is_asked},
     *,
 };
 use std::fs;

@@ -1,7 +1,7 @@
 //! A number that is typed and not entered yet counts when the scene is saved, closed or replaced.
 #![expect(clippy::float_cmp, reason = "numbers as they were typed")]
 
-use super::{keeping::is_asked, *};
+use super::{nothing_lost::is_asked, *};
 use sightline::scene::{self, Progress};
 
 type Does = fn(&mut Offscreen, &Path);

@@ -2,7 +2,7 @@
 #![expect(clippy::float_cmp, reason = "numbers as they were typed")]
 
 use super::{
-    keeping::{edit, is_asked, is_marked, shown},
+    nothing_lost::{edit, is_asked, is_marked, shown},
     *,
 };
 use glam::DVec3;

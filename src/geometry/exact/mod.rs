@@ -27,7 +27,7 @@ mod point;
 mod root;
 mod section;
 mod solids;
-mod surface;
+mod surface_order;
 mod triangle;
 
 pub(crate) use area::area;
@@ -40,6 +40,6 @@ pub(crate) use parameter::Parameter;
 pub(super) use plane::{keeps_point, normal_of};
 pub(crate) use section::keeps;
 pub(super) use solids::{cube, sphere, square};
-pub(crate) use surface::{Surface, compare_surfaces, compare_to_point, is_point_within};
+pub(crate) use surface_order::{Surface, compare_surfaces, compare_to_point, is_point_within};
 pub(crate) use triangle::Corners;
 pub(super) use triangle::{compare, hit, reaches_plane};

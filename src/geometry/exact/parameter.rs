@@ -7,7 +7,7 @@ use super::{
     number::Number,
     root::Root,
     solids,
-    surface::{Surface, parameter},
+    surface_order::{Surface, parameter},
     triangle,
 };
 use crate::geometry::{Cuboid, Placement, Sphere};

@@ -6,7 +6,7 @@ use super::{
     integer::{Bits, Formula, Integer, Ring, solve},
     number::{Number, Vector},
     root::Root,
-    surface::{Surface, parameter},
+    surface_order::{Surface, parameter},
     triangle::{Corners, Seen},
 };
 use num_bigint::BigInt;

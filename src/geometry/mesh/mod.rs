@@ -3,7 +3,7 @@
 mod rays;
 
 use super::{
-    Aabb, Bvh, CornerNormals, OnTriangle, normals::crease_normals_while, shares::in_shares,
+    Aabb, Bvh, CornerNormals, OnTriangle, crease_normals::crease_normals_while, shares::in_shares,
 };
 use crate::colour::Srgb;
 use glam::{DVec3, Vec3};

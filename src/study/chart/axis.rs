@@ -1,7 +1,7 @@
 //! Axes, with places beside the scale for 0, for ties and for infinite values. Also panels: frames with two axes.
 
 use super::{
-    measure::Measure,
+    figure::Figure,
     picture::{Anchor, Colour, FAINT, INK, Picture, QUIET},
 };
 use plotters::coord::{ranged1d::Ranged, types::RangedCoordf64};
@@ -28,10 +28,10 @@ const BEYOND: f64 = 22.0;
 
 impl Axis {
     /// A logarithmic axis between two pixel positions that holds all values, with whole powers of ten at its ends. It has places
-    /// for 0, for [ties](Measure::TIE) and for infinity where such values occur.
+    /// for 0, for [ties](Figure::TIE) and for infinity where such values occur.
     pub fn new(values: &[f64], ends: [f64; 2]) -> Self {
         let finite = || {
-            let scaled = |v: &&f64| v.is_finite() && **v > Measure::TIE;
+            let scaled = |v: &&f64| v.is_finite() && **v > Figure::TIE;
             values.iter().filter(scaled).map(|v| v.log10())
         };
         let low = finite().map(|e| (e + 1e-6).floor()).reduce(f64::min);
@@ -44,7 +44,7 @@ impl Axis {
             from += direction * 1.6 * BEYOND;
             from - direction * BEYOND
         });
-        let ties = values.contains(&Measure::TIE).then(|| {
+        let ties = values.contains(&Figure::TIE).then(|| {
             from += direction * BEYOND;
             from - direction * 0.8 * BEYOND
         });
@@ -98,7 +98,7 @@ impl Axis {
         let on_scale = self.ends[0] + share.clamp(0.0, 1.0) * (self.ends[1] - self.ends[0]);
         let beside = match value {
             0.0 => self.none,
-            Measure::TIE => self.ties,
+            Figure::TIE => self.ties,
             f64::INFINITY => self.fails,
             _ => None,
         };

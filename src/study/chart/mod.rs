@@ -3,10 +3,10 @@
 mod axis;
 mod depth_buffer;
 mod error_bounds;
+mod figure;
 mod front;
 mod heat;
 mod labels;
-mod measure;
 mod overview;
 mod page;
 pub mod picture;
@@ -25,8 +25,8 @@ use picture::Picture;
 mod prelude {
     pub use super::{
         axis::{Axis, NEVER, Panel},
+        figure::Figure,
         labels::LabelPlaces,
-        measure::Measure,
         page::{ROWS_APART, WIDTH, page, places, small},
         picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET, count, text_width},
         point_shapes::Shape,

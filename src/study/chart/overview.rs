@@ -31,7 +31,7 @@ struct Point {
 }
 
 fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], at: [f64; 2]) {
-    let measure = Measure::of(step);
+    let figure = Figure::of(step);
     let is_timed = all.iter().any(|summary| summary.ns().is_some());
     let styles = styles(all.iter().map(|summary| summary.method));
     let places = (0..).map(|i| 1.5 + f64::from(i));
@@ -45,7 +45,7 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], at: [f64; 2]) 
         Some(Point {
             x,
             quartiles,
-            y: measure.worst(summary),
+            y: figure.worst(summary),
             style,
         })
     });
@@ -57,8 +57,8 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], at: [f64; 2]) 
     let ys: Vec<f64> = points.iter().map(|point| point.y).collect();
     let panel = small(at, [76.0, 308.0], &xs, &ys);
     let x_name = if is_timed { "time (ns)" } else { "" };
-    let names = [x_name, &measure.label(step)];
-    panel.draw(picture, step.name, names, measure.none());
+    let names = [x_name, &figure.label(step)];
+    panel.draw(picture, step.name, names, figure.none());
     if is_timed {
         let mut steps: Vec<[f64; 2]> = Vec::new();
         for (x, y) in front(&points) {

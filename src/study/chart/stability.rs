@@ -22,7 +22,7 @@ pub fn chart(report: &Report) -> Picture {
     let line = "Each panel makes one thing worse from left to right. Dashed with hollow points: f32, solid: f64 or \
                 exact, black stars: Sightline's.";
     let panels = SHOWN.map(|(step, family)| rows_of(report, step, family));
-    panels_of(title, line, &panels, Measure::of)
+    panels_of(title, line, &panels, Figure::of)
 }
 
 /// How long each method takes, over the share of rays that hit.
@@ -35,7 +35,7 @@ pub fn hit_rates(report: &Report) -> Picture {
         rows.retain(|row| row.time.is_some());
         rows
     });
-    panels_of("What hits cost", line, &panels, |_| Measure::Time)
+    panels_of("What hits cost", line, &panels, |_| Figure::Time)
 }
 
 fn rows_of<'a>(report: &'a Report, step: &str, family: &str) -> Vec<&'a Row> {
@@ -48,7 +48,7 @@ fn panels_of(
     title: &str,
     line: &str,
     panels: &[Vec<&Row>],
-    measure: fn(About) -> Measure,
+    figure: fn(About) -> Figure,
 ) -> Picture {
     let last = panels.chunks(4).next_back().unwrap_or_default();
     let longest = last.iter().map(|rows| names(rows).len()).max().unwrap_or(0);
@@ -57,7 +57,7 @@ fn panels_of(
     let mut last = "";
     for (rows, at) in panels.iter().zip(places(4, ROWS_APART)) {
         let Some(first) = rows.first() else { continue };
-        let styles = panel(&mut picture, measure(first.info.step), rows, at, None, None);
+        let styles = panel(&mut picture, figure(first.info.step), rows, at, None, None);
         if last != first.info.step.key {
             legend(&mut picture, styles.iter(), under(at), LINE);
         }
@@ -85,8 +85,8 @@ pub fn family(rows: &[Row], here: f64, wide: Option<(&str, Precision)>) -> Pictu
     let (own, rows): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.family == SCENE);
     let mut picture = Picture::new(400.0, 282.0 + LINE * count(names(&rows).len()));
     if let Some(first) = rows.first() {
-        let (at, measure) = ([0.0, 6.0], Measure::of(first.info.step));
-        let styles = panel(&mut picture, measure, &rows, at, wide, Some((&own, here)));
+        let (at, figure) = ([0.0, 6.0], Figure::of(first.info.step));
+        let styles = panel(&mut picture, figure, &rows, at, wide, Some((&own, here)));
         legend(&mut picture, styles.iter(), under(at), LINE);
     }
     picture
@@ -95,7 +95,7 @@ pub fn family(rows: &[Row], here: f64, wide: Option<(&str, Precision)>) -> Pictu
 /// Draws the panel of one family, whose rows are not empty, and returns its methods' styles.
 fn panel(
     picture: &mut Picture,
-    measure: Measure,
+    figure: Figure,
     rows: &[&Row],
     at: [f64; 2],
     wide: Option<(&str, Precision)>,
@@ -105,7 +105,7 @@ fn panel(
     let (own, here) = scene.unwrap_or_default();
     let xs: Vec<f64> = rows.iter().map(|row| row.value).collect();
     let all = rows.iter().chain(own);
-    let ys: Vec<f64> = all.map(|row| measure.at(row)).collect();
+    let ys: Vec<f64> = all.map(|row| figure.at(row)).collect();
     let mut panel = small(at, [82.0, 384.0], &xs, &ys);
     // The harmless end is on the left.
     if xs.contains(&0.0) {
@@ -114,8 +114,8 @@ fn panel(
         panel.x = panel.x.reversed();
     }
     let title = format!("{}: {}", first.info.step.name, first.family);
-    let names = [first.parameter, &measure.label(first.info.step)];
-    panel.draw(picture, &title, names, measure.none());
+    let names = [first.parameter, &figure.label(first.info.step)];
+    panel.draw(picture, &title, names, figure.none());
     if scene.is_some() {
         let (x, [from, to]) = (panel.x.at(here), [panel.from, panel.to]);
         picture.line(vec![[x, from[1]], [x, to[1]]], INK, 1, true);
@@ -135,7 +135,7 @@ fn panel(
     for style in ordered {
         let is_own = |row: &&&Row| row.info.key() == style.info.key();
         let points = rows.iter().filter(is_own);
-        let points = points.map(|row| panel.at(row.value, measure.at(row)));
+        let points = points.map(|row| panel.at(row.value, figure.at(row)));
         let points: Vec<[f64; 2]> = points.collect();
         let width = match (is_wide(style), style.info.ours) {
             (true, _) => 5,
@@ -147,7 +147,7 @@ fn panel(
             style.point(picture, at, 4.0);
         }
         for row in own.iter().filter(is_own) {
-            style.point(picture, panel.at(here, measure.at(row)), 7.0);
+            style.point(picture, panel.at(here, figure.at(row)), 7.0);
         }
     }
     styles

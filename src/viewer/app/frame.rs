@@ -12,7 +12,7 @@ use crate::{
     viewer::{
         jobs::let_go,
         model::{Action, Overlay, Stage},
-        screen::{Canvas, Laid, Motion, Progress, SceneRect, Screen, write_screenshot},
+        screen::{Canvas, Laid, Motion, PictureProgress, SceneRect, Screen, write_screenshot},
         ui::{self, Command, Notices, Shown},
     },
 };
@@ -259,7 +259,7 @@ impl App {
 
     /// Draws a pass, on a new device if the old one is lost. Then does what waited for the frame.
     fn draw(&mut self, laid: &Laid, screen: &mut impl Screen) -> Result<bool, GpuError> {
-        self.picture = Progress::default();
+        self.picture = PictureProgress::default();
         if screen.restore()? {
             self.textures.renew();
         }

@@ -18,7 +18,7 @@ use crate::{
         },
         model::{Action, Snapshot, Stage, State},
         options::Options,
-        screen::{Progress, Textures},
+        screen::{PictureProgress, Textures},
         ui::{
             self, Command, Docks, Drag, Filter, Floating, Kind, Letters, Notice, Notices,
             Statistics, Tour,
@@ -142,7 +142,7 @@ pub(in crate::viewer) struct App {
     pub(super) waiting: Option<(Action, View)>,
     pub extent: Extent,
     /// How far the scene's picture has come.
-    pub picture: Progress,
+    pub picture: PictureProgress,
     /// Whether the scene's picture moves or rests.
     pub rest: Rest,
     /// The user has quit.
@@ -201,7 +201,7 @@ impl App {
             copied: None,
             waiting: None,
             extent: Extent::Window,
-            picture: Progress::default(),
+            picture: PictureProgress::default(),
             rest: Rest::default(),
             quit: false,
             context,

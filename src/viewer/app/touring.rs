@@ -1,7 +1,7 @@
 //! The program's part in the tour.
 
 use super::program::App;
-use crate::viewer::ui::{Command, Intent, Seen, TourMove};
+use crate::viewer::ui::{Command, Intent, JustDone, TourMove};
 
 impl App {
     /// Moves through the tour. The tour begins by opening the demo. The panel that a step is about becomes visible.
@@ -25,13 +25,13 @@ impl App {
     /// Checks whether the tour's step is done, after a command or any other change.
     pub(super) fn notice_step(&mut self, command: Option<&Command>) {
         let Some(tour) = &mut self.tour else { return };
-        let seen = Seen {
+        let done = JustDone {
             command,
             state: &self.state,
             matrices: self.floating.pipeline,
             checking: &self.checking,
         };
-        if tour.notice(&seen) {
+        if tour.notice(&done) {
             self.context.request_repaint();
         }
     }

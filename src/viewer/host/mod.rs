@@ -2,10 +2,10 @@
 
 mod clipboard;
 mod controls;
-mod handed_files;
 mod mark;
+mod memory_picture;
 mod offscreen;
-mod page;
+mod offscreen_files;
 #[cfg(feature = "screen-readers")]
 mod reader;
 mod shell;

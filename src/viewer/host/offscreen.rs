@@ -3,7 +3,7 @@
 
 use super::{
     controls::{Control, controls},
-    page::Page,
+    memory_picture::MemoryPicture,
 };
 use crate::{
     camera::Viewport,
@@ -37,7 +37,7 @@ const FRAME_S: f64 = 1.0 / 60.0;
 pub struct Offscreen {
     pub(super) app: App,
     wakes: Receiver<Wake>,
-    page: Page,
+    picture: MemoryPicture,
     pixels_per_point: f32,
     time_s: f64,
     copied: Option<String>,
@@ -66,7 +66,7 @@ impl Offscreen {
         let mut window = Self {
             app: start(wake),
             wakes,
-            page: Page {
+            picture: MemoryPicture {
                 canvas: None,
                 size,
                 is_another: false,
@@ -107,7 +107,7 @@ impl Offscreen {
 
     /// Gives the window another size in physical pixels.
     pub fn resize(&mut self, size: Viewport) {
-        self.page.size = size;
+        self.picture.size = size;
         self.settle();
     }
 
@@ -181,14 +181,14 @@ impl Offscreen {
     /// How many triangles of meshes were uploaded so far, by frames and by jobs.
     #[must_use]
     pub fn uploaded_triangles(&self) -> u64 {
-        let canvas = self.page.canvas.as_ref();
+        let canvas = self.picture.canvas.as_ref();
         canvas.map_or(0, |canvas| canvas.gpu.uploaded_triangles())
     }
 
     /// Whether the last frame looks different from the one before: a window presents only such frames.
     #[must_use]
     pub fn looks_different(&self) -> bool {
-        self.page.is_another
+        self.picture.is_another
     }
 
     /// Whether it fills the screen.
@@ -239,14 +239,14 @@ impl Offscreen {
     /// What the adapter calls itself, once something was drawn.
     #[must_use]
     pub fn adapter_name(&self) -> &str {
-        let canvas = self.page.canvas.as_ref();
+        let canvas = self.picture.canvas.as_ref();
         canvas.map_or("", |canvas| canvas.gpu.adapter_name())
     }
 
     /// Whether the adapter is a program on the CPU, once something was drawn.
     #[must_use]
     pub fn is_software(&self) -> bool {
-        let canvas = self.page.canvas.as_ref();
+        let canvas = self.picture.canvas.as_ref();
         canvas.is_some_and(|canvas| canvas.gpu.is_software())
     }
 
@@ -261,7 +261,7 @@ impl Offscreen {
 
     fn draw_after(&mut self, events: Vec<egui::Event>) -> Result<bool, GpuError> {
         let input = self.input(events);
-        let Frame { platform, drawn } = self.app.frame(input, &mut self.page);
+        let Frame { platform, drawn } = self.app.frame(input, &mut self.picture);
         self.take_told(platform);
         self.at_rest = self.app.rest.is_settled;
         drawn
@@ -284,7 +284,11 @@ impl Offscreen {
     /// # Errors
     /// When nothing was drawn yet, or the adapter fails.
     pub fn drawn(&self) -> Result<Image<Rgb>, GpuError> {
-        self.page.canvas.as_ref().ok_or(GpuError::NoAdapter)?.read()
+        self.picture
+            .canvas
+            .as_ref()
+            .ok_or(GpuError::NoAdapter)?
+            .read()
     }
 
     fn draw_whole(&mut self) -> Result<(), GpuError> {
@@ -303,7 +307,7 @@ impl Offscreen {
 
     /// Destroys the device, as a driver that restarts does.
     pub fn lose_device(&mut self) {
-        if let Some(canvas) = &self.page.canvas {
+        if let Some(canvas) = &self.picture.canvas {
             canvas.gpu.device.destroy();
             // The next poll reports the loss.
             let _ = canvas.gpu.wait();
@@ -319,7 +323,7 @@ impl Offscreen {
     pub(super) fn input(&mut self, events: Vec<egui::Event>) -> egui::RawInput {
         self.time_s += FRAME_S;
         #[expect(clippy::cast_precision_loss, reason = "windows are not that large")]
-        let [width, height] = [self.page.size.width(), self.page.size.height()]
+        let [width, height] = [self.picture.size.width(), self.picture.size.height()]
             .map(|px| px as f32 / self.pixels_per_point);
         let mut input = egui::RawInput {
             screen_rect: Some(egui::Rect::from_min_size(

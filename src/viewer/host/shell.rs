@@ -4,7 +4,7 @@ use super::{clipboard::Clipboard, mark::marked};
 use crate::viewer::{
     app::WindowPlace,
     options::{Options, ViewerError},
-    screen::Surface,
+    screen::WindowSurface,
 };
 use std::sync::Arc;
 use winit::{
@@ -18,7 +18,7 @@ pub(super) struct Shell {
     pub window: Arc<Window>,
     pub egui: egui_winit::State,
     clipboard: Option<Clipboard>,
-    pub surface: Surface,
+    pub surface: WindowSurface,
 }
 
 impl Shell {
@@ -41,7 +41,7 @@ impl Shell {
         let attributes = attributes.with_visible(!cfg!(feature = "screen-readers"));
         let window = event_loop.create_window(marked(attributes));
         let window = Arc::new(window.map_err(|error| ViewerError::no_display(&error))?);
-        let surface = Surface::new(Arc::clone(&window), event_loop.owned_display_handle())?;
+        let surface = WindowSurface::new(Arc::clone(&window), event_loop.owned_display_handle())?;
         #[expect(clippy::cast_possible_truncation, reason = "egui's type")]
         let scale = window.scale_factor() as f32;
         let mut egui = egui_winit::State::new(

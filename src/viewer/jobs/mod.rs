@@ -4,7 +4,7 @@
 //! memory and writing what is remembered have no result.
 
 mod check;
-mod desktop;
+mod darkness;
 mod dialogs;
 mod job;
 mod keeping;
@@ -21,7 +21,7 @@ mod uploading;
 mod watching;
 
 pub(super) use check::{Check, Checked, Checking};
-pub(super) use desktop::ask_darkness;
+pub(super) use darkness::ask_darkness;
 pub(super) use dialogs::{Answer, open_dialog, save_dialog};
 pub(super) use keeping::Keeping;
 pub(super) use letting_go::let_go;

@@ -3,8 +3,8 @@
 use super::{
     brush::Brush,
     panels_picture::PanelsPicture,
+    picture_progress::PictureProgress,
     place::SceneRect,
-    progress::Progress,
     scene_picture::{Look, ScenePicture},
     wanted::Motion,
 };
@@ -71,7 +71,7 @@ pub(in crate::viewer) trait Screen {
     ///
     /// # Errors
     /// When scene or picture are too large, or the device fails.
-    fn draw(&mut self, state: &State, laid: &Laid) -> Result<Progress, GpuError>;
+    fn draw(&mut self, state: &State, laid: &Laid) -> Result<PictureProgress, GpuError>;
 }
 
 impl Canvas {
@@ -127,7 +127,7 @@ impl Canvas {
         size: Viewport,
         state: &State,
         laid: &Laid,
-    ) -> Result<Progress, GpuError> {
+    ) -> Result<PictureProgress, GpuError> {
         let began = Instant::now();
         let is_new = self.size != size;
         if is_new {
@@ -140,7 +140,7 @@ impl Canvas {
             let work = stages.iter().map(|stage| stage.scenes.work()).sum();
             let_go(stages, work);
         }
-        let (mut progress, mut looks) = (Ok(Progress::default()), Vec::new());
+        let (mut progress, mut looks) = (Ok(PictureProgress::default()), Vec::new());
         for (stage, place) in &places {
             let (picture, mut brush, meshes) =
                 self.picture_of(*stage, laid.pixels_per_point, began);

@@ -3,8 +3,8 @@
 
 use super::{
     damage::{damage, disjoint},
+    panel_tiles::PanelTiles,
     place::{PixelRect, SceneRect},
-    tiles::Tiles,
 };
 use crate::render::{Gpu, bindings::bind, shader_module, without_depth};
 use egui::{
@@ -35,7 +35,7 @@ struct Kept {
     pixels_per_point: f32,
     primitives: Vec<ClippedPrimitive>,
     /// Where the picture is not empty.
-    tiles: Tiles,
+    tiles: PanelTiles,
 }
 
 impl PanelsPicture {
@@ -132,7 +132,7 @@ impl PanelsPicture {
         }
         gpu.submit([encoder.finish()]);
         kept.primitives = primitives.to_vec();
-        kept.tiles = Tiles::under(primitives, screen);
+        kept.tiles = PanelTiles::under(primitives, screen);
         rects
     }
 
@@ -208,7 +208,7 @@ impl Kept {
             size_px,
             pixels_per_point: screen.pixels_per_point,
             primitives: Vec::new(),
-            tiles: Tiles::default(),
+            tiles: PanelTiles::default(),
         }
     }
 }

@@ -5,8 +5,8 @@ use super::{
     by_rays::Patience,
     finish::Finish,
     pace::Pace,
+    picture_progress::PictureProgress,
     place::SceneRect,
-    progress::Progress,
     scenes_on_gpu::ScenesOnGpu,
     wanted::{Drawn, Motion},
 };
@@ -114,7 +114,7 @@ impl ScenePicture {
         brush: &mut Brush,
         subject: &Subject,
         motion: Motion,
-    ) -> Result<Progress, GpuError> {
+    ) -> Result<PictureProgress, GpuError> {
         let (gpu, revision) = (brush.gpu, subject.revision);
         self.scenes.forget_unused();
         let wanted = Drawn::wanted(subject);
@@ -152,7 +152,7 @@ impl ScenePicture {
         let shown = self.shown.as_ref().filter(|shown| shown.of == wanted);
         let is_whole = shown.is_some() && self.next.as_ref().is_none_or(|next| next.refines);
         let waits = waits || uploaded.is_none();
-        Ok(Progress {
+        Ok(PictureProgress {
             anew: anew || begun == Begun::Shown,
             behind: (!is_whole).then_some(if waits { WAIT } else { Duration::ZERO }),
             is_coming: uploaded.is_none(),

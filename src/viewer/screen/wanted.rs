@@ -1,6 +1,6 @@
 //! What a picture of the scene is to show.
 
-use super::{frozen, overlay_lines, surroundings};
+use super::{frozen, grid, overlay_lines};
 use crate::{
     camera::{UpAxis, View},
     render::{Line, Wireframe},
@@ -85,12 +85,12 @@ impl Drawn {
 /// The lines that are drawn with a scene.
 pub(super) fn lines(subject: &Subject) -> Vec<Line> {
     let Subject { scene, view, .. } = *subject;
-    let floor = |up_axis| surroundings::floor(&scene.bounds(), up_axis, view.camera.eye());
+    let floor = |up_axis| grid::floor(&scene.bounds(), up_axis, view.camera.eye());
     let floor = subject.grid.map(floor);
     let frozen = subject.frozen.map(|frozen| frozen::lines(&frozen, scene));
     let lesson = match subject.lesson {
         Some(Lesson::Camera(camera)) => frozen::camera(&camera),
-        Some(Lesson::Ndc(viewport)) => surroundings::ndc(viewport),
+        Some(Lesson::Ndc(viewport)) => grid::ndc(viewport),
         Some(Lesson::Object) | None => Vec::new(),
     };
     let all = floor.into_iter().chain(frozen);

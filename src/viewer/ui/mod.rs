@@ -18,4 +18,4 @@ pub(super) use notice::{Kind, Notice, Notices};
 pub(super) use panels::{Docks, Filter, Floating, Shown, Statistics, Underway, show};
 pub(super) use theme::{Look, color32, context, note_missing};
 pub use tour::tour_text;
-pub(super) use tour::{Seen, Tour};
+pub(super) use tour::{JustDone, Tour};

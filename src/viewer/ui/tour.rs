@@ -1,9 +1,9 @@
 //! The tour through cameras and raycasting: what to do, why, and how the window notices that it is done.
 
-mod seen;
+mod just_done;
 
-pub(in crate::viewer) use seen::Seen;
-use seen::turns;
+pub(in crate::viewer) use just_done::JustDone;
+use just_done::turns;
 
 use super::{
     command::{Command, TourMove},
@@ -35,7 +35,7 @@ pub(in crate::viewer) struct Step {
     is_in_picture: bool,
     /// The panel that the step is about, where it is about one. In a small window another panel may stand in its place.
     pub panel: Option<Section>,
-    is_done: fn(&Seen) -> bool,
+    is_done: fn(&JustDone) -> bool,
 }
 
 /// How far the user is in the tour.
@@ -46,7 +46,7 @@ pub(in crate::viewer) struct Tour {
     pub is_done: bool,
 }
 
-const fn step(task: &'static str, why: &'static str, is_done: fn(&Seen) -> bool) -> Step {
+const fn step(task: &'static str, why: &'static str, is_done: fn(&JustDone) -> bool) -> Step {
     Step {
         task,
         why,
@@ -80,7 +80,7 @@ const CHAPTERS: [Chapter; 8] = [
                 ..step(
                     "Press P for the matrices, drag again and watch V.",
                     "The rows of V are R, U and F, and its last column moves the eye to the origin. In view space x is right, y up and z forward, which makes it left-handed.",
-                    |seen| seen.matrices && turns(seen),
+                    |done| done.matrices && turns(done),
                 )
             },
         ],
@@ -94,8 +94,8 @@ const CHAPTERS: [Chapter; 8] = [
                 ..step(
                     "In the panel Camera set fov to 90, near to 1, far to 10 and depth to standard.",
                     "Perspective divides by depth, so what is far away is small: the point (-1, 1.5, 2) of view space maps to y = 1.5 / 2 = 3/4, to depth 5/9 and, in a square picture, to x = -1/2.",
-                    |seen| {
-                        let lens = seen.state.controls();
+                    |done| {
+                        let lens = done.state.controls();
                         !lens.orthographic
                             && (lens.fov_deg, lens.near, lens.far, lens.depth)
                                 == (90.0, Some(1.0), Some(10.0), DepthMapping::Standard)
@@ -107,15 +107,15 @@ const CHAPTERS: [Chapter; 8] = [
                 ..step(
                     "Press 5: orthographic.",
                     "Nothing is divided, so size does not depend on depth. In a square picture 20 high the point (-2, 5, 0.5) maps to (-0.2, 0.5, -1/18): a depth below 0 is in front of the near plane.",
-                    |seen| seen.state.controls().orthographic,
+                    |done| done.state.controls().orthographic,
                 )
             },
             step(
                 "Press 5 again, then Enter: the view that the scene opened with.",
                 "Each projection is one 4 x 4 matrix. The last row of P makes w, by which all else is divided: the depth in perspective, 1 in orthographic.",
-                |seen| {
-                    seen.acts(|action| *action == Action::ResetView)
-                        && !seen.state.controls().orthographic
+                |done| {
+                    done.acts(|action| *action == Action::ResetView)
+                        && !done.state.controls().orthographic
                 },
             ),
         ],
@@ -128,7 +128,7 @@ const CHAPTERS: [Chapter; 8] = [
                 ..step(
                     "In the field near type a larger number, such as 9.5, until the near plane has passed the egg.",
                     "What lies in front of near or beyond far is cut away. Picture and picks agree on that by one number, depth along F: a hit counts where near <= t < far, and t is that depth.",
-                    |seen| seen.near_is_past(EGG),
+                    |done| done.near_is_past(EGG),
                 )
             },
             Step {
@@ -136,9 +136,9 @@ const CHAPTERS: [Chapter; 8] = [
                 ..step(
                     "Check fit beside near.",
                     "A fitted near plane is as far away as the scene allows, which saves digits of the depth buffer.",
-                    |seen| {
-                        seen.acts(|action| matches!(action, Action::Lens(_)))
-                            && seen.state.controls().near.is_none()
+                    |done| {
+                        done.acts(|action| matches!(action, Action::Lens(_)))
+                            && done.state.controls().near.is_none()
                     },
                 )
             },
@@ -152,7 +152,7 @@ const CHAPTERS: [Chapter; 8] = [
                 ..step(
                     "Click the egg. A ring with a dot marks the point that the ray hit.",
                     "The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. Its ray starts at the eye and runs along F + x aspect tan(fov / 2) R + y tan(fov / 2) U. That direction is not normalised, so that t is depth.",
-                    |seen| seen.clicks() && seen.picked().is_some_and(|object| object.name == EGG),
+                    |done| done.clicks() && done.picked().is_some_and(|object| object.name == EGG),
                 )
             },
             Step {
@@ -160,7 +160,7 @@ const CHAPTERS: [Chapter; 8] = [
                 ..step(
                     "Press T and drag: this camera stays behind, as lines.",
                     "They show its eye, its frustum, the pixel grid on its near plane and the ray through your pixel, with every surface that it hits. T removes them again.",
-                    |seen| seen.state.frozen().is_some() && turns(seen),
+                    |done| done.state.frozen().is_some() && turns(done),
                 )
             },
         ],
@@ -171,11 +171,11 @@ const CHAPTERS: [Chapter; 8] = [
             step(
                 "Click the egg, and then the same pixel again.",
                 "The egg is a sphere under a matrix. A ray hits it where a quadratic in t is 0: twice, once or never. The smaller root is the front; the larger one, a back face, gets a ring with a cross.",
-                |seen| {
-                    let further = seen.state.hits().is_some_and(|hits| hits.at > 0);
-                    seen.clicks()
+                |done| {
+                    let further = done.state.hits().is_some_and(|hits| hits.at > 0);
+                    done.clicks()
                         && further
-                        && seen
+                        && done
                             .picked()
                             .is_some_and(|object| matches!(object.shape, Shape::Sphere))
                 },
@@ -183,22 +183,22 @@ const CHAPTERS: [Chapter; 8] = [
             step(
                 "Click the blue box behind the ring.",
                 "A cube is where three slabs overlap, one along each axis. A ray is inside each slab between two values of t, and inside the cube from the last entry to the first exit.",
-                |seen| seen.clicks_on(|shape| matches!(shape, Shape::Cube)),
+                |done| done.clicks_on(|shape| matches!(shape, Shape::Cube)),
             ),
             step(
                 "Click the ground.",
                 "A square is part of a plane. The plane gives one t, and two coordinates of the point there tell whether it is in the square.",
-                |seen| seen.clicks_on(|shape| matches!(shape, Shape::Square)),
+                |done| done.clicks_on(|shape| matches!(shape, Shape::Square)),
             ),
             step(
                 "Click the ring and turn the wheel over the point, until the picked triangle shows its three weights.",
                 "A point of a triangle is a weighted mean of its corners. The three weights, its barycentrics, add up to 1. Inside the triangle all are positive; on an edge one is 0.",
-                |seen| {
-                    let zooms = seen
+                |done| {
+                    let zooms = done
                         .acts(|action| matches!(action, Action::Zoom(_, factor) if *factor > 1.0));
                     zooms
-                        && seen.state.overlays().shows(Overlay::Triangle)
-                        && seen
+                        && done.state.overlays().shows(Overlay::Triangle)
+                        && done
                             .picked()
                             .is_some_and(|object| matches!(object.shape, Shape::Mesh { .. }))
                 },
@@ -211,19 +211,19 @@ const CHAPTERS: [Chapter; 8] = [
             step(
                 "Press 4: object, world, view and NDC side by side.",
                 "Object space has one object before any matrix: there, all spheres are the same. The inverse of M takes a ray there, where it meets the simple shape. It is not normalised there either, so t stays the same as in the world.",
-                |seen| seen.state.views() == Views::Four,
+                |done| done.state.views() == Views::Four,
             ),
             step(
                 "Double click the heading of NDC.",
                 "After P and the division by w the frustum is a box, and what is far away is small. Normals go from object space to the world by the inverse transpose of M: M itself would tilt them.",
-                |seen| seen.state.views() == Views::One(Stage::Ndc),
+                |done| done.state.views() == Views::One(Stage::Ndc),
             ),
             step(
                 "Press 4 again: back to the picture.",
                 "A pick compares the hits on all objects by their t, which is the same in every object's space: the smallest wins.",
-                |seen| {
-                    let is_asked = matches!(seen.command, Some(Command::ToggleFour));
-                    is_asked && seen.state.views() == Views::Picture
+                |done| {
+                    let is_asked = matches!(done.command, Some(Command::ToggleFour));
+                    is_asked && done.state.views() == Views::Picture
                 },
             ),
         ],
@@ -236,12 +236,12 @@ const CHAPTERS: [Chapter; 8] = [
                 ..step(
                     "Press Enter. Set near to 0.001 and depth to standard, click the tower and unfold Depth buffer, far down in the panel Pick.",
                     "Standard depth is a + b / z. Nearly all of its f32 values lie just beyond near. At the tower they are far apart, and two surfaces within one step look like one.",
-                    |seen| {
-                        let lens = seen.state.controls();
+                    |done| {
+                        let lens = done.state.controls();
                         let near = lens.near.is_some_and(|near| near <= 0.001);
                         near && lens.depth == DepthMapping::Standard
-                            && seen.picked().is_some_and(|object| object.name == TOWER)
-                            && seen.command == Some(&Command::ShowsDepthSteps)
+                            && done.picked().is_some_and(|object| object.name == TOWER)
+                            && done.command == Some(&Command::ShowsDepthSteps)
                     },
                 )
             },
@@ -250,9 +250,9 @@ const CHAPTERS: [Chapter; 8] = [
                 ..step(
                     "Set depth to reversed.",
                     "Reversed depth puts far at 0, where f32 has most of its values: that makes up for 1 / z. Enter brings back the view that the scene opened with.",
-                    |seen| {
-                        seen.acts(|action| matches!(action, Action::Lens(_)))
-                            && seen.state.controls().depth == DepthMapping::Reversed
+                    |done| {
+                        done.acts(|action| matches!(action, Action::Lens(_)))
+                            && done.state.controls().depth == DepthMapping::Reversed
                     },
                 )
             },
@@ -264,13 +264,13 @@ const CHAPTERS: [Chapter; 8] = [
             step(
                 "Press E for the failure gallery's first scene, then M: the test of Moeller & Trumbore in f32 picks now. Find a pixel where it fails and click it.",
                 "Every wrong pixel is marked. f32 keeps 24 bits of a number. The difference of two large ones keeps only the last few, rounding noise, which then decides on which side of an edge the ray passes.",
-                |seen| {
-                    let compared = seen
+                |done| {
+                    let compared = done
                         .state
                         .showing()
                         .and_then(|showing| showing.compared.as_ref());
                     let fault = compared.and_then(Compared::fault);
-                    let method = seen.state.method();
+                    let method = done.state.method();
                     method.is_some_and(|method| method.info().name == "Moeller-Trumbore")
                         && fault.is_some_and(|fault| fault.is_wrong())
                 },
@@ -278,17 +278,17 @@ const CHAPTERS: [Chapter; 8] = [
             step(
                 "Press Escape until the demo is back.",
                 "Sightline computes in f64, with a bound on the rounding error. Where the bound leaves an answer open, exact arithmetic decides.",
-                |seen| seen.command == Some(&Command::Escape) && seen.state.showing().is_none(),
+                |done| done.command == Some(&Command::Escape) && done.state.showing().is_none(),
             ),
             step(
                 "Press V.",
                 "Every pixel as drawn is compared with what a click there picks. That is the promise of this program, checked on your machine.",
-                |seen| !matches!(seen.checking, Checking::Off),
+                |done| !matches!(done.checking, Checking::Off),
             ),
             step(
                 "Click anything, then press C and paste the command into a terminal (cargo install --path . installs sightline).",
                 "It prints the same pick, to the last bit. That was the tour. Ctrl+O opens your own files.",
-                |seen| seen.command == Some(&Command::CopyCommandLine) && seen.picked().is_some(),
+                |done| done.command == Some(&Command::CopyCommandLine) && done.picked().is_some(),
             ),
         ],
     },
@@ -344,10 +344,10 @@ impl Tour {
     }
 
     /// Checks whether the step is done by now; returns whether it has just been done.
-    pub fn notice(&mut self, seen: &Seen) -> bool {
+    pub fn notice(&mut self, done: &JustDone) -> bool {
         let (_, _, step) = self.step();
         let was_done = self.is_done;
-        self.is_done |= (step.is_done)(seen);
+        self.is_done |= (step.is_done)(done);
         self.is_done != was_done
     }
 }

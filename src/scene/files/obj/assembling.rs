@@ -1,4 +1,4 @@
-//! Builds one mesh from the blocks that `tobj` parsed and from the outline of all other lines.
+//! Builds one mesh from the blocks that `tobj` parsed and from the survey of all other lines.
 
 use super::{
     ObjError, ObjFile,
@@ -7,7 +7,7 @@ use super::{
     material::{self, Material, Materials},
     names::Names,
     notes::{self, LeftOut},
-    outline::Outline,
+    survey::Survey,
     triangulation::{Splitter, has_area},
     vertices::Stored,
 };
@@ -24,11 +24,11 @@ const CREASE: f32 = 30.0 * std::f32::consts::PI / 180.0;
 pub(super) fn build(
     path: &Path,
     blocks: Vec<Block>,
-    mut outline: Outline,
+    mut survey: Survey,
     detail: Detail,
     (progress, bytes): (&Progress, u64),
 ) -> Result<ObjFile, ObjError> {
-    let names = Names::new(path, std::mem::take(&mut outline.said), outline.faces);
+    let names = Names::new(path, std::mem::take(&mut survey.said), survey.faces);
     let materials = match detail {
         Detail::All | Detail::Drawn => material::read_libraries(path, &names.libraries, progress)?,
         Detail::Shapes => Materials::default(),
@@ -62,10 +62,10 @@ pub(super) fn build(
     }
     contents.end(all.count());
     if all.corners.is_empty() {
-        return Err(notes::nothing(path, &outline, &all.left_out));
+        return Err(notes::nothing(path, &survey, &all.left_out));
     }
-    let mut warnings: Vec<_> = notes::about_lines(path, &outline).collect();
-    warnings.extend(notes::about_geometry(path, &outline, &all.left_out));
+    let mut warnings: Vec<_> = notes::about_lines(path, &survey).collect();
+    warnings.extend(notes::about_geometry(path, &survey, &all.left_out));
     warnings.extend(notes::about_materials(path, &names, &materials.by_name));
     warnings.extend(materials.warnings);
 

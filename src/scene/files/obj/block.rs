@@ -1,8 +1,8 @@
 //! Has `tobj` parse a piece of a file into a [`Block`] of vertices and faces.
 
 use super::{
-    outline::Outline,
     pieces::{Counts, Piece},
+    survey::Survey,
     wash::wash,
 };
 use std::path::Path;
@@ -45,7 +45,7 @@ impl Faces {
 impl Block {
     /// Has `tobj` parse a piece. `known` is the number of vertices in the file, if it is known. Then faces that name a
     /// higher vertex are left out.
-    pub fn read(piece: Piece, known: Option<usize>) -> Result<(Self, Outline), tobj::LoadError> {
+    pub fn read(piece: Piece, known: Option<usize>) -> Result<(Self, Survey), tobj::LoadError> {
         let washed = wash(&piece, known);
         let counts = [piece.before, piece.after];
         drop(piece);
@@ -90,7 +90,7 @@ impl Block {
             },
             counts,
         };
-        Ok((block, washed.outline))
+        Ok((block, washed.survey))
     }
 }
 

@@ -4,7 +4,7 @@
 //!
 //! 1. The file is cut into pieces of whole lines (`pieces`), which are read on all cores.
 //! 2. The lines of each piece (`lines`, `words`) are cleaned and written as a small OBJ file (`wash`, `places`). `tobj`
-//!    parses that file into vertices and faces (`block`). The other lines of the piece are collected (`outline`,
+//!    parses that file into vertices and faces (`block`). The other lines of the piece are collected (`survey`,
 //!    `names`).
 //! 3. Vertices are converted to `f32` (`vertices`), polygons are split into triangles (`polygon`, `delaunay`), and
 //!    colours are read from the MTL files (`material`). `build` makes the mesh.
@@ -34,9 +34,9 @@ mod in_file;
 mod material;
 mod names;
 mod notes;
-mod outline;
 mod pieces;
 mod places;
+mod survey;
 #[cfg(test)]
 mod tests;
 mod text_lines;
@@ -54,7 +54,6 @@ use block::Block;
 pub use contents::Contents;
 use contents::Stamp;
 pub use in_file::AgainError;
-use outline::Outline;
 use pieces::Pieces;
 use std::{
     io::{self, BufRead, BufReader, Cursor, Read},
@@ -65,6 +64,7 @@ use std::{
     },
     time::Instant,
 };
+use survey::Survey;
 use text_lines::{decode, is_utf16};
 
 /// A larger file is refused: it could have more triangles than a 32-bit index can count.
@@ -243,7 +243,7 @@ fn read<R: BufRead + Send>(
 ) -> Result<ObjFile, ObjError> {
     let start = Instant::now();
     let mut known = None;
-    let (blocks, outline, looks_like, bytes) = loop {
+    let (blocks, survey, looks_like, bytes) = loop {
         let (mut input, bytes) = open()?;
         // Building the mesh takes about a quarter as long as reading, and computing normals another quarter. Both are
         // done once, even if the file is read twice.
@@ -256,19 +256,19 @@ fn read<R: BufRead + Send>(
                 looks_like,
             });
         }
-        let (blocks, outline) = decode(input)
+        let (blocks, survey) = decode(input)
             .map_err(Stop::Unreadable)
             .and_then(|input| read_pieces(Pieces::new(input, piece, progress), known))
             .map_err(|stop| stop.at(path))?;
         // The number of vertices is known only at the end. If a face names a vertex past the last one, the file is read
         // again with this number.
-        if outline.highest_vertex <= outline.vertices {
-            break (blocks, outline, looks_like, bytes / 4);
+        if survey.highest_vertex <= survey.vertices {
+            break (blocks, survey, looks_like, bytes / 4);
         }
-        known = Some(outline.vertices);
+        known = Some(survey.vertices);
     };
     let (read, start) = (start.elapsed(), Instant::now());
-    let built = assembling::build(path, blocks, outline, detail, (progress, bytes));
+    let built = assembling::build(path, blocks, survey, detail, (progress, bytes));
     let built = built.map_err(|error| match (error, looks_like) {
         (
             ObjError::NotObj { file, .. }
@@ -306,21 +306,21 @@ fn compute_normals(mesh: &Mesh, progress: &Progress, bytes: u64) -> Result<(), C
     progress.advance(left.into_inner())
 }
 
-/// Parses the pieces of a file on all cores. Returns the blocks from `tobj`, and the outline of all lines that `tobj`
+/// Parses the pieces of a file on all cores. Returns the blocks from `tobj`, and the survey of all lines that `tobj`
 /// did not get.
-fn read_pieces(pieces: Pieces, known: Option<usize>) -> Result<(Vec<Block>, Outline), Stop> {
+fn read_pieces(pieces: Pieces, known: Option<usize>) -> Result<(Vec<Block>, Survey), Stop> {
     let read = on_all_cores(pieces, |piece| {
         let block = Block::read(piece?, known);
         block.map_err(|error| Stop::Unreadable(io::Error::other(error)))
     });
     let mut blocks = Vec::with_capacity(read.len());
-    let mut outline = Outline::default();
+    let mut survey = Survey::default();
     for piece in read {
         let (block, next) = piece?;
         blocks.push(block);
-        outline.append(next);
+        survey.append(next);
     }
-    Ok((blocks, outline))
+    Ok((blocks, survey))
 }
 
 /// Opens a file and returns its size. It must be a regular file and not empty. Bytes that are appended later are not

@@ -1,6 +1,6 @@
 //! Writes the messages about a file: why it is refused, which parts of it are not shown, and what was repaired.
 
-use super::{BadLine, ObjError, material::Material, names::Names, outline::Outline};
+use super::{BadLine, ObjError, material::Material, names::Names, survey::Survey};
 use crate::scene::{Warning, files::warning::list};
 use std::{
     collections::{HashMap, HashSet},
@@ -19,9 +19,9 @@ pub(super) struct LeftOut {
 }
 
 /// The error for a file without a single triangle.
-pub(super) fn nothing(path: &Path, outline: &Outline, left_out: &LeftOut) -> ObjError {
+pub(super) fn nothing(path: &Path, survey: &Survey, left_out: &LeftOut) -> ObjError {
     let file = path.to_owned();
-    if let Some(first) = outline.faults.iter().min_by_key(|fault| fault.line) {
+    if let Some(first) = survey.faults.iter().min_by_key(|fault| fault.line) {
         return ObjError::BadLine {
             file,
             line: first.line,
@@ -29,12 +29,12 @@ pub(super) fn nothing(path: &Path, outline: &Outline, left_out: &LeftOut) -> Obj
         };
     }
     let counts = [
-        (outline.vertices, "vertices"),
-        (outline.points_and_lines, "points and lines"),
-        (outline.free_form, "free-form curves and surfaces"),
+        (survey.vertices, "vertices"),
+        (survey.points_and_lines, "points and lines"),
+        (survey.free_form, "free-form curves and surfaces"),
         (left_out.without_area, "triangles without area"),
         (
-            outline.oversized + left_out.repetitive,
+            survey.oversized + left_out.repetitive,
             "faces with too many corners",
         ),
     ];
@@ -53,8 +53,8 @@ pub(super) fn nothing(path: &Path, outline: &Outline, left_out: &LeftOut) -> Obj
 }
 
 /// Warnings about lines that break the format: for each kind of fault, the first line and how many more there are.
-pub(super) fn about_lines(path: &Path, outline: &Outline) -> impl Iterator<Item = Warning> {
-    outline.faults.iter().map(|fault| {
+pub(super) fn about_lines(path: &Path, survey: &Survey) -> impl Iterator<Item = Warning> {
+    survey.faults.iter().map(|fault| {
         let mended = match fault.what {
             BadLine::Vertex | BadLine::NotFinite => "",
             BadLine::Normal => "; it is computed",
@@ -74,7 +74,7 @@ pub(super) fn about_lines(path: &Path, outline: &Outline) -> impl Iterator<Item 
 /// Warnings about faces and lines that are left out or repaired.
 pub(super) fn about_geometry(
     path: &Path,
-    outline: &Outline,
+    survey: &Survey,
     left_out: &LeftOut,
 ) -> impl Iterator<Item = Warning> {
     let counts = [
@@ -84,16 +84,16 @@ pub(super) fn about_geometry(
             "faces with a vertex that cannot be read are left out",
         ),
         (
-            outline.oversized + left_out.repetitive,
+            survey.oversized + left_out.repetitive,
             "faces with too many corners are left out",
         ),
-        (outline.points_and_lines, "points and lines are not shown"),
+        (survey.points_and_lines, "points and lines are not shown"),
         (
-            outline.free_form,
+            survey.free_form,
             "free-form curves and surfaces are not shown",
         ),
         (
-            outline.bad_normals,
+            survey.bad_normals,
             "faces name normals that do not exist; theirs are computed",
         ),
     ];

@@ -2,7 +2,7 @@
 //!
 //! `tobj` gets vertices, normals and faces, all in one object and without materials. It gets no line that it would
 //! refuse: a vertex or a normal that cannot be read becomes NaN, so that the others keep their numbers, and a face that
-//! cannot be read is left out. The contents of the other lines are kept in the [`Outline`], by face number.
+//! cannot be read is left out. The contents of the other lines are kept in the [`Survey`], by face number.
 //!
 //! A face names vertices by their number in the whole file, but `tobj` gets only a piece. So the numbers are replaced
 //! by places in the piece ([`Places`]). A vertex of another piece is replaced by a stand-in at the end of the text;
@@ -13,9 +13,9 @@ use super::{
     BadLine,
     corners::{MOST_CORNERS, Normal, read_corners, without_comment},
     names::Said,
-    outline::Outline,
     pieces::{Counts, Piece},
     places::Places,
+    survey::Survey,
     text_lines::Lines,
     words::{Number, fields},
 };
@@ -37,7 +37,7 @@ pub(super) struct Washed {
     /// For each face of the file, whether every corner names a normal.
     pub with_normals: Vec<bool>,
     /// The contents of the other lines.
-    pub outline: Outline,
+    pub survey: Survey,
 }
 
 /// Cleans the lines of a piece. `known` is the number of vertices in the file, if it is known. Then faces that name a
@@ -54,7 +54,7 @@ pub(super) fn wash(piece: &Piece, known: Option<usize>) -> Washed {
             vertices: Places::new(1, before.vertices, after.vertices),
             normals: Places::new(0, before.normals, after.normals),
             with_normals: Vec::new(),
-            outline: Outline::default(),
+            survey: Survey::default(),
         },
         corners: Vec::new(),
     };
@@ -66,7 +66,7 @@ pub(super) fn wash(piece: &Piece, known: Option<usize>) -> Washed {
     }
     washer.stand_in();
     let mut washed = washer.washed;
-    washed.outline.faces = washed.with_normals.len();
+    washed.survey.faces = washed.with_normals.len();
     washed
 }
 
@@ -138,8 +138,8 @@ impl Washer {
             b"g" => self.say(Said::Group(short_rest(&line[end..]))),
             b"usemtl" => self.say(Said::Material(rest(&line[end..]), self.number())),
             b"mtllib" => self.say(Said::Library(rest(&line[end..]), self.number())),
-            b"l" | b"p" => self.washed.outline.points_and_lines += 1,
-            b"curv" | b"curv2" | b"surf" => self.washed.outline.free_form += 1,
+            b"l" | b"p" => self.washed.survey.points_and_lines += 1,
+            b"curv" | b"curv2" | b"surf" => self.washed.survey.free_form += 1,
             _ => {}
         }
     }
@@ -151,11 +151,11 @@ impl Washer {
 
     fn say(&mut self, said: Said) {
         let face = self.washed.with_normals.len();
-        self.washed.outline.said.push((face, said));
+        self.washed.survey.said.push((face, said));
     }
 
     fn note(&mut self, what: BadLine) {
-        self.washed.outline.note(self.number(), what);
+        self.washed.survey.note(self.number(), what);
     }
 
     /// Writes the three coordinates of a vertex, and a colour if this vertex or an earlier one has one. A fourth
@@ -183,7 +183,7 @@ impl Washer {
             self.write_vertex(&values[..words[2].end], false);
         }
         self.before.vertices += 1;
-        self.washed.outline.vertices += 1;
+        self.washed.survey.vertices += 1;
     }
 
     fn write_vertex(&mut self, values: &[u8], have_colour: bool) {
@@ -231,24 +231,24 @@ impl Washer {
             text,
             vertices,
             normals,
-            outline,
+            survey,
             with_normals,
             ..
         } = &mut self.washed;
         if self.corners.len() < 3 {
-            outline.points_and_lines += 1;
+            survey.points_and_lines += 1;
             return;
         }
         if self.corners.len() > MOST_CORNERS {
-            outline.oversized += 1;
+            survey.oversized += 1;
             return;
         }
         let all_there = (self.corners.iter()).all(|(_, normal)| matches!(normal, Normal::There(_)));
         let bad_normals = self.corners.iter().any(|(_, n)| *n == Normal::Nowhere);
-        outline.bad_normals += usize::from(bad_normals);
+        survey.bad_normals += usize::from(bad_normals);
         text.push(b'f');
         for (vertex, normal) in &self.corners {
-            outline.highest_vertex = outline.highest_vertex.max(*vertex);
+            survey.highest_vertex = survey.highest_vertex.max(*vertex);
             let normal = match normal {
                 Normal::There(normal) if all_there => Some(normals.of(*normal)),
                 _ => None,

@@ -2,7 +2,7 @@
 //! methods found at the last click.
 
 use super::exhibit::{RIGHT, WRONG, step_and_name};
-use super::names::Hint;
+use super::hints::Hint;
 use crate::{
     study::swap::Found,
     viewer::{

@@ -3,7 +3,7 @@
 use super::{
     field::{AXES, Field, WIDTH, short},
     gesture::Gesture,
-    names::{Hint, named},
+    hints::{Hint, named},
     plane_slider::{self, size},
     section,
 };

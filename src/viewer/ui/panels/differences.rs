@@ -1,7 +1,7 @@
 //! What a comparison of the picture with its picks found: marks on the pixels that differ, and how many there are of each
 //! class.
 
-use super::names::Hint;
+use super::hints::Hint;
 use crate::{
     verify::{COLOURS, Class, IN_ONE_PLACE, Verdict},
     viewer::{

@@ -2,7 +2,7 @@
 
 use super::{
     field::{short, value_text},
-    names::Hint,
+    hints::Hint,
     plot,
 };
 use crate::{

@@ -1,6 +1,6 @@
 //! A field for a number. Text that is no valid value is red and says why; the last valid value stays in force.
 
-use super::names::{Hint, described, named};
+use super::hints::{Hint, described, named};
 use egui::{
     Align, Align2, Context, FontId, Id, Key, Label, Layout, Modifiers, Response, RichText,
     TextEdit, Ui, util::IdTypeMap, vec2,

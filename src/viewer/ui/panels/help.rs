@@ -1,6 +1,6 @@
 //! Keys and mouse, from the table that dispatches them.
 
-use super::{names::Hint, tour_card};
+use super::{hints::Hint, tour_card};
 use crate::viewer::ui::{
     command::{Command, TourMove},
     keys,

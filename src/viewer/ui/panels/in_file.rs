@@ -2,8 +2,8 @@
 
 use super::{
     field::value_text,
-    names::{Hint, named},
-    record::rows,
+    hints::{Hint, named},
+    value_rows::rows,
 };
 use crate::{
     pick::Pick,

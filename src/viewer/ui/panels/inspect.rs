@@ -2,9 +2,9 @@
 
 use super::{
     field::{short, value_text},
-    names::Hint,
-    record::{Digits, PLACES, rows},
+    hints::Hint,
     tools,
+    value_rows::{Digits, PLACES, rows},
 };
 use crate::{
     pick::Pick,

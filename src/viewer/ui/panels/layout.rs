@@ -2,9 +2,9 @@
 //! their own: their layout, the typed search, and which messages still show.
 
 use super::{
-    axis_cross, banner, corners, differences,
+    axis_cross, banner, differences,
     docks::{Section, Side, room},
-    help, marks, menu, panes, question, section_handle,
+    help, marks, menu, messages, panes, question, section_handle,
     shown::Shown,
     status, toolbar, tour_card, wings,
 };
@@ -77,7 +77,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
             commands.push(Command::Act(Action::Resize(place.viewport)));
             panes::show(ui, rect, shown.state, drag, &mut commands)
         };
-        corners::messages(ui, rect, shown, &mut commands);
+        messages::show(ui, rect, shown, &mut commands);
         if shown.offers_tour && shown.tour.is_none() {
             tour_card::offer(ui, rect, &mut commands);
         }

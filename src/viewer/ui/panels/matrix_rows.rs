@@ -2,7 +2,7 @@
 
 use super::{
     field::{short, value_text},
-    names::{Hint, bounded, described, named},
+    hints::{Hint, bounded, described, named},
 };
 use crate::{
     camera::{DepthMapping, Projection},

@@ -2,7 +2,7 @@
 
 use super::{
     field::value_text,
-    names::{Hint, named},
+    hints::{Hint, named},
 };
 use crate::{
     json,

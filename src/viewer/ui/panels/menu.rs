@@ -1,6 +1,6 @@
 //! The menu of the right mouse button: what can be done with what is under the cursor.
 
-use super::names::{Hint, named};
+use super::hints::{Hint, named};
 use crate::viewer::{
     model::{Action, State},
     ui::command::Command,

@@ -3,8 +3,8 @@
 use super::{
     field::{AXES, Field, WIDTH, short},
     gesture::Gesture,
+    hints::Hint,
     matrix_rows::VOLUMES,
-    names::Hint,
 };
 use crate::{
     geometry::Trs,

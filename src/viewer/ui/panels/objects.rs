@@ -2,8 +2,8 @@
 
 use super::{
     elided::elided,
+    hints::{Hint, named},
     menu,
-    names::{Hint, named},
 };
 use crate::viewer::{
     model::{Action, State},

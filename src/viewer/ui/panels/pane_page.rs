@@ -1,6 +1,6 @@
 //! What is drawn over one of the four views: points of its scene, lines between them, and names where there is room.
 
-use super::names::Hint;
+use super::hints::Hint;
 use crate::{
     camera::View,
     geometry::clip,

@@ -1,9 +1,9 @@
 //! The four views side by side, or one of them large, each with its heading, its mouse actions and its axes.
 
 use super::{
-    axis_cross, menu,
-    names::{Hint, bounded, named},
-    pane_labels,
+    axis_cross,
+    hints::{Hint, bounded, named},
+    menu, pane_labels,
 };
 use crate::{
     camera::{DepthMapping, View},

@@ -2,9 +2,9 @@
 
 use super::{
     elided::elided,
+    hints::Hint,
     in_file, inspect, model_matrix,
-    names::Hint,
-    record::{Digits, rows},
+    value_rows::{Digits, rows},
 };
 use crate::{
     pick::Pick,

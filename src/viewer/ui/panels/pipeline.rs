@@ -4,8 +4,8 @@ use super::{
     camera::FOV_RANGE,
     field::{short, value_text},
     gesture::Gesture,
+    hints::{Hint, named},
     matrix_rows::{determinant, rows, title},
-    names::{Hint, named},
     plane_slider,
 };
 use crate::{

@@ -1,6 +1,6 @@
 //! Sliders of near and far: over decades of the scene's size, and finely with Shift.
 
-use super::names::{Hint, named};
+use super::hints::{Hint, named};
 use crate::viewer::model::State;
 use egui::{Response, Slider, Ui};
 

@@ -1,6 +1,6 @@
 //! The one question before edits are dropped.
 
-use super::names::Hint;
+use super::hints::Hint;
 use crate::viewer::{
     model::State,
     ui::command::{Command, Intent, Reply},

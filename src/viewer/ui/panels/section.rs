@@ -3,7 +3,7 @@
 use super::{
     field::{AXES, Field, WIDTH},
     gesture::Gesture,
-    names::{Hint, named},
+    hints::{Hint, named},
 };
 use crate::{
     geometry::Section,

@@ -1,6 +1,6 @@
 //! The line at the bottom: times, the adapter, the projection, and what is under the cursor.
 
-use super::names::Hint;
+use super::hints::Hint;
 use crate::viewer::model::State;
 use egui::Ui;
 use std::time::Duration;

@@ -3,7 +3,7 @@
 
 use super::{
     docks::{Section, Side},
-    names::{Hint, named},
+    hints::{Hint, named},
     shown::Shown,
     tools::{Does, Tool, groups, open},
 };

@@ -2,7 +2,7 @@
 
 use super::{
     exhibit,
-    names::{Hint, named},
+    hints::{Hint, named},
     shown::Shown,
 };
 use crate::viewer::{

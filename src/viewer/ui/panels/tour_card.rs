@@ -1,6 +1,6 @@
 //! The tour's step, in a strip below picture and panels, and the offer of the tour to a new user.
 
-use super::names::{Hint, named};
+use super::hints::{Hint, named};
 use crate::viewer::{
     model::State,
     ui::{

@@ -3,9 +3,9 @@
 use super::{
     camera,
     docks::{FIELDS, Section, Side},
-    exhibit, measure,
-    names::{Hint, bounded, named},
-    objects, pick, pipeline,
+    exhibit,
+    hints::{Hint, bounded, named},
+    measure, objects, pick, pipeline,
     shown::Shown,
 };
 use crate::viewer::ui::command::Command;

@@ -9,13 +9,13 @@ const SIDE: u32 = 32;
 
 /// Which tiles of a window have anything painted in them.
 #[derive(Default)]
-pub(super) struct Tiles {
+pub(super) struct PanelTiles {
     columns: usize,
     /// Row by row.
     painted: Vec<bool>,
 }
 
-impl Tiles {
+impl PanelTiles {
     /// The tiles under a frame's triangles.
     pub fn under(primitives: &[ClippedPrimitive], screen: &ScreenDescriptor) -> Self {
         let [columns, rows] = screen.size_in_pixels.map(|px| px.div_ceil(SIDE) as usize);
@@ -122,7 +122,7 @@ mod tests {
             size_in_pixels: [600, 200],
             pixels_per_point: 2.0,
         };
-        let tiles = Tiles::under(
+        let tiles = PanelTiles::under(
             &frame(&[
                 (rect([10.0, 5.0, 40.0, 6.0]), Color32::RED),
                 (rect([100.0, 50.0, 900.0, 51.0]), Color32::BLUE),
@@ -140,6 +140,6 @@ mod tests {
             [[30, 3, 66, 29], [192, 96, 338, 32]],
             "in pixels"
         );
-        assert!(Tiles::default().runs(place).is_empty());
+        assert!(PanelTiles::default().runs(place).is_empty());
     }
 }

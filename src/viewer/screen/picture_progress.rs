@@ -4,7 +4,7 @@ use std::time::Duration;
 
 /// How far the picture has come in a pass.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in crate::viewer) struct Progress {
+pub(in crate::viewer) struct PictureProgress {
     /// Whether a new picture of the scene is shown.
     pub anew: bool,
     /// How soon another pass is needed; `None` once the wanted picture is shown.
@@ -19,7 +19,7 @@ pub(in crate::viewer) struct Progress {
     pub uploaded: usize,
 }
 
-impl Progress {
+impl PictureProgress {
     /// The progress of two pictures together.
     pub fn and(self, other: Self) -> Self {
         Self {

@@ -5,7 +5,7 @@ use super::{BadLine, names::Said};
 /// What the lines say besides vertices and faces. Faces are numbered from 0 and counted as `tobj` gets them, without
 /// those that are left out.
 #[derive(Default)]
-pub(super) struct Outline {
+pub(super) struct Survey {
     /// The number of vertices.
     pub vertices: usize,
     /// The number of faces.
@@ -36,7 +36,7 @@ pub(super) struct Fault {
     pub count: usize,
 }
 
-impl Outline {
+impl Survey {
     /// Records a line that breaks the format.
     pub fn note(&mut self, line: usize, what: BadLine) {
         let count = 1;
@@ -52,7 +52,7 @@ impl Outline {
         }
     }
 
-    /// Appends the outline of the lines that follow.
+    /// Appends the survey of the lines that follow.
     pub fn append(&mut self, next: Self) {
         let before = self.faces;
         let said = next.said.into_iter();

@@ -2,7 +2,7 @@
 
 use super::{
     canvas::{Canvas, Laid, Screen},
-    progress::Progress,
+    picture_progress::PictureProgress,
 };
 use crate::{
     camera::Viewport,
@@ -16,7 +16,7 @@ use wgpu::{
 use winit::{event_loop::OwnedDisplayHandle, window::Window};
 
 /// A window's surface and the canvas that draws onto it.
-pub(in crate::viewer) struct Surface {
+pub(in crate::viewer) struct WindowSurface {
     window: Arc<Window>,
     instance: wgpu::Instance,
     screen: wgpu::Surface<'static>,
@@ -24,7 +24,7 @@ pub(in crate::viewer) struct Surface {
     canvas: Canvas,
 }
 
-impl Surface {
+impl WindowSurface {
     /// A surface on `window` and a device that draws on it.
     pub fn new(window: Arc<Window>, display: OwnedDisplayHandle) -> Result<Self, GpuError> {
         let descriptor =
@@ -92,7 +92,7 @@ impl Surface {
     }
 }
 
-impl Screen for Surface {
+impl Screen for WindowSurface {
     fn restore(&mut self) -> Result<bool, GpuError> {
         if !self.canvas.gpu.is_lost() {
             return Ok(false);
@@ -110,9 +110,9 @@ impl Screen for Surface {
         Some(&mut self.canvas)
     }
 
-    fn draw(&mut self, state: &State, laid: &Laid) -> Result<Progress, GpuError> {
+    fn draw(&mut self, state: &State, laid: &Laid) -> Result<PictureProgress, GpuError> {
         let Ok(size) = Viewport::new(self.config.width, self.config.height) else {
-            return Ok(Progress::default());
+            return Ok(PictureProgress::default());
         };
         let progress = self.canvas.draw(size, state, laid);
         if self.canvas.unshown
@@ -191,7 +191,7 @@ mod tests {
         fn resumed(&mut self, event_loop: &ActiveEventLoop) {
             let window = event_loop.create_window(Window::default_attributes());
             let window = Arc::new(window.expect("a window"));
-            let surface = Surface::new(window, event_loop.owned_display_handle());
+            let surface = WindowSurface::new(window, event_loop.owned_display_handle());
             let mut surface = surface.unwrap_or_else(|error| panic!("{error}"));
             assert_eq!(surface.restore(), Ok(false), "nothing is lost");
             surface.canvas.gpu.device.destroy();
@@ -224,7 +224,7 @@ mod tests {
     }
 
     /// Uploads submit on threads of their own.
-    fn is_resized_while_others_submit(surface: &mut Surface) {
+    fn is_resized_while_others_submit(surface: &mut WindowSurface) {
         const MANY: u32 = 400;
         let gpu = surface.canvas.gpu.clone();
         let (submitted, is_over) = (AtomicU32::new(0), AtomicBool::new(false));
@@ -256,7 +256,7 @@ mod tests {
                 .arg(env::current_exe().expect("this test"))
                 .args([
                     "--exact",
-                    "viewer::screen::surface::tests::a_window_s_lost_device_is_replaced",
+                    "viewer::screen::window_surface::tests::a_window_s_lost_device_is_replaced",
                 ])
                 .env(HAS_DISPLAY, "")
                 .output()

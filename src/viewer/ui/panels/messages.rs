@@ -2,7 +2,7 @@
 
 use super::{
     banner,
-    names::{Hint, named},
+    hints::{Hint, named},
     shown::{Shown, Underway},
 };
 use crate::viewer::{
@@ -15,7 +15,7 @@ use crate::viewer::{
 use egui::{Align2, Area, Frame, Id, ProgressBar, Rect, RichText, Ui, vec2};
 
 /// Messages at the top, progress at the bottom, and a hint where there is nothing to see.
-pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mut Vec<Command>) {
+pub(super) fn show(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mut Vec<Command>) {
     let ctx = ui.ctx().clone();
     let below = shown.state.method().map_or(0.0, |_| banner::HEIGHT);
     Area::new(Id::unique("notices"))

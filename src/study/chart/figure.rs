@@ -4,7 +4,7 @@ use crate::study::{run::Row, step::About, summary::Summary};
 
 /// A figure by which a step's methods are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Measure {
+pub enum Figure {
     /// The worst error of a value, in the step's unit.
     Error,
     /// How far the worst wrong decision was off, in the step's unit.
@@ -15,8 +15,8 @@ pub enum Measure {
     Time,
 }
 
-impl Measure {
-    /// A step's measure: wrong decisions where it decides, else errors.
+impl Figure {
+    /// A step's figure: wrong decisions where it decides, else errors.
     pub fn of(step: About) -> Self {
         match (step.wrong_unit, step.error_unit) {
             ("", "") => Self::Percent,

@@ -1,6 +1,6 @@
 //! Tables with a name and a value in each row, and how their numbers are written.
 
-use super::{field::value_text, names::Hint};
+use super::{field::value_text, hints::Hint};
 use crate::geometry::Aabb;
 use egui::{Grid, Label, Ui};
 use glam::DVec3;

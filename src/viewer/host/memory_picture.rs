@@ -5,7 +5,7 @@ use crate::{
     render::{Gpu, GpuError},
     viewer::{
         model::State,
-        screen::{Canvas, Laid, Progress, Screen},
+        screen::{Canvas, Laid, PictureProgress, Screen},
     },
 };
 use std::mem;
@@ -13,7 +13,7 @@ use std::mem;
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// A picture in memory that frames are drawn onto.
-pub(super) struct Page {
+pub(super) struct MemoryPicture {
     /// The device, once there was something to draw.
     pub canvas: Option<Canvas>,
     pub size: Viewport,
@@ -21,7 +21,7 @@ pub(super) struct Page {
     pub is_another: bool,
 }
 
-impl Screen for Page {
+impl Screen for MemoryPicture {
     fn restore(&mut self) -> Result<bool, GpuError> {
         let works = |canvas: &Canvas| !canvas.gpu.is_lost();
         if self.canvas.as_ref().is_some_and(works) {
@@ -35,9 +35,9 @@ impl Screen for Page {
         self.canvas.as_mut()
     }
 
-    fn draw(&mut self, state: &State, laid: &Laid) -> Result<Progress, GpuError> {
+    fn draw(&mut self, state: &State, laid: &Laid) -> Result<PictureProgress, GpuError> {
         let Some(canvas) = &mut self.canvas else {
-            return Ok(Progress::default());
+            return Ok(PictureProgress::default());
         };
         let progress = canvas.draw(self.size, state, laid);
         self.is_another = mem::take(&mut canvas.unshown);

@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// What the user has just done.
-pub(in crate::viewer) struct Seen<'a> {
+pub(in crate::viewer) struct JustDone<'a> {
     /// The command; `None` where something else happened, such as the end of a load.
     pub command: Option<&'a Command>,
     /// The state after it.
@@ -21,16 +21,16 @@ pub(in crate::viewer) struct Seen<'a> {
 }
 
 /// Whether the scene's camera turns, and not just one of the four views.
-pub(super) fn turns(seen: &Seen) -> bool {
-    let in_picture = seen.state.views() == Views::Picture;
-    seen.acts(|action| match action {
+pub(super) fn turns(done: &JustDone) -> bool {
+    let in_picture = done.state.views() == Views::Picture;
+    done.acts(|action| match action {
         Action::Turn(_) => in_picture,
         Action::Steer(_) => true,
         _ => false,
     })
 }
 
-impl Seen<'_> {
+impl JustDone<'_> {
     pub(super) fn acts(&self, is_it: impl Fn(&Action) -> bool) -> bool {
         matches!(self.command, Some(Command::Act(action)) if is_it(action))
     }
