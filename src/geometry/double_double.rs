@@ -137,7 +137,7 @@ impl<N: Number> Vector<N> {
     }
 
     /// Rounded to `f64`.
-    pub fn narrow(self) -> DVec3 {
+    pub fn rounded(self) -> DVec3 {
         DVec3::new(self.x.into(), self.y.into(), self.z.into())
     }
 }
@@ -240,7 +240,7 @@ mod tests {
             .iter()
             .enumerate()
         {
-            let unit = inverse.times(Vector::from(*column)).narrow();
+            let unit = inverse.times(Vector::from(*column)).rounded();
             assert!((unit - DVec3::AXES[i]).length() < 1e-12, "{unit}");
         }
     }

@@ -18,11 +18,11 @@ pub(crate) fn larger(a: f64, b: f64) -> f64 {
 
 /// Rounds once, at the border to the GPU.
 #[expect(clippy::cast_possible_truncation, reason = "that is its purpose")]
-pub(super) fn narrow(value: f64) -> f32 {
+pub(super) fn to_f32(value: f64) -> f32 {
     value as f32
 }
 
 /// Whether `f32` holds a number exactly.
 pub(crate) fn is_f32(value: f64) -> bool {
-    f64::from(narrow(value)).to_bits() == value.to_bits()
+    f64::from(to_f32(value)).to_bits() == value.to_bits()
 }

@@ -7,7 +7,7 @@
 //! picture on every plane, and serves meshes, spheres and edges alike.
 
 use super::{
-    rounding::{U, narrow},
+    rounding::{U, to_f32},
     view_space::ViewSpace,
     view_units::{depth_origin, view_unit},
 };
@@ -93,7 +93,7 @@ impl ScreenSection {
 
     /// What the shaders get: the change per pixel right and down, the value in the middle, and the change per q.
     pub fn numbers(&self) -> [f32; 4] {
-        [self.per_px.x, self.per_px.y, self.start, self.per_q].map(narrow)
+        [self.per_px.x, self.per_px.y, self.start, self.per_q].map(to_f32)
     }
 }
 

@@ -7,7 +7,7 @@
 //! picture's size in pixels, nothing else.
 
 use super::{
-    rounding::{U, UNDERFLOW, narrow},
+    rounding::{U, UNDERFLOW, to_f32},
     shader_structs::{Quadratic, Sphere as Row},
     transform::normal_to_view,
     view_space::{ViewPoint, ViewSpace},
@@ -57,7 +57,7 @@ fn row<N: Number>(
     let ray = ray_object::<N>(view, placement, pivot_px);
     let depth = base_depth(view, &ray);
     // A unit direction keeps squares in range, and makes roots count in object units.
-    let speed = ray.direction.narrow().length();
+    let speed = ray.direction.rounded().length();
     let scaled = |v: Vector<N>| v * N::from(speed.recip());
     let [d, right, down] = [ray.direction, ray.right, ray.down].map(scaled);
     let n = ray.origin + ray.direction * N::from(depth);
@@ -68,21 +68,21 @@ fn row<N: Number>(
     // Cross products of nearly parallel vectors cancel digits, so they are computed in `N`; the rest is in `f64`. With
     // w the step to a pixel, the ray has the origin n + origin_step w and the direction d + direction_step w.
     let twist = n * N::from(direction_step) - d * N::from(origin_step);
-    let moment = n.cross(d).narrow();
-    let turn = [twist.cross(right), twist.cross(down)].map(Vector::narrow);
-    let [n, d, right, down] = [n, d, right, down].map(Vector::narrow);
+    let moment = n.cross(d).rounded();
+    let turn = [twist.cross(right), twist.cross(down)].map(Vector::rounded);
+    let [n, d, right, down] = [n, d, right, down].map(Vector::rounded);
     let r2 = Sphere::RADIUS * Sphere::RADIUS;
     let along = direction_step * n + origin_step * d;
     let outside = (n.length() - Sphere::RADIUS) * (n.length() + Sphere::RADIUS);
     let quadratic = |constant: f64, x: f64, y: f64, square: f64, turned: f64| Quadratic {
-        linear: [constant, x, y].map(narrow),
+        linear: [constant, x, y].map(to_f32),
         padding_linear: 0.0,
         square: [
             square * right.dot(right) - turned * turn[0].dot(turn[0]),
             2.0 * (square * right.dot(down) - turned * turn[0].dot(turn[1])),
             square * down.dot(down) - turned * turn[1].dot(turn[1]),
         ]
-        .map(narrow),
+        .map(to_f32),
         padding_square: 0.0,
     };
     let linear = |v: DVec3| [v.dot(right), v.dot(down)];
@@ -97,8 +97,8 @@ fn row<N: Number>(
     Row {
         rect_px: DVec4::new(min.x, min.y, max.x, max.y).as_vec4().to_array(),
         pivot_px: pivot_px.as_vec2().to_array(),
-        depth: narrow(unit * (depth - depth_origin(view))),
-        depth_per_root: narrow(unit / speed),
+        depth: to_f32(unit * (depth - depth_origin(view))),
+        depth_per_root: to_f32(unit / speed),
         a: quadratic(1.0, ax, ay, direction_step * direction_step, 0.0),
         b: quadratic(-n.dot(d), bx, by, -origin_step * direction_step, 0.0),
         c: quadratic(outside, cx, cy, origin_step * origin_step, 0.0),
@@ -110,13 +110,13 @@ fn row<N: Number>(
             1.0,
         ),
         normal: to_view(n),
-        origin_step: narrow(origin_step),
+        origin_step: to_f32(origin_step),
         normal_per_root: to_view(d),
-        direction_step: narrow(direction_step),
+        direction_step: to_f32(direction_step),
         normal_right: to_view(right),
         object,
         normal_down: to_view(down),
-        view_depth: narrow(unit * depth),
+        view_depth: to_f32(unit * depth),
     }
 }
 
@@ -138,7 +138,7 @@ pub(crate) fn ray_object<N: Number>(
 pub(crate) fn nearest_to_centre<N: Number>(ray: &RayDifferential<N>) -> (N, f64) {
     let (o, d) = (ray.origin, ray.direction);
     let depth = -o.dot(d) / d.dot(d);
-    let distance = (o + d * depth).narrow().length();
+    let distance = (o + d * depth).rounded().length();
     (
         depth,
         (distance - Sphere::RADIUS) * (distance + Sphere::RADIUS),
@@ -162,7 +162,7 @@ fn base_depth<N: Number>(view: &View, ray: &RayDifferential<N>) -> f64 {
     let lens = view.camera.lens();
     let (middle, outside) = nearest_to_centre(ray);
     let middle: f64 = middle.into();
-    let root = (-outside).max(0.0).sqrt() / ray.direction.narrow().length();
+    let root = (-outside).max(0.0).sqrt() / ray.direction.rounded().length();
     let [entry, exit] = [middle - root, middle + root];
     let seen = |depth: f64| (lens.near..lens.far).contains(&depth);
     if seen(entry) {

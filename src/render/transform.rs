@@ -3,7 +3,7 @@
 //! rounding of the result, wherever in the world things stand.
 
 use super::{
-    rounding::{U, UNDERFLOW, is_f32, larger, narrow},
+    rounding::{U, UNDERFLOW, is_f32, larger, to_f32},
     section::{KEPT_BEFORE, ScreenSection},
     shader_structs,
     view_space::ViewSpace,
@@ -37,7 +37,7 @@ pub fn frame(view: &View) -> shader_structs::Frame {
         ndc_per_view: (half * unit).recip().as_vec2().to_array(),
         #[expect(clippy::cast_precision_loss, reason = "textures are not that large")]
         viewport_px: [view.viewport.width() as f32, view.viewport.height() as f32],
-        clip_per_depth: narrow(lens.depth_row().0 / unit),
+        clip_per_depth: to_f32(lens.depth_row().0 / unit),
         perspective: u32::from(perspective),
         front_only: u32::from(view.sides == Sides::Front),
         padding: 0,
@@ -51,7 +51,7 @@ pub fn frame(view: &View) -> shader_structs::Frame {
         section_start,
         section_per_q,
         inside: look::INSIDE.to_linear(),
-        section_slack: narrow(KEPT_BEFORE * U),
+        section_slack: to_f32(KEPT_BEFORE * U),
     }
 }
 
@@ -178,7 +178,7 @@ impl VertexToView {
             pivot,
             linear: linear.as_mat3(),
             translation: translation.as_vec3(),
-            view_depth: narrow(view_depth),
+            view_depth: to_f32(view_depth),
         }
     }
 

@@ -87,7 +87,7 @@ impl ViewSpace {
         let model = placement.model().matrix3;
         let column = |i: usize| {
             let exact = self.to_view.times(model.col(i).into());
-            (exact - rounded.col(i).into()).narrow()
+            (exact - rounded.col(i).into()).rounded()
         };
         DMat3::from_cols(column(0), column(1), column(2))
     }

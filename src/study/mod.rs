@@ -88,7 +88,7 @@ mod prelude {
         effort::Effort,
         exact::{self, Exact, Exact3},
         random::Random,
-        real::{M3, Real, Ring, V3, narrow, narrow3},
+        real::{M3, Real, Ring, V3, through_f32, through_f32_each},
         run::{Report, Row, SCENE},
         scene_rays::{PX, SceneRays, TAN_30},
         step::{

@@ -36,13 +36,13 @@ impl Real for f64 {
 
 /// The `f32` nearest to a value, as `f64`: workloads give methods of both precisions the same numbers.
 #[must_use]
-pub fn narrow(value: f64) -> f64 {
+pub fn through_f32(value: f64) -> f64 {
     f32::of(value).wide()
 }
 
-/// [`narrow`] for each coordinate.
+/// [`through_f32`] for each coordinate.
 #[must_use]
-pub fn narrow3(v: V3<f64>) -> V3<f64> {
+pub fn through_f32_each(v: V3<f64>) -> V3<f64> {
     V3::<f32>::of(v).wide()
 }
 

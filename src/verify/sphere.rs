@@ -33,7 +33,7 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
     let lens = view.camera.lens();
     let error = sphere::rounding(&sphere::sphere(space, placement, 0), space.unit(), px);
     let ray = sphere::ray_object::<DoubleDouble>(view, placement, px);
-    let d2 = ray.direction.narrow().length_squared();
+    let d2 = ray.direction.rounded().length_squared();
     // Computed from the ray's point nearest to the sphere's centre, where no digits cancel.
     let (middle, outside) = sphere::nearest_to_centre(&ray);
     let middle: f64 = (middle - lens.near.into()).into();
@@ -112,12 +112,12 @@ impl Change {
     fn of_discriminant(projection: Projection, ray: &RayDifferential<DoubleDouble>) -> Self {
         let (o, d) = (ray.origin, ray.direction);
         let r2 = Sphere::RADIUS * Sphere::RADIUS;
-        let across = |a: Vector<DoubleDouble>, b: Vector<DoubleDouble>| a.cross(b).narrow();
+        let across = |a: Vector<DoubleDouble>, b: Vector<DoubleDouble>| a.cross(b).rounded();
         let moment = across(o, d);
         let [(x, bend_x), (y, bend_y)] = [ray.right, ray.down].map(|step| match projection {
             Projection::Perspective { .. } => {
                 let turn = across(o, step);
-                let (d, step) = (d.narrow(), step.narrow());
+                let (d, step) = (d.rounded(), step.rounded());
                 let slope = 2.0 * (r2 * d.dot(step) - moment.dot(turn));
                 (slope, r2 * step.length_squared() + turn.length_squared())
             }

@@ -344,7 +344,7 @@ impl ViewRay {
         let grid = view.camera.pixel_grid(view.viewport).in_view_space();
         let ray = grid.differential::<f64>(px, DVec3::ZERO);
         let [origin, direction, right, down] =
-            [ray.origin, ray.direction, ray.right, ray.down].map(Vector::narrow);
+            [ray.origin, ray.direction, ray.right, ray.down].map(Vector::rounded);
         Self {
             origin: (origin + lens.near * direction).with_z(0.0),
             direction,

@@ -223,8 +223,8 @@ fn on_edge(random: &mut Random) -> V3<f64> {
 }
 
 fn aim(target: V3<f64>, back: V3<f64>) -> BoxCase {
-    let origin = narrow3(target + back);
-    case(origin, narrow3(target - origin))
+    let origin = through_f32_each(target + back);
+    case(origin, through_f32_each(target - origin))
 }
 
 fn case(origin: V3<f64>, direction: V3<f64>) -> BoxCase {
@@ -243,11 +243,11 @@ fn on_slab(random: &mut Random, along: f64) -> BoxCase {
         coordinates[at] = value;
         V3::from(coordinates)
     };
-    let mut direction = set(narrow3(towards), axis, zero);
+    let mut direction = set(through_f32_each(towards), axis, zero);
     if along > 1.5 {
         direction = set(direction, (axis + 1) % 3, zero);
     }
-    let start = set(narrow3(target - direction * 3.5), axis, plane);
+    let start = set(through_f32_each(target - direction * 3.5), axis, plane);
     case(start, direction)
 }
 
@@ -280,5 +280,5 @@ fn past_an_edge(random: &mut Random, by: f64) -> BoxCase {
     let turn = random.below(3);
     direction.rotate_left(turn);
     origin.rotate_left(turn);
-    case(narrow3(origin.into()), direction.into())
+    case(through_f32_each(origin.into()), direction.into())
 }

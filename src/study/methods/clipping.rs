@@ -159,7 +159,7 @@ fn on_plane(random: &mut Random, tan: f64, off: f64) -> ClipCase {
         let px = random.pixel(DVec2::new(1920.0, 1080.0));
         let plane = if random.sign() < 0.0 { near } else { far };
         let depth = plane * (1.0 + off);
-        if let Some(case) = ClipCase::new(tan, near, far, px, narrow(depth)) {
+        if let Some(case) = ClipCase::new(tan, near, far, px, through_f32(depth)) {
             return case;
         }
     }

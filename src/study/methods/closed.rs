@@ -122,11 +122,11 @@ fn aim(
     let body = body(random.below(16), grid, offset);
     let corners = body.1[random.below(body.1.len())].corners;
     let target = target(random, corners, bits.is_some());
-    let middle = narrow3(V3::new(offset, offset, offset));
+    let middle = through_f32_each(V3::new(offset, offset, offset));
     // A body reaches from 0.7 to 1.1 about its middle.
     let inside = middle + on_grid(random.point(0.17), grid);
-    let origin = narrow3(inside + (target - inside) * 4.0);
-    let direction = narrow3(inside - origin);
+    let origin = through_f32_each(inside + (target - inside) * 4.0);
+    let direction = through_f32_each(inside - origin);
     ClosedCase {
         narrow: Aimed::new(origin, direction, &body.0),
         wide: Aimed::new(origin, direction, &body.1),
@@ -169,7 +169,7 @@ fn body(index: usize, grid: f64, offset: f64) -> Body {
             .map(|point| {
                 let [x, y, z] = (*point * random.within(0.95, 1.1)).to_array();
                 let point = turned[0] * x + turned[1] * y + turned[2] * z;
-                narrow3(middle + on_grid(point, grid))
+                through_f32_each(middle + on_grid(point, grid))
             })
             .collect();
         let triangles = faces.iter().map(|face| {

@@ -158,8 +158,12 @@ fn make(random: &mut Random, scale: [f64; 3], shear: f64, mirrored: bool) -> Nor
                 + own[1] * (scale[1] * e.y)
                 + own[2] * (scale[2] * (e.z + shear * e.x))
         };
-        let linear = M3(M3([u, v, w]).transpose().0.map(stretch).map(narrow3));
-        if let Some(case) = NormalCase::new(linear, narrow3(random.direction())) {
+        let linear = M3(M3([u, v, w])
+            .transpose()
+            .0
+            .map(stretch)
+            .map(through_f32_each));
+        if let Some(case) = NormalCase::new(linear, through_f32_each(random.direction())) {
             return case;
         }
     }

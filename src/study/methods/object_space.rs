@@ -237,12 +237,12 @@ fn aim(random: &mut Random, scale: [f64; 3], offset: f64) -> PlacedCase {
         let [u, v, w] = turned(random);
         let scaled = M3([u * scale[0], v * scale[1], w * scale[2]]);
         let own = turned(random);
-        let linear = M3(own.map(|axis| narrow3(scaled.apply(axis))));
+        let linear = M3(own.map(|axis| through_f32_each(scaled.apply(axis))));
         let size = scale.into_iter().fold(0.0, f64::max);
-        let translation = narrow3(random.direction() * (offset * size.max(1.0)));
-        let origin = narrow3(translation + random.direction() * (5.0 * size.max(1.0)));
+        let translation = through_f32_each(random.direction() * (offset * size.max(1.0)));
+        let origin = through_f32_each(translation + random.direction() * (5.0 * size.max(1.0)));
         let target = translation + linear.apply(random.point(0.7));
-        let direction = narrow3((target - origin).normalize());
+        let direction = through_f32_each((target - origin).normalize());
         if let Some(case) = PlacedCase::new([origin, direction], linear, translation, PX) {
             return case;
         }

@@ -171,7 +171,7 @@ impl PacketCase {
         let places = [0.0, 1.0, 2.0, 3.0].map(|x| [[x, 0.0], [x, 1.0]]);
         let directions: [V3<f64>; WIDTH] = array::from_fn(|i| {
             let [x, y] = places.as_flattened()[i];
-            narrow3(d + right * (x * px) + up * (y * px))
+            through_f32_each(d + right * (x * px) + up * (y * px))
         });
         let ray = |direction| VertexRay::exact(from_start(first.origin, direction));
         Self {

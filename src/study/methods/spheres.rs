@@ -171,7 +171,7 @@ fn bound(ray: &ObjectRay<f64>, t: f64) -> f64 {
 }
 
 fn case(origin: V3<f64>, direction: V3<f64>, px: f64) -> SphereCase {
-    SphereCase::new(narrow3(origin), narrow3(direction), px)
+    SphereCase::new(through_f32_each(origin), through_f32_each(direction), px)
 }
 
 /// A ray that starts `distance` radii away and passes the centre at a number of radii within `past`.

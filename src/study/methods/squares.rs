@@ -217,14 +217,14 @@ fn sides(random: &mut Random) -> [V3<f64>; 2] {
 fn aim(random: &mut Random, angle: f64, offset: f64) -> SquareCase {
     loop {
         let [u, v] = sides(random);
-        let middle = narrow3(random.direction() * offset);
+        let middle = through_f32_each(random.direction() * offset);
         let [x, y] = [(); 2].map(|()| random.within(-0.75, 0.75));
         let target = middle + u * x + v * y;
         let [along, aside] = [(); 2].map(|()| random.within(-1.0, 1.0));
         let within = (u.normalize() * along + v.normalize() * aside).normalize();
         let tilt = angle * random.sign() * random.within(0.5, 1.0);
-        let direction = narrow3(within + u.cross(v).normalize() * tilt);
-        let origin = narrow3(target - direction * random.within(4.0, 6.0));
+        let direction = through_f32_each(within + u.cross(v).normalize() * tilt);
+        let origin = through_f32_each(target - direction * random.within(4.0, 6.0));
         if let Some(case) = SquareCase::new([origin, direction], middle, [u, v], PX) {
             return case;
         }
@@ -241,7 +241,7 @@ fn through_the_rim(random: &mut Random, bits: f64) -> SquareCase {
         let (x, y) = (0.5 * random.sign(), along);
         let target = middle + u * x + v * y;
         let origin = target - step;
-        if narrow3(origin) == origin
+        if through_f32_each(origin) == origin
             && let Some(case) = SquareCase::new([origin, step], middle, [u, v], PX)
         {
             return case;

@@ -1,9 +1,6 @@
 //! Parses a vertex as the loader does, for [`VertexInFile`]. Also the errors of reading a file again.
 
-use super::{
-    vertices::narrow,
-    words::{Number, fields},
-};
+use super::words::{Number, fields};
 use crate::scene::{Cancelled, FileError, VertexInFile};
 use glam::DVec3;
 use std::{io, path::PathBuf};
@@ -67,7 +64,7 @@ impl VertexInFile {
         let values: Option<Vec<f64>> = words.iter().map(number_of).collect();
         let value = values.and_then(|values| <[f64; 3]>::try_from(values).ok());
         let value = value.map(DVec3::from_array);
-        let position = value.map(|value| DVec3::from_array(narrow(value - origin).map(f64::from)));
+        let position = value.map(|value| (value - origin).as_vec3().as_dvec3());
         let position = position.unwrap_or_default();
         let stored =
             Some(origin + position).filter(|stored| value.is_some_and(|value| value != *stored));

@@ -92,7 +92,7 @@ impl Stored {
         let mut nowhere = HashSet::new();
         let positions = (0..).zip(used_of(block, positions)).map(|(index, v)| {
             if v.is_finite() {
-                narrow(v - origin)
+                (v - origin).as_vec3().to_array()
             } else {
                 nowhere.insert(index);
                 [0.0; 3]
@@ -203,13 +203,5 @@ fn origin(bounds: Aabb) -> DVec3 {
 
 fn unit(normal: DVec3) -> [f32; 3] {
     let scaled = normal / normal.abs().max_element();
-    narrow(scaled.normalize_or_zero())
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "positions about an origin, unit vectors"
-)]
-pub(super) fn narrow(v: DVec3) -> [f32; 3] {
-    v.to_array().map(|c| c as f32)
+    scaled.normalize_or_zero().as_vec3().to_array()
 }

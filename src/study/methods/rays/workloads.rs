@@ -67,7 +67,7 @@ fn fov(degrees: f64) -> Camera {
 fn make(random: &mut Random, camera: Camera) -> PixelCase {
     let exact_axes = turned(random, 99);
     let axes = exact_axes.map(|axis| axis * (1.0 / axis.length()));
-    let eye = narrow3(random.direction() * camera.eye);
+    let eye = through_f32_each(random.direction() * camera.eye);
     let height = camera.height;
     let width = (height * 16.0 / 9.0).round();
     let px = random.pixel(DVec2::new(width, height)).to_array();
@@ -76,12 +76,12 @@ fn make(random: &mut Random, camera: Camera) -> PixelCase {
         target: eye + axes[2] * camera.length,
         length: camera.length,
         axes,
-        tan: narrow(camera.tan),
+        tan: through_f32(camera.tan),
         parallel: false,
         // As methods compute it from the size.
         aspect: width / height,
-        near: narrow(camera.near),
-        far: narrow(camera.far),
+        near: through_f32(camera.near),
+        far: through_f32(camera.far),
         size: [width, height],
     };
     PixelCase::new(picture, px, exact_axes)

@@ -49,7 +49,7 @@ fn far_out(random: &mut Random, offset: f64) -> TriangleCase {
     let offset = random.direction() * offset;
     // `f32` is coarse out there: a small triangle would collapse.
     let size = (offset.length() * 1e-6).max(1.0);
-    let corners = corners(random, size, size).map(|corner| narrow3(corner + offset));
+    let corners = corners(random, size, size).map(|corner| through_f32_each(corner + offset));
     let weights = mixed_weights(random);
     let towards = random.direction();
     through(random, corners, weights, towards * (5.0 * size))
@@ -67,7 +67,7 @@ fn corners(random: &mut Random, length: f64, height: f64) -> [V3<f64>; 3] {
     let [u, v] = random.directions();
     let apex = u * (length * random.within(0.2, 0.8)) + v * (height * random.within(0.5, 1.0));
     let centre = (u * length + apex) * (1.0 / 3.0);
-    [V3::new(0.0, 0.0, 0.0), u * length, apex].map(|corner| narrow3(corner - centre))
+    [V3::new(0.0, 0.0, 0.0), u * length, apex].map(|corner| through_f32_each(corner - centre))
 }
 
 /// A ray that starts `back` before a point of the triangle's plane.
@@ -78,11 +78,11 @@ fn through(
     back: V3<f64>,
 ) -> TriangleCase {
     let point = corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2];
-    let origin = narrow3(point - back);
+    let origin = through_f32_each(point - back);
     if random.sign() < 0.0 {
         corners.swap(1, 2);
     }
-    let direction = narrow3(point - origin);
+    let direction = through_f32_each(point - origin);
     TriangleCase::new(RayTriangle::new(origin, direction, corners), PX)
 }
 
@@ -124,7 +124,7 @@ fn on_a_lattice(random: &mut Random, bits: f64) -> TriangleCase {
         // In whole numbers: `origin + direction / 2` is `target / 2`.
         let origin = random.lattice_point(limit);
         let direction = target - origin - origin;
-        let exact = narrow3(direction) == direction;
+        let exact = through_f32_each(direction) == direction;
         let normal = (q - p).cross(corners[2] - p);
         if exact && normal.dot(direction) != 0.0 {
             return TriangleCase::new(RayTriangle::new(origin, direction, corners), PX);

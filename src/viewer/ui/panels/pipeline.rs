@@ -262,7 +262,7 @@ fn table(ui: &mut Ui, values: &Values) {
             for value in values {
                 // Four numbers must each be narrower than three.
                 let text = if values.len() > 3 {
-                    format!("{:>NARROW$}", narrow(*value))
+                    format!("{:>ROOM$}", fitted(*value))
                 } else {
                     format!("{:>9}", short(*value))
                 };
@@ -274,14 +274,14 @@ fn table(ui: &mut Ui, values: &Values) {
 }
 
 /// The most characters of a number where four stand beside their name.
-const NARROW: usize = 7;
+const ROOM: usize = 7;
 
 /// A number with three decimals, or as many as there is room for; as a power of ten if it has no room otherwise.
-fn narrow(value: f64) -> String {
+fn fitted(value: f64) -> String {
     let fixed = (0..=3).rev().map(|decimals| format!("{value:.decimals$}"));
     let powers = (1..=3).rev().map(|decimals| format!("{value:.decimals$e}"));
     let mut all = fixed.chain(powers);
-    let fits = all.find(|text| text.len() <= NARROW);
+    let fits = all.find(|text| text.len() <= ROOM);
     fits.unwrap_or_else(|| format!("{value:.0e}"))
 }
 
@@ -300,7 +300,7 @@ mod tests {
             (-1e300, "-1e300"),
             (f64::INFINITY, "inf"),
         ] {
-            assert_eq!(narrow(value), text);
+            assert_eq!(fitted(value), text);
         }
     }
 }
