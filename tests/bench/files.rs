@@ -1,11 +1,14 @@
-//! Time and memory to list, pick from and draw an OBJ file, beside those of `tobj` alone. Where `f3d`, `xvfb-run` and
+//! Time and memory to list, pick from and draw an OBJ file, beside those of `tobj` alone. Where `f3d`, `Xvfb` and
 //! GNU `time` are installed, the picture is measured beside F3D's too.
 //!
 //! `cargo bench --bench files` for 100 thousand, a million and 10 million triangles, or with `-- FILE.obj`. Each
 //! measurement is a process of its own, and contenders take turns. Memory and `taskset` need Linux.
 
+#[expect(dead_code, reason = "another benchmark asks more of it")]
+mod f3d;
 mod terrain;
 
+use f3d::{Cost, F3d};
 use std::{
     env,
     error::Error,
@@ -33,14 +36,6 @@ const CONTENDERS: [(&str, &[&str]); 5] = [
     ("pick, one core", &["taskset", "-c", "0"]),
     ("render", &[]),
 ];
-const F3D: &str = "F3D";
-
-/// The cost of a process.
-#[derive(Clone, Copy)]
-struct Cost {
-    ms: f64,
-    peak_mb: f64,
-}
 
 fn main() -> Result<(), Failure> {
     let arguments: Vec<String> = env::args().skip(1).filter(|a| a != "--bench").collect();
@@ -49,29 +44,32 @@ fn main() -> Result<(), Failure> {
         println!("{}", peak_mb());
         return Ok(());
     }
+    let f3d = F3d::find(SIZE)?;
     if let Some(file) = arguments.first() {
-        return compare(Path::new(file));
+        return compare(Path::new(file), f3d.as_ref());
     }
     let folder = tempfile::tempdir()?;
     for side in SIDES {
-        compare(&terrain::write(folder.path(), side)?)?;
+        compare(&terrain::write(folder.path(), side)?, f3d.as_ref())?;
     }
     Ok(())
 }
 
 /// Measures all contenders with a file and prints their costs.
-fn compare(file: &Path) -> Result<(), Failure> {
+fn compare(file: &Path, f3d: Option<&F3d>) -> Result<(), Failure> {
     let mut measured = [const { Vec::new() }; CONTENDERS.len()];
-    let mut f3d = Vec::new();
+    let mut others = Vec::new();
     // The first round brings the file into the system's cache and does not count.
     for round in 0..=ROUNDS {
         for ((name, before), costs) in CONTENDERS.iter().zip(&mut measured) {
             costs.push(cost_of(name, before, file)?);
         }
-        f3d.extend(cost_of_f3d(file).ok());
+        if let Some(f3d) = f3d {
+            others.push(f3d.picture(file)?);
+        }
         if round == 0 {
             measured.iter_mut().for_each(Vec::clear);
-            f3d.clear();
+            others.clear();
         }
     }
     let [tobj, .., render] = &measured;
@@ -84,12 +82,12 @@ fn compare(file: &Path) -> Result<(), Failure> {
     for ((name, _), costs) in CONTENDERS.iter().zip(&measured) {
         print_row(name, costs, tobj);
     }
-    if f3d.len() < ROUNDS {
+    if f3d.is_none() {
         println!("F3D: absent");
     } else {
-        print_row(F3D, &f3d, tobj);
+        print_row("F3D", &others, tobj);
         println!("                         to F3D                         to F3D");
-        print_row("render", render, &f3d);
+        print_row("render", render, &others);
     }
     Ok(())
 }
@@ -129,29 +127,6 @@ fn cost_of(name: &str, before: &[&str], file: &Path) -> Result<Cost, Failure> {
         return Err(String::from_utf8_lossy(&run.stderr).into());
     };
     Ok(Cost { ms, peak_mb })
-}
-
-/// F3D's cost for a picture of a file, drawn in software as Sightline's is. The cost of its display is not included.
-fn cost_of_f3d(file: &Path) -> Result<Cost, Failure> {
-    let folder = tempfile::tempdir()?;
-    let picture = folder.path().join("picture.png");
-    let [width, height] = SIZE;
-    let run = Command::new("xvfb-run")
-        .env("LIBGL_ALWAYS_SOFTWARE", "1")
-        .args(["-a", "-s", &format!("-screen 0 {width}x{height}x24")])
-        .args(["time", "--format", "%e %M", "f3d"])
-        .args([file.as_os_str(), "--output".as_ref(), picture.as_os_str()])
-        .args(["--resolution", &format!("{width},{height}")])
-        .output()?;
-    fs::metadata(picture)?;
-    let said = [run.stdout, run.stderr].concat();
-    let said = String::from_utf8(said)?;
-    let line = said.lines().last().and_then(|line| line.split_once(' '));
-    let (seconds, peak_kb) = line.ok_or("no times")?;
-    Ok(Cost {
-        ms: seconds.parse::<f64>()? * 1e3,
-        peak_mb: peak_kb.parse::<f64>()? / 1024.0,
-    })
 }
 
 /// Does a contender's work.

@@ -5,11 +5,15 @@
 //! Prints for each gesture: the window thread's processor time for each pass, without waiting; the time from an event
 //! until a picture shows its result, and until no work is left except smooth edges; and the processor time of all
 //! threads meanwhile. The window is offscreen, so presentation is not included. "load" is from the drop of a file onto
-//! the demo until the file's scene is drawn and at rest.
+//! the demo until the file's scene is drawn and at rest. Where `f3d`, `Xvfb` and GNU
+//! `time` are installed, a frame of F3D's turn of the same file is measured too, as a difference of two runs.
 
+#[expect(dead_code, reason = "another benchmark asks more of it")]
+mod f3d;
 mod terrain;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, pos2, vec2};
+use f3d::F3d;
 use rustix::time::{ClockId, clock_gettime};
 use sightline::{
     camera::Viewport,
@@ -22,6 +26,8 @@ use std::{
     time::{Duration, Instant},
 };
 
+/// Size of the window.
+const SIZE: Viewport = Viewport::DEFAULT;
 /// Events of each gesture.
 const EVENTS: u16 = 40;
 /// Scenes with more triangles get a fifth of the events: each picture takes seconds.
@@ -68,11 +74,23 @@ fn main() {
             reason = "below 2^16"
         )]
         let side = side as u32;
-        let file = terrain::write(folder.path(), side);
-        scene(Some(file.expect("a writable folder")));
+        let file = terrain::write(folder.path(), side).expect("a writable folder");
+        scene(Some(file.clone()));
+        turn_by_f3d(&file);
     }
     for objects in objects {
         scene(Some(grid(folder.path(), objects)));
+    }
+}
+
+/// Prints what a frame of a turn takes another viewer.
+fn turn_by_f3d(file: &Path) {
+    let size = [SIZE.width(), SIZE.height()];
+    let turned = F3d::find(size).and_then(|f3d| f3d.map(|f3d| f3d.turn_ms(file)).transpose());
+    match turned {
+        Ok(Some(ms)) => println!("F3D's turn: {ms:.1} ms a frame\n"),
+        Ok(None) => println!("F3D: absent\n"),
+        Err(error) => println!("F3D: {error}\n"),
     }
 }
 
@@ -104,9 +122,8 @@ struct Bench {
 
 /// All gestures on a file's scene, which is opened over the demo, or on the demo.
 fn scene(file: Option<PathBuf>) {
-    let size = Viewport::new(1280, 720).expect("a viewport");
     let mut bench = Bench {
-        window: Offscreen::open(Options::default(), size, 1.0),
+        window: Offscreen::open(Options::default(), SIZE, 1.0),
         events: EVENTS,
         cpu: Vec::new(),
     };

@@ -2,6 +2,7 @@
 
 use super::*;
 use egui::vec2;
+use sightline::pick;
 
 /// Cells along each side of a ground of 405,000 triangles. It is drawn in several pieces, even after pieces have grown.
 const SIDE: u32 = 450;
@@ -117,4 +118,38 @@ fn a_large_stage_is_taken_into_graphics_memory_beside_the_window() {
         let differ = differing_in(&before, &window.drawn().expect("a picture"), picture);
         assert!(differ > 3000, "{stage}: {differ}");
     }
+}
+
+/// What is seen is what is picked: until the new scene is drawn, a click on its place in the old picture picks nothing.
+#[test]
+fn what_is_not_drawn_yet_is_not_picked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = stalls::ground(folder.path(), SIDE);
+    let (mut window, _row) = row(1.0);
+    window.picture().expect("a picture");
+    window.begin_to_drop(path);
+    let is_there = |window: &Offscreen| window.state().scene().objects().len() == 1;
+    for _ in 0..100_000 {
+        if is_there(&window) {
+            break;
+        }
+        window.draw().expect("a frame");
+        std::thread::sleep(std::time::Duration::from_millis(2));
+    }
+    assert!(is_there(&window) && !window.shows_scene());
+    let says_so = |window: &Offscreen| window.controls().iter().any(|is| is.name == "drawing");
+    assert!(!says_so(&window), "it is not late yet");
+    click(&mut window, MIDDLE);
+    let state = window.state();
+    assert_eq!(state.selection(), None);
+    let cursor = state.cursor().expect("over the picture");
+    assert_eq!(cursor.hit, None);
+    let under_it = pick::pick(state.scene(), state.view(), cursor.px);
+    assert!(under_it.is_some(), "the new scene has something there");
+    window.wait_s(0.6);
+    assert!(says_so(&window), "it is late");
+    window.picture().expect("a picture");
+    assert!(!says_so(&window));
+    click(&mut window, MIDDLE);
+    assert_eq!(window.state().selected(), Some(0));
 }

@@ -98,3 +98,21 @@ fn letters_are_typed() {
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     assert_eq!(x(&window), 0.0);
 }
+
+/// What is typed after Tab, or after a double click, replaces the number.
+#[test]
+fn tab_and_a_double_click_select_the_whole_number() {
+    let (mut window, _folder) = typing("0.25");
+    let enter = |window: &mut Offscreen, text: &str| {
+        window.send([Event::Text(text.into())]);
+        press_key(window, Modifiers::NONE, Key::Enter);
+        let object = &window.state().scene().objects()[0];
+        object.placement.model().translation.to_array()
+    };
+    press_key(&mut window, Modifiers::NONE, Key::Tab);
+    press_key(&mut window, Modifiers::NONE, Key::Tab);
+    assert_eq!(enter(&mut window, "5"), [0.25, 0.0, 5.0]);
+    let field = control(&window, "position x").rect.center();
+    double_click(&mut window, field);
+    assert_eq!(enter(&mut window, "-1.5"), [-1.5, 0.0, 5.0]);
+}

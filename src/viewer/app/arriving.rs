@@ -137,11 +137,22 @@ impl App {
         let loading = self.loading.as_ref().map(|(load, ..)| Underway {
             what: "loading",
             fraction: Some(load.fraction()),
+            can_stop: true,
         });
         let arriving = self.arriving.as_ref().map(|_| Underway {
             what: "getting ready",
             fraction: None,
+            can_stop: true,
         });
         loading.or(arriving)
+    }
+
+    /// A picture that is late, for the progress message.
+    pub(super) fn drawing(&self, now_s: f64) -> Option<Underway> {
+        self.rest.is_late(now_s).then_some(Underway {
+            what: "drawing",
+            fraction: None,
+            can_stop: false,
+        })
     }
 }

@@ -11,7 +11,7 @@ use crate::{
     render::GpuError,
     viewer::{
         jobs::let_go,
-        model::{Action, Overlay, Stage},
+        model::{Action, Overlay, Seen, Stage},
         screen::{Canvas, Laid, Motion, PictureProgress, SceneRect, Screen, write_screenshot},
         ui::{self, Command, Notices, Shown},
     },
@@ -79,6 +79,7 @@ impl App {
             motion: (self.rest).motion(self.state.all_to_show(), now_s, is_held),
         };
         let drawn = self.draw(&laid, screen);
+        self.rest.drew(&self.picture, now_s);
         self.rest.is_settled = pass.next_in > Duration::ZERO
             && !pass.is_outdated
             && self.picture.behind.is_none()
@@ -155,14 +156,16 @@ impl App {
 
     /// Runs the panels on the input since the last pass, and executes their commands.
     fn run_pass(&mut self, input: egui::RawInput) -> Pass {
-        self.forget_said(input.time.unwrap_or_default());
         let dropped = input.dropped_files.iter();
         let dropped: Vec<_> = dropped.map(|file| file.path().to_path_buf()).collect();
         let mut commands = Vec::new();
         let (mut place, mut panes) = (None, Vec::new());
         let context = self.context.clone();
         self.notice_step(None);
-        let (underway, docks) = (self.underway(), self.docks);
+        let now_s = input.time.unwrap_or_default();
+        self.forget_said(now_s);
+        let underway = self.underway().or_else(|| self.drawing(now_s));
+        let docks = self.docks;
         // A screenshot without panels shows no passing messages either.
         let is_shot = self.screenshots.wanted.is_some_and(|shot| shot.alone);
         let offers_tour = !is_shot && self.offers_tour();
@@ -296,8 +299,11 @@ impl App {
         if let Some(canvas) = screen.canvas() {
             self.gpu = Some((canvas.gpu.clone(), canvas.meshes()));
             let is_late = self.picture.behind.is_some() && laid.panes.is_empty();
-            let seen = canvas.on_screen().filter(|_| is_late);
-            self.state.see(seen);
+            self.state.see(match canvas.on_screen() {
+                _ if !is_late => Seen::Wanted,
+                Some(earlier) => Seen::Earlier(earlier),
+                None => Seen::Nothing,
+            });
             self.follow_up(canvas, laid);
         }
         if let Some(wait) = self.picture.behind {

@@ -3,7 +3,7 @@
 use egui::{Event, Key, RawInput};
 
 /// The input as one or more, in order. Within one pass egui moves the focus first and gives all text to the field that
-/// has it then. So a key that moves the focus begins an input, and so does text that follows it.
+/// has it then. So a key that moves the focus begins an input, and so does what is typed after it.
 pub(super) fn in_turn(mut input: RawInput) -> Vec<RawInput> {
     let mut events = std::mem::take(&mut input.events).into_iter().peekable();
     let mut inputs = Vec::new();
@@ -34,8 +34,11 @@ fn begins(next: &Event, before: &[Event]) -> bool {
         };
         matches!(key, Key::Tab | Key::Enter | Key::Escape)
     };
-    let is_text = matches!(next, Event::Text(_) | Event::Paste(_));
-    moves_focus(next) && !before.is_empty() || is_text && before.iter().any(moves_focus)
+    let is_typed = matches!(
+        next,
+        Event::Text(_) | Event::Paste(_) | Event::Key { pressed: true, .. }
+    );
+    moves_focus(next) && !before.is_empty() || is_typed && before.iter().any(moves_focus)
 }
 
 #[cfg(test)]
@@ -72,5 +75,6 @@ mod tests {
             key(Key::Tab),
         ];
         assert_eq!(counts(typed), [2, 1, 1, 1]);
+        assert_eq!(counts(vec![key(Key::Tab), key(Key::A), text("4")]), [1, 2]);
     }
 }

@@ -44,7 +44,7 @@ pub(crate) use ids::{hide, no_section, no_such_object};
 pub(super) use made::Made;
 pub use matrices::{Matrices, Matrix, Row, Steps};
 pub use measuring::{Entry, MeasureAction, Measuring, What};
-pub(super) use on_screen::OnScreen;
+pub(super) use on_screen::{OnScreen, Seen};
 pub(super) use opening::Snapshot;
 pub use overlay::{Overlay, Overlays};
 pub use pane_mouse::Followed;

@@ -9,3 +9,15 @@ pub(in crate::viewer) struct OnScreen {
     pub scene_revision: u64,
     pub visibility_revision: u64,
 }
+
+/// What is on screen, as far as it is not what the state wants.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::viewer) enum Seen {
+    /// The picture is the wanted one.
+    #[default]
+    Wanted,
+    /// The picture is an earlier one.
+    Earlier(OnScreen),
+    /// There is no picture yet.
+    Nothing,
+}

@@ -136,7 +136,7 @@ impl State {
 
     /// Does an action of the mouse in a stage's view.
     pub(super) fn act_in(&mut self, stage: Stage, action: Action) -> Option<PickLine> {
-        let at = |px| Some(self.pane_hit(stage, px)?.1);
+        let at = |px| Some(self.pane_hit(stage, pixel_centre(px))?.1);
         let hit = match action {
             Action::BeginTurn(px) | Action::BeginPan(px) | Action::Zoom(px, _) => at(px),
             _ => None,
@@ -177,7 +177,7 @@ impl State {
                     Action::Turn(by_px) => observer.turn(by_px),
                     Action::BeginPan(_) => observer.begin_pan(hit),
                     Action::Pan(by_px) => observer.pan(by_px),
-                    Action::Zoom(px, factor) => observer.zoom(px, hit, factor),
+                    Action::Zoom(px, factor) => observer.zoom(pixel_centre(px), hit, factor),
                     Action::LookFrom(direction) => observer.look_from(direction),
                     _ => {}
                 }

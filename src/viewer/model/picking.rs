@@ -46,14 +46,14 @@ impl State {
     pub(super) fn cursor_at(&self, px: DVec2) -> Cursor {
         let px = pixel_centre(px);
         let ray = self.seen_view().ray(px);
-        let hit = self.quick_hit(&ray);
+        let hit = (!self.awaits_scene()).then(|| self.quick_hit(&ray));
         let point = |hit: SceneHit| {
             let placement = &self.scene.objects()[hit.object].placement;
             (hit.object, placement.ray_to_object(&ray).at(hit.hit.t))
         };
         Cursor {
             px,
-            hit: hit.map(point),
+            hit: hit.flatten().map(point),
         }
     }
 

@@ -1,6 +1,9 @@
 //! The picture on screen, which the user points into, and rays quick enough to follow the mouse.
 
-use super::{on_screen::OnScreen, state::State};
+use super::{
+    on_screen::{OnScreen, Seen},
+    state::State,
+};
 use crate::{
     camera::View,
     geometry::WorldRay,
@@ -20,10 +23,20 @@ impl State {
         }
     }
 
-    /// Notes what is on screen while the picture lags behind the state; `None` once it has caught up.
+    /// Notes what is on screen.
     #[expect(clippy::large_types_passed_by_value, reason = "once a frame, and kept")]
-    pub(in crate::viewer) fn see(&mut self, seen: Option<OnScreen>) {
+    pub(in crate::viewer) fn see(&mut self, seen: Seen) {
         self.seen = seen;
+    }
+
+    /// Whether the scene as it is has yet to be drawn: on screen is another one, or its objects before they were moved or
+    /// others were added. Then a click or the cursor picks nothing: it would be what nobody sees.
+    pub(super) fn awaits_scene(&self) -> bool {
+        match self.seen {
+            Seen::Wanted => false,
+            Seen::Earlier(seen) => seen.scene_revision != self.scene_revision,
+            Seen::Nothing => true,
+        }
     }
 
     /// The view of the picture on screen, which the user points into. If that picture still shows objects that are gone or
@@ -34,9 +47,10 @@ impl State {
             seen.scene_revision == now.scene_revision
                 && seen.visibility_revision == now.visibility_revision
         };
-        self.seen
-            .filter(is_of_these)
-            .map_or(now.view, |seen| seen.view)
+        match self.seen {
+            Seen::Earlier(seen) if is_of_these(&seen) => seen.view,
+            _ => now.view,
+        }
     }
 
     /// Whether a ray is quick enough for a mouse move: meshes have their trees, or are small.

@@ -5,7 +5,7 @@ use super::{
     hits::{DepthSteps, Landmark, RayHits},
     matrices::Row,
     measuring::{Entry, Measuring},
-    on_screen::OnScreen,
+    on_screen::Seen,
     ortho_height::OrthoHeight,
     overlay::Overlays,
     section_memory::SectionMemory,
@@ -164,8 +164,8 @@ pub struct State {
     pub(super) controls: LensControls,
     pub(super) ortho: OrthoHeight,
     pub(super) view: View,
-    /// What is on screen while the picture lags behind.
-    pub(super) seen: Option<OnScreen>,
+    /// What is on screen.
+    pub(super) seen: Seen,
     pub(super) pivot_world: DVec3,
     pub(super) pan_depth: f64,
     pub(super) selection: Option<Selection>,

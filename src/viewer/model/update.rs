@@ -52,9 +52,11 @@ impl State {
             Action::BeginPan(px) => self.pan_depth = self.view.camera.to_view(self.point_at(px)).z,
             Action::Pan(by_px) => self.pan(by_px),
             Action::Zoom(px, factor) => {
-                self.orbit.zoom(self.point_at(px), factor);
+                // What a click there picks stays there, however far the zoom goes.
+                self.orbit.zoom(self.point_at(pixel_centre(px)), factor);
                 self.moved();
             }
+            Action::Click(..) | Action::Recentre(_) if self.awaits_scene() => {}
             Action::Click(px, _) if self.method().is_some() => self.compare(pixel_centre(px)),
             Action::Click(px, time_s) => return self.click(px, time_s),
             Action::Recentre(px) => self.recentre(px),

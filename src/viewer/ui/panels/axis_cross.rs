@@ -10,8 +10,8 @@ use crate::{
     },
 };
 use egui::{
-    Align2, Color32, FontId, Label, Painter, Pos2, Rect, Response, RichText, Role, Sense, Stroke,
-    Ui, WidgetInfo, pos2, vec2,
+    Align, Align2, Color32, FontId, Label, Painter, Pos2, Rect, Response, RichText, Role, Sense,
+    Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 use glam::{DMat3, DVec3};
 
@@ -19,6 +19,8 @@ use glam::{DMat3, DVec3};
 const LENGTH: f32 = 30.0;
 /// Radius of an end.
 const END: f32 = 9.0;
+/// Width of the words about the grid's step in points: room for its longest number.
+const STEP_WIDTH: f32 = 140.0;
 /// Radius of the whole cross.
 const RADIUS: f32 = LENGTH + END + 3.0;
 
@@ -50,8 +52,10 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, state: &State, commands: &mut Vec<Co
     if let Some(step) = grid_step(state) {
         let at = middle + vec2(RADIUS + 6.0, RADIUS - 16.0);
         let text = RichText::new(format!("grid step {}", short(step)));
-        let text = Label::new(text.color(Color32::from_gray(170))).selectable(false);
-        ui.put(Rect::from_min_size(at, vec2(80.0, 16.0)), text)
+        let text = Label::new(text.color(Color32::from_gray(170)))
+            .selectable(false)
+            .halign(Align::Min);
+        ui.put(Rect::from_min_size(at, vec2(STEP_WIDTH, 16.0)), text)
             .on_hover_text("from one line of the grid to the next, in world units (G hides it)");
     }
 }

@@ -3,7 +3,7 @@
 use super::hints::{Hint, described, named};
 use egui::{
     Align, Align2, Context, FontId, Id, Key, Label, Layout, Modifiers, Response, RichText,
-    TextEdit, Ui, util::IdTypeMap, vec2,
+    TextEdit, Ui, text::CCursorRange, text_edit::TextEditState, util::IdTypeMap, vec2,
 };
 
 /// Typed text whose number is not in force, or not yet. It is forgotten when its field is about something else, or is gone.
@@ -144,6 +144,10 @@ impl Field<'_> {
         }
         let height = ui.spacing().interact_size.y;
         let response = ui.add_sized([self.width, height], edit);
+        let is_tabbed = response.gained_focus() && !response.is_pointer_button_down_on();
+        if is_tabbed || response.double_clicked() {
+            select_all(ui, id, text);
+        }
         named(&response, self.name);
         let Some(wrong) = wrong else {
             return response.hint(format!("{}; exactly {}", self.hint, self.value));
@@ -156,6 +160,14 @@ impl Field<'_> {
         }
         response.on_hover_text(text)
     }
+}
+
+/// What is typed next replaces the text.
+fn select_all(ui: &Ui, id: Id, text: &str) {
+    let mut edit = TextEditState::load(ui.ctx(), id).unwrap_or_default();
+    let all = CCursorRange::select_all_str(text);
+    edit.cursor.set_char_range(Some(all));
+    edit.store(ui.ctx(), id);
 }
 
 fn forget(ui: &Ui, id: Id) {

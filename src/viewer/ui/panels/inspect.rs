@@ -13,7 +13,10 @@ use crate::{
         ui::command::Command,
     },
 };
-use egui::{CollapsingHeader, Grid, Ui};
+use egui::{CollapsingHeader, Grid, ScrollArea, Ui};
+
+/// The most rows of hits that show at once.
+const ROWS: f32 = 12.0;
 
 pub(super) fn show(
     ui: &mut Ui,
@@ -42,21 +45,29 @@ fn hits(ui: &mut Ui, state: &State, digits: Digits, commands: &mut Vec<Command>)
     let hint =
         "every surface under the click, from front to back (N: the next, Shift+N: the one before)";
     section(ui, "hits", title, hint, |ui| {
-        for (at, pick) in hits.picks.iter().enumerate() {
-            let side = if pick.front { "front" } else { "back" };
-            let text = format!(
-                "{:>3}  {}  {side:5}  {}",
-                at + 1,
-                digits.length(pick.distance),
-                pick.object
-            );
-            let text = value_text(text);
-            let label = ui.selectable_label(at == hits.at, text);
-            let hint = "distance from the eye in world units, side, object: click to pick it";
-            if label.hint(hint).clicked() {
-                commands.push(Command::Act(Action::StepTo(at)));
+        // Only rows in sight are laid out: a ray may hit thousands of surfaces.
+        let height = ui.spacing().interact_size.y;
+        let area = ScrollArea::vertical()
+            .id_salt("hits")
+            .max_height(ROWS * height);
+        area.show_rows(ui, height, hits.picks.len(), |ui, rows| {
+            for at in rows {
+                let pick = &hits.picks[at];
+                let side = if pick.front { "front" } else { "back" };
+                let text = format!(
+                    "{:>3}  {}  {side:5}  {}",
+                    at + 1,
+                    digits.length(pick.distance),
+                    pick.object
+                );
+                let text = value_text(text);
+                let label = ui.selectable_label(at == hits.at, text);
+                let hint = "distance from the eye in world units, side, object: click to pick it";
+                if label.hint(hint).clicked() {
+                    commands.push(Command::Act(Action::StepTo(at)));
+                }
             }
-        }
+        });
     });
 }
 

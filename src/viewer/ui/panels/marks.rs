@@ -4,6 +4,7 @@
 use super::field::short;
 use crate::{
     camera::View,
+    geometry::clip,
     look,
     pick::{Pick, Sight, snap::Snap},
     viewer::{
@@ -13,7 +14,7 @@ use crate::{
     },
 };
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// Radius of the mark at a hit, in points.
 const MARK: f32 = 6.0;
@@ -21,6 +22,9 @@ const MARK: f32 = 6.0;
 const SOUGHT: f32 = 18.0;
 /// A triangle that is smaller than this in the picture, in points, has no names at its corners: they would hide it.
 const LEGIBLE: f32 = 36.0;
+
+/// Lines end this far outside the picture, in pixels, so that their ends do not show.
+const MARGIN_PX: f64 = 16.0;
 
 /// Shown over the scene's rectangle.
 pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
@@ -59,6 +63,13 @@ impl Page<'_> {
 
     fn segment(&self, a: DVec3, b: DVec3) -> Option<[Pos2; 2]> {
         let ends = self.view.project_segment(a, b)?;
+        Some(ends.map(|end| self.place.to_position(end)))
+    }
+
+    /// What the picture shows of a segment.
+    fn line(&self, a: DVec3, b: DVec3) -> Option<[Pos2; 2]> {
+        let ends = self.view.project_segment(a, b)?;
+        let ends = in_picture(ends, self.view.viewport.size_px())?;
         Some(ends.map(|end| self.place.to_position(end)))
     }
 
@@ -147,7 +158,7 @@ impl Page<'_> {
         let [a, b, c] = corners;
         let middle = (a + b + c) / 3.0;
         for (from, to) in [(a, b), (b, c), (c, a)] {
-            if let Some(ends) = self.segment(from, to) {
+            if let Some(ends) = self.line(from, to) {
                 self.painter
                     .line_segment(ends, Stroke::new(4.0, Color32::from_black_alpha(160)));
                 self.painter
@@ -156,7 +167,7 @@ impl Page<'_> {
         }
         // From each corner to the picked point, which is a weighted mean of the corners.
         for corner in corners {
-            if let Some(ends) = self.segment(corner, pick.point_world) {
+            if let Some(ends) = self.line(corner, pick.point_world) {
                 let dashes = Shape::dashed_line(&ends, Stroke::new(1.0, self.colour), 4.0, 4.0);
                 self.painter.extend(dashes);
             }
@@ -190,10 +201,12 @@ impl Page<'_> {
         let Some(ends) = self.segment(from, to) else {
             return;
         };
-        self.painter
-            .line_segment(ends, Stroke::new(4.0, Color32::from_black_alpha(160)));
-        let dashes = Shape::dashed_line(&ends, Stroke::new(2.0, self.colour), 8.0, 4.0);
-        self.painter.extend(dashes);
+        if let Some(line) = self.line(from, to) {
+            self.painter
+                .line_segment(line, Stroke::new(4.0, Color32::from_black_alpha(160)));
+            let dashes = Shape::dashed_line(&line, Stroke::new(2.0, self.colour), 8.0, 4.0);
+            self.painter.extend(dashes);
+        }
         for end in ends {
             self.painter
                 .circle(end, 4.0, self.colour, Stroke::new(1.5, Color32::BLACK));
@@ -218,5 +231,46 @@ impl Page<'_> {
             Color32::from_black_alpha(200),
         );
         self.painter.galley(rect.min, galley, colour);
+    }
+}
+
+/// The part of a segment, in pixels, that lies in a picture of this size or within [`MARGIN_PX`] of it. A close-up makes
+/// a segment billions of pixels long, and its dashes would fill the memory.
+fn in_picture(mut ends: [DVec2; 2], size_px: DVec2) -> Option<[DVec2; 2]> {
+    let middle = size_px / 2.0;
+    for (axis, sign) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)] {
+        let within = |at: &DVec2| middle[axis] + MARGIN_PX + sign * (at[axis] - middle[axis]);
+        let [a, b, ..] = clip(&ends, within, |a, b, share| a.lerp(*b, share))[..] else {
+            return None;
+        };
+        ends = [a, b];
+    }
+    Some(ends)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MARGIN_PX, in_picture};
+    use glam::{DVec2, dvec2};
+
+    #[test]
+    fn what_is_dashed_lies_in_the_picture() {
+        let size = dvec2(640.0, 400.0);
+        let inside = [dvec2(3.0, 5.0), dvec2(600.0, 390.0)];
+        assert_eq!(in_picture(inside, size), Some(inside));
+        let long = in_picture([dvec2(-1e12, 50.0), dvec2(1e12, 50.0)], size);
+        let [a, b] = long.expect("it crosses the picture");
+        assert!((a - dvec2(-MARGIN_PX, 50.0)).length() < 1e-3, "{a}");
+        assert!((b - dvec2(size.x + MARGIN_PX, 50.0)).length() < 1e-3, "{b}");
+        let steep = in_picture([dvec2(320.0, 200.0), dvec2(320.0, -1e300)], size);
+        let [a, b] = steep.expect("it begins in the picture");
+        assert_eq!(a, dvec2(320.0, 200.0));
+        assert!((b.y + MARGIN_PX).abs() < 1e-3, "{b}");
+        for beside in [
+            [dvec2(-1e9, -50.0), dvec2(1e9, -50.0)],
+            [DVec2::NAN, DVec2::NAN],
+        ] {
+            assert_eq!(in_picture(beside, size), None);
+        }
     }
 }

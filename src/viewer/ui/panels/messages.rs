@@ -24,7 +24,12 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mut Ve
             ui.set_max_width((rect.width() - 20.0).max(100.0));
             notices(ui, shown.notices);
         });
-    if let Some(Underway { what, fraction }) = &shown.underway {
+    if let Some(Underway {
+        what,
+        fraction,
+        can_stop,
+    }) = &shown.underway
+    {
         let at = rect.center_bottom() - vec2(0.0, 40.0);
         Area::new(Id::unique("progress"))
             .fixed_pos(at)
@@ -35,7 +40,7 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mut Ve
                         let bar = ProgressBar::new(fraction.unwrap_or(1.0));
                         let bar = bar.animate(fraction.is_none());
                         ui.add(bar.desired_width(220.0).text(*what));
-                        if ui.button("cancel").hint("(Esc)").clicked() {
+                        if *can_stop && ui.button("cancel").hint("(Esc)").clicked() {
                             commands.push(Command::Escape);
                         }
                     });

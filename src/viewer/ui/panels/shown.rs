@@ -27,6 +27,8 @@ pub(in crate::viewer) struct Underway {
     pub what: &'static str,
     /// How far it has come; `None` if that is not known.
     pub fraction: Option<f32>,
+    /// Whether Esc stops it.
+    pub can_stop: bool,
 }
 
 /// What the panels show besides the state.
