@@ -54,7 +54,7 @@ pub use aabb::Aabb;
 pub(crate) use bvh::Entry;
 #[doc(hidden)] // public for tests and benches
 pub use bvh::{Bvh, Simd, Visit};
-pub(crate) use clip::clip;
+pub(crate) use clip::{clip, clip_points};
 pub use crease_normals::{CornerNormals, crease_normals, face_normal};
 pub use cuboid::Cuboid;
 pub(crate) use exact::dyadic;
