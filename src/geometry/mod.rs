@@ -83,7 +83,7 @@ pub use sphere::Sphere;
 pub use square::Square;
 pub(crate) use triangle::overlap;
 #[doc(hidden)] // public for tests and benches
-pub use triangle::{TriangleTest, exact_volume, guarded_volume, signed_volume};
+pub use triangle::{TriangleTest, exact_volume, guarded_volume};
 pub use trs::Trs;
 #[doc(hidden)] // public for tests and benches
 pub use vertex_ray::VertexRay;
