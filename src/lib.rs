@@ -171,6 +171,9 @@
 //! | work on all cores | `geometry/shares.rs` |
 //! | a scene without most of its triangles, for one pick | `scene/narrowed.rs`, `pick/narrowed.rs` |
 //! | how fine a moving picture is drawn | `viewer/screen/finish.rs`, `viewer/screen/pace.rs` |
+//! | whether back faces are hit and drawn | `Sides` in `geometry/hit.rs` |
+//! | the window's title and its dot | `viewer/app/program.rs` |
+//! | files that are dropped on the window | `viewer/app/frame.rs`, then `viewer/app/files.rs` |
 //!
 //! # Spaces
 //!

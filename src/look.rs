@@ -46,29 +46,6 @@ pub const INSIDE: Srgb = Srgb([156, 126, 62]);
 /// Text of warnings, on dark panels and on light ones.
 pub const WARNING: [Srgb; 2] = [Srgb([200, 195, 10]), Srgb([120, 46, 0])];
 
-/// The colours that have a meaning, each a different one. What is under the cursor is lit instead.
-pub const MEANINGS: [Srgb; 19] = [
-    SELECTION,
-    HIT,
-    AXES[0],
-    AXES[1],
-    AXES[2],
-    CAMERA,
-    NORMALS,
-    BOXES,
-    TREE,
-    EDGE,
-    DEPTH,
-    AT_SECTION,
-    F32_LIMIT,
-    BEYOND_F32,
-    IN_ONE_PLACE,
-    WRONG,
-    INSIDE,
-    WARNING[0],
-    WARNING[1],
-];
-
 /// Lines of the floor's grid, and each tenth of them.
 pub const GRID: [Srgb; 2] = [Srgb([62, 68, 80]), Srgb([84, 92, 107])];
 /// Pixels of a camera seen from outside.

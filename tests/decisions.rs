@@ -5,14 +5,15 @@
 mod common;
 #[path = "common/oracle.rs"]
 mod oracle;
+#[path = "common/signed_volume.rs"]
+mod signed_volume;
 #[path = "common/triangle_families.rs"]
 mod triangle_families;
 
 use common::{Random, mesh};
 use glam::DVec3;
-use sightline::geometry::{
-    LocalRay, Mesh, Ray, Sides, TriangleHit, VertexRay, guarded_volume, signed_volume,
-};
+use sightline::geometry::{LocalRay, Mesh, Ray, Sides, TriangleHit, VertexRay, guarded_volume};
+use signed_volume::signed_volume;
 use std::{sync::Arc, thread};
 use triangle_families::{Case, FAMILIES, Family};
 

@@ -4,10 +4,13 @@
 mod common;
 #[path = "common/oracle.rs"]
 mod oracle;
+#[path = "common/signed_volume.rs"]
+mod signed_volume;
 
 use common::{Random, icosphere, mesh};
 use glam::{DVec3, dvec3};
-use sightline::geometry::{Mesh, Ray, Sides, signed_volume};
+use sightline::geometry::{Mesh, Ray, Sides};
+use signed_volume::signed_volume;
 use std::{collections::HashMap, sync::Arc, thread};
 
 const RAYS_FROM_INSIDE: u32 = 1_000_000;

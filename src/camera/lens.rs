@@ -153,15 +153,20 @@ impl Lens {
             DepthMapping::Reversed => stored.next_down(),
             DepthMapping::Standard => stored.next_up(),
         };
-        let (a, b) = self.depth_row();
-        let view_depth = |ndc: f32| match self.projection {
-            Projection::Perspective { .. } => b / (f64::from(ndc) - a),
-            Projection::Orthographic { .. } => (f64::from(ndc) - b) / a,
-        };
         if (0.0..=1.0).contains(&next) {
-            view_depth(next) - view_depth(stored)
+            self.depth_at(next.into()) - self.depth_at(stored.into())
         } else {
             f64::INFINITY
+        }
+    }
+
+    /// The view depth at an NDC z: the inverse of [`Lens::ndc_depth`], to within the roundings of [`Lens::depth_row`].
+    #[must_use]
+    pub(crate) fn depth_at(&self, ndc_z: f64) -> f64 {
+        let (a, b) = self.depth_row();
+        match self.projection {
+            Projection::Perspective { .. } => b / (ndc_z - a),
+            Projection::Orthographic { .. } => (ndc_z - b) / a,
         }
     }
 

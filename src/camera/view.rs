@@ -1,7 +1,9 @@
 //! The picture's size, and everything besides the scene that decides what a pixel shows.
 
 use super::{Camera, CameraError, Lens, Projected};
-use crate::geometry::{Aabb, PixelRays, PlacedPoint, Section, Sides, ThroughPoint, WorldRay, clip};
+use crate::geometry::{
+    Aabb, PixelRays, PlacedPoint, Section, Sides, ThroughPoint, WorldRay, clip_points,
+};
 use glam::{DVec2, DVec3};
 
 /// The size of the picture in physical pixels, at least 1 x 1.
@@ -108,11 +110,16 @@ impl View {
     /// else. `None` if nothing is left.
     #[must_use]
     pub fn project_segment(&self, a: DVec3, b: DVec3) -> Option<[DVec2; 2]> {
-        let past_near = |p: &DVec3| self.camera.to_view(*p).z - self.camera.lens().near;
-        let [a, b, ..] = clip(&[a, b], past_near, |a, b, s| a.lerp(*b, s))[..] else {
+        let [a, b, ..] = self.past_near(&[a, b])[..] else {
             return None;
         };
         Some([self.project(a)?.px, self.project(b)?.px])
+    }
+
+    /// The part of a world-space polygon or segment that does not lie in front of the near plane; see [`clip_points`].
+    pub(crate) fn past_near(&self, corners: &[DVec3]) -> Vec<DVec3> {
+        let near = self.camera.lens().near;
+        clip_points(corners, |p| self.camera.to_view(p).z - near)
     }
 
     /// The same view with no section.

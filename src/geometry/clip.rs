@@ -1,5 +1,12 @@
 //! Clips convex polygons at a plane.
 
+use glam::DVec3;
+
+/// [`clip`] for corners that are points.
+pub(crate) fn clip_points(corners: &[DVec3], side: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
+    clip(corners, |p| side(*p), |a, b, share| a.lerp(*b, share))
+}
+
 /// The part of a convex polygon on one side of a plane, by corners in order (Sutherland & Hodgman, "Reentrant Polygon
 /// Clipping", 1974). Two corners stand for a segment; the result's first two are what is left of it.
 ///

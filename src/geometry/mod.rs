@@ -54,7 +54,7 @@ pub use aabb::Aabb;
 pub(crate) use bvh::Entry;
 #[doc(hidden)] // public for tests and benches
 pub use bvh::{Bvh, Simd, Visit};
-pub(crate) use clip::clip;
+pub(crate) use clip::{clip, clip_points};
 pub use crease_normals::{CornerNormals, crease_normals, face_normal};
 pub use cuboid::Cuboid;
 pub(crate) use exact::dyadic;
@@ -83,7 +83,7 @@ pub use sphere::Sphere;
 pub use square::Square;
 pub(crate) use triangle::overlap;
 #[doc(hidden)] // public for tests and benches
-pub use triangle::{TriangleTest, exact_volume, guarded_volume, signed_volume};
+pub use triangle::{TriangleTest, exact_volume, guarded_volume};
 pub use trs::Trs;
 #[doc(hidden)] // public for tests and benches
 pub use vertex_ray::VertexRay;

@@ -2,6 +2,7 @@
 
 use super::double_double::{Number, Vector};
 use glam::{DVec2, DVec3};
+use std::ops::Add;
 
 /// The camera's numbers that make a ray through a position. All are taken as exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,13 +75,29 @@ impl PixelGrid {
         N::from(self.half_height) / N::from(self.size_px[1].into())
     }
 
+    /// From the middle of the picture to a position, to the right and upwards, in half pixels.
+    #[inline]
+    pub(super) fn half_pixels<N: Number>(&self, px: DVec2) -> [N; 2] {
+        let [width, height] = self.size_px.map(|size| N::from(size.into()));
+        let [x, y] = [px.x, px.y].map(|at| N::from(2.0 * at));
+        [x - width, height - y]
+    }
+
     /// The factors of R and U.
     #[inline]
     fn factors<N: Number>(&self, px: DVec2) -> [N; 2] {
-        let [width, height] = self.size_px.map(|size| N::from(size.into()));
-        let [x, y] = [px.x, px.y].map(|at| N::from(2.0 * at));
         let per_half_px = self.per_half_px::<N>();
-        [per_half_px * (x - width), per_half_px * (height - y)]
+        self.half_pixels(px).map(|half| per_half_px * half)
+    }
+
+    /// Origin and direction of the ray that lies off the line of sight by `aside`.
+    #[inline]
+    pub(super) fn moved_aside<V: Add<Output = V>>(&self, eye: V, forward: V, aside: V) -> [V; 2] {
+        if self.is_orthographic {
+            [eye + aside, forward]
+        } else {
+            [eye, forward + aside]
+        }
     }
 
     /// [`PixelGrid::ray`] relative to `origin`, without bounds, and its change per pixel. In `f64`, or in pairs of them
@@ -91,11 +108,7 @@ impl PixelGrid {
         let aside = right * of_right + up * of_up;
         let eye = Vector::from(self.eye) - origin.into();
         let forward = Vector::from(self.forward);
-        let (origin, direction) = if self.is_orthographic {
-            (eye + aside, forward)
-        } else {
-            (eye, forward + aside)
-        };
+        let [origin, direction] = self.moved_aside(eye, forward, aside);
         let per_px = N::from(2.0) * self.per_half_px::<N>();
         RayDifferential {
             origin,

@@ -85,7 +85,7 @@ impl PixelRays {
         };
         let size = a.abs() + b.abs();
         let rounded_base = DVec3::select(size.cmpgt(DVec3::ZERO), U * moved.abs(), DVec3::ZERO);
-        let [right, up] = self.half_pixels(px);
+        let [right, up] = self.grid.half_pixels::<f64>(px);
         let error = if self.is_bounded && is_moderate(right) && is_moderate(up) {
             7.0 * U * size + rounded_base
         } else {
@@ -117,14 +117,10 @@ impl PixelRays {
     /// The rounded ray, and the two products that are summed in it.
     #[inline]
     fn rounded_with_aside(&self, px: DVec2) -> (Ray, [DVec3; 2]) {
-        let [right, up] = self.half_pixels(px);
+        let [right, up] = self.grid.half_pixels::<f64>(px);
         let (a, b) = (right * self.right, up * self.up);
         let &PixelGrid { eye, forward, .. } = &self.grid;
-        let (origin, direction) = if self.grid.is_orthographic {
-            (eye + (a + b), forward)
-        } else {
-            (eye, forward + (a + b))
-        };
+        let [origin, direction] = self.grid.moved_aside(eye, forward, a + b);
         let [t_min, t_max] = self.interval;
         let ray = Ray {
             origin,
@@ -133,12 +129,5 @@ impl PixelRays {
             t_max,
         };
         (ray, [a, b])
-    }
-
-    /// From the middle of the picture, to the right and upwards, in half pixels.
-    #[inline]
-    fn half_pixels(&self, px: DVec2) -> [f64; 2] {
-        let [width, height] = self.grid.size_px.map(f64::from);
-        [2.0 * px.x - width, height - 2.0 * px.y]
     }
 }

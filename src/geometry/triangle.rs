@@ -227,34 +227,6 @@ pub(crate) fn overlap((a, a_error): (f64, f64), (b, b_error): (f64, f64)) -> boo
     !(a + a_error < b - b_error || b + b_error < a - a_error)
 }
 
-/// Ray against triangle by the signed volumes of the three tetrahedra that the ray's direction spans with the
-/// triangle's edges, seen from the ray's origin (Kensler & Shirley, "Optimizing Ray-Triangle Intersection via
-/// Automated Search", 2006), in plain `f64`.
-///
-/// This is the test that [`guarded_volume`] guards. It errs where a volume is no larger than its rounding error: a ray
-/// through an edge or corner may wrongly hit or wrongly miss.
-#[must_use]
-pub fn signed_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
-    let seen = corners.map(|corner| corner - ray.ray.origin);
-    let edges = edges(corners);
-    let volumes = volumes(ray.ray.direction, seen, edges);
-    // NaN misses.
-    if !(volumes.iter().all(|v| *v >= 0.0) || volumes.iter().all(|v| *v <= 0.0)) {
-        return None;
-    }
-    let sum = sum(volumes);
-    if sum == 0.0 {
-        return None;
-    }
-    let (t, _) = parameter(ray, edges, seen[0]);
-    ray.ray.contains(t).then(|| TriangleHit {
-        t,
-        t_error: 0.0,
-        front: sum < 0.0,
-        barycentric: volumes.map(|volume| volume / sum),
-    })
-}
-
 /// `d . (p x e)` for each edge `e` and the corner `p` that it starts at; the first edge is opposite to the first corner.
 #[inline(always)]
 fn volumes(d: DVec3, [a, b, c]: [DVec3; 3], [bc, ca, ab]: [DVec3; 3]) -> [f64; 3] {

@@ -65,7 +65,7 @@ impl ExactPoint {
     #[must_use]
     pub fn stored(point: &PlacedPoint, error: f64) -> Self {
         Self {
-            numerators: dyadic::point_world(point),
+            numerators: dyadic::placed(point),
             denominator: Dyadic::new(1.0),
             error: if point.is_finite() { error } else { f64::NAN },
         }
@@ -73,7 +73,7 @@ impl ExactPoint {
 
     /// A point between two stored ones; its share of the way is a numerator over a positive denominator.
     pub(super) fn between(ends: [&PlacedPoint; 2], [part, whole]: &[Dyadic; 2]) -> Self {
-        let [from, to] = ends.map(dyadic::point_world);
+        let [from, to] = ends.map(dyadic::placed);
         Self {
             numerators: from.times(whole).plus(&to.minus(&from).times(part)),
             denominator: whole.clone(),
@@ -124,7 +124,7 @@ impl ExactPoint {
             exponent: 0,
         };
         Some(Self {
-            numerators: dyadic::placed(placement, &object, &denominator),
+            numerators: dyadic::moved_by(placement, &object, &denominator),
             denominator,
             error: 0.0,
         })

@@ -3,7 +3,7 @@
 use super::projection::{project, w};
 use crate::{
     camera::View,
-    geometry::clip,
+    geometry::clip_points,
     render::rounding::{U, UNDERFLOW, larger},
 };
 use glam::{DVec2, DVec3};
@@ -67,7 +67,7 @@ pub(super) fn within_picture(view: &View, corners: &[DVec3]) -> Vec<DVec3> {
         _ => lens.far - lens.near - p.z,
     };
     (0..5).fold(corners.to_vec(), |left, side| {
-        clip(&left, |p| inside(side, *p), |a, b, s| a.lerp(*b, s))
+        clip_points(&left, |p| inside(side, p))
     })
 }
 

@@ -195,11 +195,16 @@ fn the_edges_of_a_polygon_with_a_hole_are_its_own() {
         let [a, b] = found;
         assert_eq!([a.min(b), a.max(b)], ends.map(u64::from));
     }
-    // A polygon with a hole from a real file. Both positions are near the hole's edge from vertex 32 to vertex 35: the
-    // first a little inside the ring, the second on the edge.
+}
+
+/// A polygon with a hole from a real file. Both positions are near the hole's edge from vertex 32 to vertex 35: the first
+/// a little inside the ring, the second on the edge.
+#[test]
+fn the_edge_of_a_hole_in_a_real_file_is_where_the_file_has_it() {
     let Some(shared) = real_files() else {
         return;
     };
+    let folder = Folder::new();
     let model = shared.join("models/concave_polygon.obj");
     let look = "--size 600x600 --ortho 1.6 --eye=5,2.4,2.35 --look=-1,0,0 --snap 2";
     let at: [[f64; 2]; 2] = [[44.664_375, 270.8525], [44.66, 274.85]];

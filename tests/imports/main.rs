@@ -1,6 +1,7 @@
 //! Imports have no circles, and only the modules that need graphics and windows import them.
 
 mod graph;
+mod names;
 mod reached;
 mod viewer;
 

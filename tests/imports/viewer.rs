@@ -5,7 +5,6 @@ use super::{
     graph::{Modules, Words, is_facade},
 };
 use std::{
-    collections::BTreeMap,
     path::{Path, PathBuf},
     slice,
 };
@@ -68,18 +67,6 @@ fn facades_of_the_viewer_hold_nothing_of_their_own() {
         1 + ROOMS.len() - 1 + 1,
         "the viewer, its rooms, the panels"
     );
-}
-
-#[test]
-fn files_of_the_viewer_have_a_name_each() {
-    let files = Modules::read().files;
-    let mut names = BTreeMap::new();
-    let of_viewer = files.iter().filter(|(module, _)| is_of_viewer(module));
-    for (module, path) in of_viewer.filter(|(_, path)| !is_facade(path)) {
-        if let Some(other) = names.insert(module.last(), path) {
-            panic!("{} and {}", other.display(), path.display());
-        }
-    }
 }
 
 #[test]

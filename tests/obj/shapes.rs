@@ -1,6 +1,6 @@
 //! Triangles cover exactly the file's polygons, at the file's coordinates.
 
-use super::{CUBE, Folder, bounds, mesh, triangles, vector_area};
+use super::{CUBE, Folder, bounds, common::Random, mesh, triangles, vector_area};
 use glam::DVec3;
 use sightline::geometry::Mesh;
 use std::{collections::HashMap, fmt::Write};
@@ -118,14 +118,9 @@ fn straight_corners_stay() {
         assert!(!covers(&ell, 1.5, 2.5));
     }
     // Outlines of columns with a corner at each step of the grid.
-    let mut seed = 1_u32;
+    let mut random = Random::new(1);
     for _ in 0..500 {
-        let heights: Vec<i32> = (0..6)
-            .map(|_| {
-                seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                i32::try_from(seed >> 30).expect("small") + 1
-            })
-            .collect();
+        let heights = [(); 6].map(|()| i32::try_from(random.below(4)).expect("small") + 1);
         let corners: Vec<[f64; 2]> = skyline(&heights)
             .iter()
             .map(|corner| corner.map(f64::from))

@@ -1,4 +1,4 @@
-//! Surfaces in one place: the panel names them, and V marks their pixels.
+//! The panel names the surfaces that lie in one place, and V marks their pixels.
 
 use super::*;
 use sightline::image::{Image, Rgb};

@@ -1,4 +1,5 @@
-//! Saving: what the scene file says of its meshes, what the dialog suggests, and what waits for a save.
+//! A scene file names the meshes beside it by their names alone, the dialog suggests where to save, and what waits for a
+//! save goes on once it is done.
 
 use super::{
     nothing_lost::{edit, is_asked},

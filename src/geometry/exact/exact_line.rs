@@ -78,7 +78,7 @@ impl<I: Ring> ExactLine<I> {
 }
 
 /// The factors of R and U in [`PixelGrid::ray`], times the picture's height: `h (2 x - W)` and `h (H - 2 y)`.
-pub(super) fn factors<I: Ring>(grid: &PixelGrid, px: DVec2) -> [Number<I>; 2] {
+pub(crate) fn factors<I: Ring>(grid: &PixelGrid, px: DVec2) -> [Number<I>; 2] {
     let [width, height] = grid.size_px.map(|size| Number::new(size.into()));
     let two = Number::new(2.0);
     let [x, y] = [px.x, px.y].map(|at| two.times(&Number::new(at)));

@@ -58,7 +58,7 @@ pub(super) fn moved(placement: Option<&Placement>) -> Option<&Placement> {
 }
 
 /// A point of a shape in the world.
-pub(super) fn placed<I: Ring>(point: &PlacedPoint) -> Vector<I> {
+pub(crate) fn placed<I: Ring>(point: &PlacedPoint) -> Vector<I> {
     let from = Vector::new(point.from);
     // A share of 0 adds nothing, but the exponent of `to` would still lengthen the integers.
     let here = if point.share == 0.0 {
@@ -78,7 +78,7 @@ pub(super) fn placed<I: Ring>(point: &PlacedPoint) -> Vector<I> {
 }
 
 /// Where a placement puts a point of object space. Both points are given times `weight`.
-pub(super) fn moved_by(
+pub(crate) fn moved_by(
     placement: &Placement,
     point: &Vector<BigInt>,
     weight: &Number<BigInt>,

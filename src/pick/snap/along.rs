@@ -29,7 +29,7 @@ impl Search<'_> {
 
     /// Both ends of a side in the world, and as the picture shows them.
     fn ends(&self, facet: &Facet, corner: usize) -> ([DyadicVector; 2], [Shown<BigInt>; 2]) {
-        let at = |share: f64| dyadic::point_world(&facet.point(self.scene, corner, share));
+        let at = |share: f64| dyadic::placed(&facet.point(self.scene, corner, share));
         let ends = [at(0.0), at(1.0)];
         let shown = [&ends[0], &ends[1]].map(|end| self.space.point(end));
         (ends, shown)
@@ -76,7 +76,7 @@ impl Search<'_> {
     /// The share of a side at which the picture shows it nearest to the position (the perpendicular's foot or an end), and the
     /// first and last shares that near, far and section leave.
     pub(super) fn nearest_and_ends(&self, facet: &Facet, corner: usize) -> Option<[f64; 3]> {
-        let at = |share: f64| dyadic::point_world(&facet.point(self.scene, corner, share));
+        let at = |share: f64| dyadic::placed(&facet.point(self.scene, corner, share));
         let (ends, shown) = self.ends(facet, corner);
         let [part, whole] = Self::foot(&shown)?;
         let share = part.ratio(&whole);

@@ -82,7 +82,7 @@ impl Candidate {
 
     /// As the picture shows it.
     fn shown(&self, scene: &Scene, space: &PictureSpace<BigInt>) -> Shown<BigInt> {
-        space.point(&dyadic::point_world(&self.point(scene)))
+        space.point(&dyadic::placed(&self.point(scene)))
     }
 }
 

@@ -4,8 +4,8 @@ use crate::{
     camera::{DepthMapping, Lens, View},
     colour::Srgb,
     geometry::{
-        ColourRun, Cuboid, Mesh, MeshData, Part, Placement, Sphere, Square, clip, crease_normals,
-        sin_cos_quarters,
+        ColourRun, Cuboid, Mesh, MeshData, Part, Placement, Sphere, Square, clip_points,
+        crease_normals, sin_cos_quarters,
     },
     scene::{Object, Scene, Shape},
 };
@@ -92,12 +92,7 @@ pub(super) fn ndc_drawn(p_view: DVec3, half: DVec2, lens: &Lens) -> DVec3 {
 
 /// The view space point that is drawn at `at`: the inverse of [`ndc_drawn`].
 pub(super) fn view_of_ndc_drawn(at: DVec3, half: DVec2, lens: &Lens) -> DVec3 {
-    let (a, b) = lens.depth_row();
-    let depth = if lens.is_orthographic() {
-        (-at.z - b) / a
-    } else {
-        b / (-at.z - a)
-    };
+    let depth = lens.depth_at(-at.z);
     (at.truncate() * half * lens.w(depth)).extend(depth)
 }
 
@@ -119,13 +114,13 @@ fn project(object: &Object, view: &View, rings: u32, data: &mut MeshData) -> Opt
     for (corners, colour) in surface(object, rings) {
         let world = corners.map(|corner| object.placement.point_to_world(corner));
         let kept = match view.section {
-            Some(section) => clip(&world, |p| section.side(*p), |a, b, s| a.lerp(*b, s)),
+            Some(section) => clip_points(&world, |p| section.side(p)),
             None => world.into(),
         };
         let seen: Vec<_> = (kept.into_iter())
             .map(|point| view.camera.to_view(point))
             .collect();
-        let polygon = clip(&seen, |p| p.z - lens.near, |a, b, s| a.lerp(*b, s));
+        let polygon = clip_points(&seen, |p| p.z - lens.near);
         let mut polygon: Vec<_> = (polygon.iter())
             .map(|&p| ndc_drawn(p, half, &lens).as_vec3())
             .collect();

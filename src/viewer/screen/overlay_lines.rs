@@ -2,7 +2,7 @@
 
 use super::box_edges::edges;
 use crate::{
-    geometry::{Cuboid, Section, clip},
+    geometry::{Cuboid, Section, clip_points},
     look,
     render::Line,
     scene::{Object, Shape},
@@ -78,9 +78,7 @@ pub(in crate::viewer) fn lines(subject: &Subject) -> Vec<Line> {
 
 /// What a section keeps of a line.
 fn kept(line: &Line, section: &Section) -> Option<Line> {
-    let side = |point: &DVec3| section.side(*point);
-    let kept = clip(&[line.from, line.to], side, |a, b, s| a.lerp(*b, s));
-    let [from, to, ..] = kept[..] else {
+    let [from, to, ..] = clip_points(&[line.from, line.to], |p| section.side(p))[..] else {
         return None;
     };
     Some(Line { from, to, ..*line })

@@ -3,7 +3,6 @@
 use super::hints::Hint;
 use crate::{
     camera::View,
-    geometry::clip,
     viewer::{
         model::{Stage, State},
         screen::SceneRect,
@@ -95,10 +94,8 @@ impl Page<'_> {
 
     /// An area of a plane, by its corners.
     pub fn area(&self, corners: &[DVec3], colour: Color32) {
-        let lens = self.seen.camera.lens();
-        let past_near = |p: &DVec3| self.seen.camera.to_view(*p).z - lens.near;
-        let kept = clip(corners, past_near, |a, b, s| a.lerp(*b, s));
-        let kept: Option<Vec<Pos2>> = kept.into_iter().map(|at| self.position(at)).collect();
+        let kept = self.seen.past_near(corners).into_iter();
+        let kept: Option<Vec<Pos2>> = kept.map(|at| self.position(at)).collect();
         if let Some(kept) = kept.filter(|kept| kept.len() > 2) {
             let edge = Stroke::new(2.0, colour);
             let fill = colour.gamma_multiply(0.28);

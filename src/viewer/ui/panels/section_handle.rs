@@ -3,7 +3,7 @@
 use super::gesture::Gesture;
 use crate::{
     camera::View,
-    geometry::{Aabb, Section, clip},
+    geometry::{Aabb, Section, clip_points},
     look,
     viewer::{
         model::{Action, State},
@@ -137,8 +137,7 @@ fn draw_rim(painter: &Painter, place: SceneRect, view: &View, section: &Section,
     for axis in DVec3::AXES {
         let ends = [(axis, bounds.min), (-axis, bounds.max)];
         for (inwards, at) in ends {
-            let side = |p: &DVec3| inwards.dot(*p - at);
-            rim = clip(&rim, side, |a, b, s| a.lerp(*b, s));
+            rim = clip_points(&rim, |p| inwards.dot(p - at));
         }
     }
     let colour = color32(look::INSIDE);
