@@ -76,9 +76,10 @@ Beside \"hit\" or \"hits\":
                    and those behind it by less than drawing's error in depth;
                    count, and named: the first 8, each with object, id, triangle
                    and front. null where the nearest lies by itself. Two faces
-                   of a mesh that meet here, in an edge or a corner of both and
-                   within drawing's error (about 1/256 pixel), count as one
-                   unless they overlap; so do the near and the far side of one
+                   of a mesh that touch here, to within drawing's error (about
+                   1/256 pixel), count as one unless they overlap: at an edge or
+                   a corner of both, and where a corner of one lies exactly on
+                   an edge of the other. So do the near and the far side of one
                    cube or sphere";
 
 /// What the lines of `--snap` hold.

@@ -59,8 +59,8 @@ pub use crease_normals::{CornerNormals, crease_normals, face_normal};
 pub use cuboid::Cuboid;
 pub(crate) use exact::dyadic;
 pub(crate) use exact::{
-    Corners, Parameter, Surface, are_coplanar, are_in_one_plane, area, compare_surfaces,
-    compare_to_point, is_point_within, keeps,
+    Corners, Parameter, Surface, are_in_one_plane, area, compare_surfaces, compare_to_point,
+    is_between, is_point_within, keeps, overlap_at,
 };
 pub use hit::{Hit, OnTriangle, Sides, TriangleHit};
 pub(crate) use interval::HALF_OF_THE_DIGITS;

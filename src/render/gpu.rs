@@ -119,7 +119,11 @@ impl Gpu {
         }
     }
 
-    /// Whether a picture of this size can be drawn.
+    /// Whether a picture of this size can be drawn: it lies in one texture.
+    ///
+    /// Tiles would not give the same picture to the bit, so there are none. wgpu refuses a viewport larger than a
+    /// texture, so each tile would need a projection of its own. Corners would be rounded anew, in `f32` and then to
+    /// the rasteriser's grid, and some would come to lie a grid step away.
     ///
     /// # Errors
     /// When a side is longer than the adapter's textures.

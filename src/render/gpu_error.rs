@@ -33,7 +33,8 @@ pub enum GpuError {
     },
     /// More pixels than a texture may have.
     #[error(
-        "a picture of {width}x{height} is too large: {adapter} draws at most {limit} pixels each way"
+        "a picture of {width}x{height} is too large: {adapter} draws at most {limit} pixels each way; \
+         `sightline render --by raycast` has no such limit"
     )]
     PictureTooLarge {
         /// The adapter's name.

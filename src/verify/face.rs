@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     camera::View,
-    geometry::{Hit, Square, are_coplanar},
+    geometry::{Hit, Square, is_between, overlap_at},
     image::Id,
     pick::{SceneHit, face_of},
     render::{
@@ -43,56 +43,42 @@ pub(super) struct Surfaces<'a> {
     adjoining: RwLock<HashMap<usize, Arc<Adjoining>>>,
 }
 
-/// The sector that a triangle fills at one of its corners: between its two sides there, counter-clockwise about the
-/// normal.
-struct Sector {
-    sides: [DVec3; 2],
-    normal: DVec3,
-}
-
-impl Sector {
-    fn new(corners: [DVec3; 3], corner: DVec3) -> Self {
-        let at = corners.iter().position(|&c| c == corner).unwrap_or(0);
-        let sides = [1, 2].map(|by| (corners[(at + by) % 3] - corner).normalize_or_zero());
-        Self {
-            sides,
-            normal: sides[0].cross(sides[1]),
-        }
-    }
-
-    /// Whether a side or the middle of another sector in its plane lies strictly within.
-    fn holds_some_of(&self, other: &Self) -> bool {
-        let [first, last] = self.sides;
-        let is_left = |from: DVec3, to: DVec3| from.cross(to).dot(self.normal) > 0.0;
-        let [a, b] = other.sides;
-        [a, b, a + b]
-            .into_iter()
-            .any(|way| is_left(first, way) && is_left(way, last))
-    }
-}
-
 impl Face {
-    /// The corners that it shares with another face of its batch. None where the two overlap: they share all corners,
-    /// or lie over each other in one plane.
-    pub fn shared_corners(&self, other: &Self) -> Vec<DVec3> {
-        let shared = self.corners.iter().copied();
-        let shared: Vec<_> = shared.filter(|at| other.corners.contains(at)).collect();
-        if shared.len() == self.corners.len() || self.overlaps(other, &shared) {
-            Vec::new()
-        } else {
-            shared
-        }
+    /// Whether it shares a corner with another face of its batch, and the two do not overlap there.
+    pub fn shares_a_corner(&self, other: &Self) -> bool {
+        let shared = self.corners.iter().find(|at| other.corners.contains(at));
+        shared.is_some() && !self.touched(other).is_empty()
     }
 
-    /// Whether two triangles are coplanar and overlap arbitrarily near a corner that they share.
-    fn overlaps(&self, other: &Self, shared: &[DVec3]) -> bool {
+    /// Where it touches another face of its batch, edge to edge or in a point: the corners of each that lie exactly on
+    /// an edge of the other. Two of them are the ends of what the edges have in common. None where the faces overlap.
+    pub fn touched(&self, other: &Self) -> Vec<DVec3> {
+        let mut touched: Vec<DVec3> = Vec::new();
+        for (face, its_other) in [(self, other), (other, self)] {
+            let on_edge = (face.corners.iter().copied()).filter(|at| its_other.has_on_outline(*at));
+            for at in on_edge {
+                if !touched.contains(&at) {
+                    touched.push(at);
+                }
+            }
+        }
+        let overlaps =
+            touched.len() > 2 || touched.first().is_some_and(|at| self.overlaps(other, *at));
+        if overlaps { Vec::new() } else { touched }
+    }
+
+    fn has_on_outline(&self, point: DVec3) -> bool {
+        let count = self.corners.len();
+        let edge = |i: usize| [self.corners[i], self.corners[(i + 1) % count]];
+        (0..count).any(|i| is_between(point, edge(i)))
+    }
+
+    /// Whether both are triangles that overlap arbitrarily near a point on the outlines of both.
+    fn overlaps(&self, other: &Self, at: DVec3) -> bool {
         let triangle = |face: &Self| <[DVec3; 3]>::try_from(face.corners.as_slice());
-        let (&[corner, ..], Ok(a), Ok(b)) = (shared, triangle(self), triangle(other)) else {
-            return false;
-        };
-        are_coplanar(a, b) && {
-            let [a, b] = [a, b].map(|corners| Sector::new(corners, corner));
-            a.holds_some_of(&b) || b.holds_some_of(&a)
+        match (triangle(self), triangle(other)) {
+            (Ok(a), Ok(b)) => overlap_at(at, a, b),
+            _ => false,
         }
     }
 
@@ -165,9 +151,9 @@ impl<'a> Surfaces<'a> {
         Some(surface.at_hit(&Depths::new(&self.space), hit.hit.t))
     }
 
-    /// Whether two faces of an object's batch meet at a pixel, in an edge or a corner.
-    pub fn meet(&self, px: DVec2, object: usize, [a, b]: [&Face; 2]) -> bool {
-        self.flat(px, object).is_at(&a.shared_corners(b))
+    /// Whether two faces of an object's batch touch at a pixel, and do not overlap there.
+    pub fn touch(&self, px: DVec2, object: usize, [a, b]: [&Face; 2]) -> bool {
+        self.flat(px, object).is_at(&a.touched(b))
     }
 
     fn flat(&self, px: DVec2, object: usize) -> Flat<'_> {

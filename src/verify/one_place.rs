@@ -4,15 +4,17 @@
 //! if the depth buffer may order them either way. This is decided by the bounds by which [`compare`](super::compare)
 //! explains the class *depth*; a bound above a ceiling counts as the ceiling. So a pixel of the class *depth* that
 //! shows one surface and picks another has both in one place at its centre. There is one exception, on a grid coarser
-//! than the common one: two triangles of one mesh that share a corner nearby.
+//! than the common one: two triangles of one mesh that touch nearby.
 //!
 //! Which surfaces count as two:
 //!
 //! * Surfaces of two objects, or two triangles of one mesh: identical ones, both sides of a thin sheet, or any others
 //!   within the bounds.
-//! * Not two triangles of one mesh that meet there in a shared edge or corner: they are one surface that continues or
-//!   turns. They meet there if drawing may move the edge or corner onto the position, or if the two can be equally deep
-//!   only when moved aside, which moves both together.
+//! * Not two triangles of one mesh that touch there and do not overlap: they are one surface that continues or turns.
+//!   They touch in an edge or a corner that they share, and also where a corner of one lies exactly on an edge of the
+//!   other (a T-junction), along all that the two edges have in common. They touch *there* if drawing may move that
+//!   point or segment onto the position. Two that share a corner also count once if they can be equally deep only when
+//!   moved aside, which moves both together.
 //! * Not the near and the far side of one cube or sphere, which share a name.
 //! * Not the near plane or the empty buffer, which the class *depth* includes: they have no name.
 
@@ -107,11 +109,11 @@ impl<'a> Places<'a> {
                 let surface = surface.filter(|other| {
                     picked.stored.is_in_one_place(&other.stored)
                         && (picked.stored.is_in_one_place_unmoved(&other.stored)
-                            || !nearest.shares_corners(&patch))
+                            || !nearest.shares_a_corner(&patch))
                 });
                 let is_on_outline = surface.as_ref().is_some_and(is_on_outline);
-                let meets = |other| patch.meets(other, &self.surfaces, px);
-                counts = surface.is_some() && !(is_on_outline && outlines.iter().any(meets));
+                let touches = |other| patch.touches(other, &self.surfaces, px);
+                counts = surface.is_some() && !(is_on_outline && outlines.iter().any(touches));
                 outlines.extend((counts && is_on_outline).then(|| patch.clone()));
                 last = patch;
             }
@@ -148,15 +150,15 @@ impl Patch {
         (self.batch == other.batch).then_some(faces)
     }
 
-    fn shares_corners(&self, other: &Self) -> bool {
+    fn shares_a_corner(&self, other: &Self) -> bool {
         let faces = self.faces_of_batch(other);
-        faces.is_some_and(|[a, b]| !a.shared_corners(b).is_empty())
+        faces.is_some_and(|[a, b]| a.shares_a_corner(b))
     }
 
-    /// Whether both meet at a position on the outlines of both.
-    fn meets(&self, other: &Self, surfaces: &Surfaces, px: DVec2) -> bool {
+    /// Whether both touch at a position on the outlines of both.
+    fn touches(&self, other: &Self, surfaces: &Surfaces, px: DVec2) -> bool {
         let faces = self.faces_of_batch(other);
-        faces.is_some_and(|faces| surfaces.meet(px, self.batch, faces))
+        faces.is_some_and(|faces| surfaces.touch(px, self.batch, faces))
     }
 }
 

@@ -8,7 +8,7 @@ use crate::{
     camera::{DepthMapping, Lens, Projection, View},
     geometry::{Placement, double_double::Vector},
     render::{
-        rounding::{U, UNDERFLOW, is_f32},
+        rounding::{U, UNDERFLOW, is_f32, larger},
         transform::{VertexToView, ViewError},
         view_space::ViewSpace,
     },
@@ -265,7 +265,7 @@ impl Depths {
     /// How far drawing may misplace the near plane, in depth. In reversed depth, clipping compares a product of two
     /// rounded factors with w, which is the near plane's depth, or 1 in orthographic projection. Their difference
     /// changes with depth by 1 plus the factor, or by the factor in orthographic projection. In standard depth,
-    /// clipping tests the sign of the measured depth.
+    /// clipping tests the sign of the measured depth. Infinite where `f64` does not hold the factor.
     pub fn near_error(&self, error: &ViewError, exact: bool) -> f64 {
         if self.lens.depth == DepthMapping::Standard {
             return error.measured;
@@ -280,7 +280,7 @@ impl Depths {
         } else {
             2.0 * U * w + 2.0 * UNDERFLOW / self.unit
         };
-        (product + factor * error.measured + of_w) / change
+        larger((product + factor * error.measured + of_w) / change, 0.0)
     }
 
     /// Whether `f32` represents exactly what clipping compares at this depth.

@@ -147,7 +147,11 @@ fn the_smallest_limits_draw_the_same_and_refuse_in_a_line() {
         let view = overview([8193, 3]);
         let error = sightline::render::render(&small, &scene, &view, None).expect_err("too large");
         assert!(matches!(error, GpuError::PictureTooLarge { .. }), "{error}");
-        assert_eq!(error.to_string().lines().count(), 1, "{error}");
+        let line = error.to_string();
+        assert_eq!(line.lines().count(), 1, "{line}");
+        let way_out =
+            "at most 8192 pixels each way; `sightline render --by raycast` has no such limit";
+        assert!(line.ends_with(way_out), "{line}");
     }
 }
 

@@ -283,6 +283,183 @@ fn errors_say_where_and_what() {
     }
 }
 
+/// What a person wrote, and the whole message.
+#[test]
+fn errors_are_in_words_for_people() {
+    let of_object = |line: &str| format!("[[object]]\nshape = \"cube\"\n{line}\n");
+    let of_camera = |line: &str| format!("[camera]\n\n{line}\n");
+    let fields =
+        "name, shape, file, part, color, colour, position, rotation, scale, matrix and visible";
+    let object = "an object begins with [[object]], in double brackets";
+    let camera = "the camera begins with [camera], in single brackets";
+    let whole = "expected a whole number from 0";
+    let long = "a whole number this long needs a decimal point, as in 123.0";
+    let name = "x".repeat(200);
+    for (text, line, message) in [
+        (
+            "[scene]\n".to_owned(),
+            1,
+            "there is no scene here: there are camera and object",
+        ),
+        (
+            of_object("size = 3"),
+            3,
+            &format!("there is no size here: there are {fields}"),
+        ),
+        (
+            of_object("\"a\\nb\" = 3"),
+            3,
+            &format!("there is no a\\nb here: there are {fields}"),
+        ),
+        (
+            of_object(&format!("{name} = 3")),
+            3,
+            &format!(
+                "there is no {}\u{2026} here: there are {fields}",
+                &name[..60]
+            ),
+        ),
+        (
+            "[[object]]\nname = \"A\"\n".to_owned(),
+            1,
+            "an object needs its shape: shape = \"sphere\", \"cube\", \"square\" or \"mesh\"",
+        ),
+        (
+            "[[object]]\nshape = \"ball\"\n".to_owned(),
+            2,
+            "expected sphere, cube, square or mesh, not \"ball\"",
+        ),
+        (
+            "[[object]]\nshape = 3\n".to_owned(),
+            2,
+            "expected a word in quotes",
+        ),
+        (
+            "[[object]]\nshape = {}\n".to_owned(),
+            2,
+            "expected a word in quotes",
+        ),
+        (
+            "[[object]]\nshape = {a = 1, b = 2}\n".to_owned(),
+            2,
+            "expected a word in quotes",
+        ),
+        (
+            "[[object]]\nshape = {cube = 3}\n".to_owned(),
+            2,
+            "expected a word in quotes",
+        ),
+        (
+            "[[object]]\nshape = cube\n".to_owned(),
+            2,
+            "expected a number, a text in quotes or a list in brackets",
+        ),
+        (
+            "[[object]]\nshape = \"cube\n".to_owned(),
+            2,
+            "the text has no closing quote",
+        ),
+        ("[object]\nshape = \"cube\"\n".to_owned(), 1, object),
+        ("object = 3\n".to_owned(), 1, object),
+        ("object = [3]\n".to_owned(), 1, object),
+        ("object = [[\"A\", \"cube\"]]\n".to_owned(), 1, object),
+        ("camera = 3\n".to_owned(), 1, camera),
+        ("camera = []\n".to_owned(), 1, camera),
+        ("[[camera]]\nfov = 3\n".to_owned(), 1, camera),
+        (of_object("name = 3"), 3, "expected a text in quotes, not 3"),
+        (
+            of_object("visible = \"no\""),
+            3,
+            "expected true or false, not the text \"no\"",
+        ),
+        (of_object("part = -1"), 3, &format!("{whole}, not -1")),
+        (of_object("part = 1.5"), 3, &format!("{whole}, not 1.5")),
+        (
+            of_object("matrix = [1, 2, 3]"),
+            3,
+            "expected a list in brackets, not 1",
+        ),
+        (
+            of_object("matrix = {}"),
+            3,
+            "expected a list in brackets, not a table",
+        ),
+        (
+            of_object("position = [1, 2]"),
+            3,
+            "expected exactly 3 values, not 2",
+        ),
+        (
+            of_object("position = [1, \", expected \", 3]"),
+            3,
+            "expected a number, not the text \", expected \"",
+        ),
+        (
+            of_object("colour = \"#ffffff\"\ncolor = \"#ffffff\""),
+            1,
+            "colour is said twice: keep one",
+        ),
+        (
+            of_object("name = \"A\"\nname = \"A\""),
+            4,
+            "this is said twice: keep one",
+        ),
+        (of_camera("fov = true"), 3, "expected a number, not true"),
+        (of_camera("fov = [40]"), 3, "expected a number, not a list"),
+        (of_camera("fov = 99999999999999999999999"), 3, long),
+        (of_camera(&format!("fov = {}", "9".repeat(99))), 3, long),
+        (of_camera("fov = 1e999"), 3, "the number is too large"),
+        (of_camera("fov"), 3, "expected name = value"),
+        (
+            of_camera("depth = \"deep\""),
+            3,
+            "expected reversed or standard, not \"deep\"",
+        ),
+        (
+            of_camera("eye = \"here\""),
+            3,
+            "expected a list in brackets, not the text \"here\"",
+        ),
+    ] {
+        assert_eq!(
+            refused(&text),
+            format!("folder/test.toml:{line}: {message}"),
+            "{text}"
+        );
+    }
+}
+
+/// A file without objects opens and shows nothing, so one line says why. A file with a camera alone lacks nothing beside
+/// files with objects.
+#[test]
+fn what_a_scene_file_without_objects_lacks_is_said() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let empty = write(&folder, "empty.toml", "# nothing yet\n");
+    let camera = write(&folder, "camera.toml", "[camera]\nfov = 10\n");
+    let cube = write(&folder, "cube.toml", "[[object]]\nshape = \"cube\"\n");
+    let unseen = "has no objects, so there is nothing to see: [[object]] begins one";
+    let nothing = "has no objects and no camera: [[object]] begins an object";
+    for (files, expected) in [
+        (vec![&empty], vec![(&empty, nothing)]),
+        (vec![&camera], vec![(&camera, unseen)]),
+        (
+            vec![&empty, &camera],
+            vec![(&empty, nothing), (&camera, unseen)],
+        ),
+        (vec![&camera, &cube], vec![]),
+        (vec![&cube, &camera, &empty], vec![(&empty, nothing)]),
+    ] {
+        let files: Vec<_> = files.into_iter().cloned().collect();
+        let loaded = load(&files).expect("a scene");
+        let said: Vec<_> = loaded.warnings.iter().map(Warning::to_string).collect();
+        let expected = expected.into_iter();
+        let expected: Vec<_> = expected
+            .map(|(file, what)| format!("{}: {what}", file.display()))
+            .collect();
+        assert_eq!(said, expected);
+    }
+}
+
 #[test]
 fn files_make_one_scene_in_their_order() {
     let folder = tempfile::tempdir().unwrap();

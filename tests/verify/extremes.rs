@@ -232,10 +232,11 @@ fn a_near_plane_below_what_f32_can_hold() {
     }
 }
 
-/// With planes at the limits of `f64`, some bounds do not exist.
+/// With planes at the limits of `f64`, some bounds do not exist. `f64` does not even hold the last distance between the
+/// planes.
 #[test]
 fn planes_farther_off_than_f32_can_hold() {
-    for far in ["1e39", "1e150", "1e300"] {
+    for far in ["1e39", "1e150", "1e300", "1e308"] {
         for depth in ["reversed", "standard"] {
             let planes = format!("--ortho 3 --near=-{far} --far {far} --depth {depth}");
             let view = format!("--size 160x120 --eye 1,2,6 --target 0,0,0 {planes}");

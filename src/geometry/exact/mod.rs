@@ -28,6 +28,7 @@ mod root;
 mod section;
 mod solids;
 mod surface_order;
+mod touching;
 mod triangle;
 
 pub(crate) use area::area;
@@ -41,5 +42,6 @@ pub(super) use plane::{keeps_point, normal_of};
 pub(crate) use section::keeps;
 pub(super) use solids::{cube, sphere, square};
 pub(crate) use surface_order::{Surface, compare_surfaces, compare_to_point, is_point_within};
+pub(crate) use touching::{is_between, overlap_at};
 pub(crate) use triangle::Corners;
 pub(super) use triangle::{compare, hit, reaches_plane};

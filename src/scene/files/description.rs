@@ -38,6 +38,7 @@ use super::{
     Warning,
     entry::Entry,
     toml_pieces::{self, Stopped},
+    toml_words::in_words,
 };
 use crate::camera::CameraChoice;
 use glam::DVec3;
@@ -45,7 +46,7 @@ use serde::{Deserialize, Serialize};
 use std::path::Path;
 use toml::{
     Spanned,
-    de::{Deserializer, Error, ValueDeserializer},
+    de::{DeTable, Deserializer, Error, ValueDeserializer},
 };
 
 /// What a scene file says.
@@ -84,11 +85,10 @@ pub fn parse(
         line: at.map(line),
         problem: Box::new(problem),
     };
-    // Some messages quote the file over several lines. Positions count from the byte `start`.
+    // Positions count from the byte `start`.
     let syntax = |start: usize, error: Error| {
-        let message = error.message().lines().next().unwrap_or_default();
         let at = error.span().map(|span| start + span.start);
-        fail(at, Problem::Syntax(message.to_owned()))
+        fail(at, Problem::Syntax(in_words(error.message())))
     };
     let cancelled = |cancelled| fail(None, Problem::Mesh(ObjError::Cancelled(cancelled)));
     // Gone through twice: once for the positions in the text, once for the values.
@@ -98,6 +98,9 @@ pub fn parse(
         Stopped::Syntax(error) => syntax(0, error),
     })?;
     let (start, rest) = parsed.rest;
+    if let Some((at, words)) = misplaced(rest.get_ref()) {
+        return Err(fail(Some(start + at), Problem::Syntax(words.to_owned())));
+    }
     let scene = SceneFile::deserialize(Deserializer::from(rest));
     let scene = scene.map_err(|error| syntax(start, error))?;
     if let Some(camera) = &scene.camera {
@@ -109,6 +112,10 @@ pub fn parse(
     let mut read = 0;
     for (start, object) in parsed.objects {
         let to = (start + object.span().end).max(read);
+        if !object.get_ref().is_table() {
+            let at = Some(start + object.span().start);
+            return Err(fail(at, Problem::Syntax(OBJECT.to_owned())));
+        }
         let entry = Spanned::<Entry>::deserialize(ValueDeserializer::from(object));
         let entry = entry.map_err(|error| syntax(start, error))?;
         let at = Some(start + entry.span().start);
@@ -126,6 +133,20 @@ pub fn parse(
         camera_line: (scene.camera.as_ref()).map_or(1, |camera| line(start + camera.span().start)),
         camera: scene.camera.map(Spanned::into_inner),
     })
+}
+
+/// How an object is written.
+const OBJECT: &str = "an object begins with [[object]], in double brackets";
+
+/// Where in a scene file's table stands an object that is not in a list, or a camera that is no table; and how it is
+/// written. All objects of a list have been taken out.
+fn misplaced(rest: &DeTable) -> Option<(usize, &'static str)> {
+    if let Some(object) = rest.get("object") {
+        return Some((object.span().start, OBJECT));
+    }
+    let camera = (rest.get("camera")).filter(|camera| !camera.get_ref().is_table())?;
+    let words = "the camera begins with [camera], in single brackets";
+    Some((camera.span().start, words))
 }
 
 fn check_camera(camera: &CameraChoice) -> Result<(), Problem> {

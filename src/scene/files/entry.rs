@@ -15,7 +15,7 @@ use std::{path::Path, sync::Arc};
 #[serde(deny_unknown_fields)]
 pub(super) struct Entry {
     name: Option<String>,
-    shape: ShapeWord,
+    shape: Option<ShapeWord>,
     file: Option<String>,
     part: Option<usize>,
     #[serde(alias = "color")]
@@ -107,7 +107,7 @@ impl Entry {
         folder: &Path,
         load: &mut dyn FnMut(&Path) -> Result<Arc<Mesh>, ObjError>,
     ) -> Result<Vec<Object>, Problem> {
-        let (shape, kind) = match self.shape {
+        let (shape, kind) = match self.shape.ok_or(Problem::NoShape)? {
             ShapeWord::Sphere => (Shape::Sphere, "Sphere"),
             ShapeWord::Cube => (Shape::Cube, "Cube"),
             ShapeWord::Square => (Shape::Square, "Square"),
@@ -197,12 +197,12 @@ impl Entry {
     pub(super) fn of(object: &Object, meshes: &[MeshFile]) -> Result<Self, SaveError> {
         let mut entry = Self {
             name: Some(object.name.clone()),
-            shape: match object.shape {
+            shape: Some(match object.shape {
                 Shape::Sphere => ShapeWord::Sphere,
                 Shape::Cube => ShapeWord::Cube,
                 Shape::Square => ShapeWord::Square,
                 Shape::Mesh { .. } => ShapeWord::Mesh,
-            },
+            }),
             file: None,
             part: None,
             colour: object.colour.map(Colour),

@@ -1,7 +1,7 @@
 //! Loads the files that the user names as one scene.
 
 use super::{
-    Detail, FileError, LoadError, Loaded, MeshFiles, Object, Progress, Scene, Shape, demo,
+    Detail, FileError, LoadError, Loaded, MeshFiles, Object, Progress, Scene, Shape, Warning, demo,
     description, file, gallery::Exhibit,
 };
 use crate::{
@@ -48,6 +48,7 @@ pub fn load_with(
     let mut objects = Vec::new();
     let mut warnings = Vec::new();
     let mut camera = None;
+    let mut without_objects = Vec::new();
     for path in paths {
         let (described, file) = if let Some(exhibit) = Exhibit::at(path)? {
             let mut meshes = exhibit.meshes(progress, &mut warnings)?;
@@ -65,11 +66,18 @@ pub fn load_with(
             objects.extend(mesh_objects(&mesh));
             continue;
         };
+        if described.objects.is_empty() {
+            without_objects.push((path, described.camera.is_some()));
+        }
         let own = objects.len()..objects.len() + described.objects.len();
         objects.extend(described.objects);
         let from = (file, described.camera_line);
         camera = camera.or(described.camera.map(|camera| (camera, own, from)));
     }
+    let is_empty = objects.is_empty();
+    let lacking = (without_objects.into_iter())
+        .filter_map(|(path, has_camera)| lacking(path, has_camera, is_empty));
+    warnings.extend(lacking);
     let camera = camera.map(|(camera, own, from)| (of_all(camera, &own, objects.len()), from));
     let (camera, camera_from) = camera.unzip();
     Ok(Loaded {
@@ -84,6 +92,20 @@ pub fn load_with(
             [only] => Exhibit::at(only)?,
             _ => None,
         },
+    })
+}
+
+/// What a scene file without objects lacks. One that has a camera for the objects of other files lacks nothing.
+fn lacking(file: &Path, has_camera: bool, scene_is_empty: bool) -> Option<Warning> {
+    let message = match (has_camera, scene_is_empty) {
+        (true, false) => return None,
+        (true, true) => "has no objects, so there is nothing to see: [[object]] begins one",
+        (false, _) => "has no objects and no camera: [[object]] begins an object",
+    };
+    Some(Warning {
+        file: file.to_owned(),
+        line: None,
+        message: message.to_owned(),
     })
 }
 

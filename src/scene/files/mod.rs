@@ -15,6 +15,7 @@ mod problem;
 mod progress;
 mod save;
 mod toml_pieces;
+mod toml_words;
 mod warning;
 
 use super::{Object, Scene, Shape};

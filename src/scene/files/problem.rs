@@ -28,7 +28,7 @@ fn place(file: &Path, line: Option<usize>) -> String {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Problem {
-    /// It is not TOML, or not a scene file.
+    /// It is not TOML, or not a scene file; in words for people.
     #[error("{0}")]
     Syntax(String),
     /// Two fields that say the same thing.
@@ -45,6 +45,9 @@ pub enum Problem {
         /// What is wrong with the matrix.
         source: PlacementError,
     },
+    /// An object without a shape.
+    #[error("an object needs its shape: shape = \"sphere\", \"cube\", \"square\" or \"mesh\"")]
+    NoShape,
     /// A mesh without a file.
     #[error("a mesh needs its file: file = \"name.obj\"")]
     NoFile,

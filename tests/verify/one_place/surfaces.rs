@@ -80,6 +80,78 @@ fn overlapping_triangles_that_share_a_corner_are_two() {
     }
 }
 
+/// T-junctions: a large triangle, on whose long edge lie corners of others, in a plane that no axis follows. Exactly on
+/// the common part of the edges, both triangles are hit.
+#[test]
+fn triangles_that_touch_at_a_t_junction_are_one_surface_unless_they_overlap() {
+    // Whole numbers, so that corners lie on the edge exactly.
+    let along = dvec3(3.0, 1.0, 1.0);
+    let aside = dvec3(-2.0, 5.0, 1.0);
+    let at = |x: f64, y: f64| (x * along + y * aside).as_vec3().to_array();
+    let large = [at(-4.0, 0.0), at(0.0, -8.0), at(4.0, 0.0)];
+    // The ray is the z axis, to the last bit.
+    let px = dvec2(32.0, 32.0);
+    let view = view(
+        [0.0, 0.0, 60.0],
+        [0.0; 3],
+        orthographic(64.0, 0.1, 200.0),
+        [64, 64],
+    );
+    let lifted = |[x, y, z]: [f32; 3]| [x, y, z + 5.0];
+    for (other, count, what) in [
+        (
+            [at(-2.0, 0.0), at(2.0, 0.0), at(0.0, 4.0)],
+            None,
+            "two of its corners",
+        ),
+        (
+            [at(0.0, 0.0), at(6.0, 0.0), at(3.0, 4.0)],
+            None,
+            "one of its corners, and one of the large one's on it",
+        ),
+        (
+            [at(0.0, 0.0), at(1.0, 4.0), at(-1.0, 4.0)],
+            None,
+            "one corner, in a point",
+        ),
+        (
+            [at(-2.0, 0.0), at(2.0, 0.0), lifted(at(0.0, 4.0))],
+            None,
+            "folded",
+        ),
+        (
+            [at(-2.0, 0.0), at(2.0, 0.0), at(0.0, -3.0)],
+            Some(2),
+            "over the large one",
+        ),
+        (
+            [at(0.0, 0.0), at(1.0, -1.0), at(-1.0, -2.0)],
+            Some(2),
+            "over it, with one corner",
+        ),
+        (
+            [at(0.0, 0.0), at(2.0, -1.0), at(1.0, 3.0)],
+            Some(2),
+            "partly over it",
+        ),
+    ] {
+        // Either may be the first, and run either way around.
+        let [a, b, c] = other;
+        for other in [[a, b, c], [c, b, a]] {
+            for order in [[0, 1, 2, 3, 4, 5], [3, 4, 5, 0, 1, 2]] {
+                let corners = [large, other].concat();
+                let [p, q, r, s, t, u] = order;
+                let mesh = one_mesh(corners, vec![[p, q, r], [s, t, u]], DVec3::ZERO);
+                let scene = Scene::new(vec![object("T", mesh, DAffine3::IDENTITY)]);
+                let hits = pick::all(&scene, view.ray(px), view.sides).len();
+                assert_eq!(hits, 2, "{what}: both are hit");
+                let said = in_one_place(&scene, &view, px);
+                assert_eq!(said.map(|said| said.count), count, "{what}, {order:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn identical_triangles_are_as_many_surfaces() {
     for count in [2, 10_000] {
