@@ -99,7 +99,9 @@ impl App {
             (self.context).request_repaint_after(LETTERS_EVERY);
         }
         match &drawn {
-            Ok(true) if self.host == Host::Window => self.statistics.frame = start.elapsed(),
+            Ok(true) if self.host == Host::Window => {
+                self.statistics.frame = Some((start.elapsed(), now_s));
+            }
             Ok(_) => {}
             Err(error) => self.complain(error.to_string()),
         }

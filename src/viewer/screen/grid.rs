@@ -2,7 +2,7 @@
 
 use super::{box_edges::edges, frozen::pixel_grid};
 use crate::{
-    camera::{UpAxis, Viewport},
+    camera::{UpAxis, View, Viewport},
     colour::Srgb,
     geometry::Aabb,
     look,
@@ -18,9 +18,42 @@ const LINES: f64 = 40.0;
 const BLOCK: f64 = 10.0;
 
 /// The step of the grid in world units: the power of ten that shows about ten lines across the whole scene, hidden
-/// objects included. `None` while there is no grid.
+/// objects included. `None` while there is no grid, or none of it is seen.
 pub(in crate::viewer) fn grid_step(state: &State) -> Option<f64> {
-    (state.grid()).then(|| step(state.scene().bounds().radius()))?
+    let (bounds, view) = (state.scene().bounds(), state.view());
+    if !state.grid() {
+        return None;
+    }
+    let lines = floor(&bounds, state.up_axis(), view.camera.eye());
+    step(bounds.radius()).filter(|_| lines.iter().any(|line| is_in_picture(view, line)))
+}
+
+/// Whether a part of a line is between near and far within the picture, whatever hides it there.
+fn is_in_picture(view: &View, line: &Line) -> bool {
+    let camera = &view.camera;
+    let Some([a, b]) = view.project_segment(line.from, line.to) else {
+        return false;
+    };
+    let depth = |point| camera.to_view(point).z;
+    if depth(line.from).min(depth(line.to)) > camera.lens().far {
+        return false;
+    }
+    let size = DVec2::new(view.viewport.width().into(), view.viewport.height().into());
+    // The part of the line, from 0 to 1, that is within both ranges of pixels.
+    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    for axis in 0..2 {
+        let (start, along) = (a[axis], b[axis] - a[axis]);
+        if along == 0.0 {
+            if !(0.0..=size[axis]).contains(&start) {
+                return false;
+            }
+            continue;
+        }
+        let ends = [-start / along, (size[axis] - start) / along];
+        from = from.max(ends[0].min(ends[1]));
+        to = to.min(ends[0].max(ends[1]));
+    }
+    from <= to
 }
 
 fn step(radius: f64) -> Option<f64> {

@@ -1,8 +1,9 @@
 //! Names that are too long for their place.
 
+use super::visual_order::visual_order;
 use egui::{Color32, FontId, Ui};
 
-/// The name, with its middle left out if it is too wide: names differ mostly at their ends.
+/// The name as egui lays it out, with its middle left out if it is too wide: names differ mostly at their ends.
 pub(super) fn elided(ui: &Ui, name: &str, font: &FontId, room: f32) -> String {
     let width = |text: String| {
         let galley = ui
@@ -21,7 +22,7 @@ pub(super) fn elided(ui: &Ui, name: &str, font: &FontId, room: f32) -> String {
         );
         text = head.iter().chain(&['\u{2026}']).chain(tail).collect();
     }
-    text
+    visual_order(&text).into_owned()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Hints, and names for controls that show no name. Screen readers are told both, and tests find controls by name.
 
-use egui::{Response, accesskit};
+use egui::{Order, Response, accesskit};
 
 /// Names a control.
 pub(super) fn named(response: &Response, name: &str) {
@@ -34,6 +34,19 @@ impl Hint for Response {
     fn hint(self, text: impl AsRef<str>) -> Self {
         let text = text.as_ref();
         described(&self, text);
+        if is_covered(&self) {
+            return self;
+        }
         self.on_hover_text(text).on_disabled_hover_text(text)
     }
+}
+
+/// Whether a window or a menu lies over the control, under the cursor. egui would keep a tooltip that is open already, over
+/// what covers its control.
+fn is_covered(response: &Response) -> bool {
+    let context = &response.ctx;
+    let cursor = context.pointer_hover_pos();
+    let over = cursor.filter(|at| response.rect.contains(*at));
+    let top = over.and_then(|at| context.layer_id_at(at));
+    top.is_some_and(|top| top.order > response.layer_id.order && top.order < Order::Tooltip)
 }

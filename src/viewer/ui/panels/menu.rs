@@ -1,6 +1,9 @@
 //! The menu of the right mouse button: what can be done with what is under the cursor.
 
-use super::hints::{Hint, named};
+use super::{
+    hints::{Hint, named},
+    visual_order::visual_order,
+};
 use crate::viewer::{
     model::{Action, State},
     ui::command::Command,
@@ -55,7 +58,8 @@ pub(super) fn of_object(
 ) {
     Popup::context_menu(on).show(|ui| {
         let object = &state.scene().objects()[index];
-        ui.strong(&object.name).hint("what is under the cursor");
+        ui.strong(visual_order(&object.name))
+            .hint("what is under the cursor");
         ui.separator();
         let mut lines = Lines { ui, commands };
         if let Some(px) = px {

@@ -40,6 +40,7 @@ mod toolbar;
 mod tools;
 mod tour_card;
 mod value_rows;
+mod visual_order;
 mod wings;
 
 pub(in crate::viewer) use docks::{Docks, Section};

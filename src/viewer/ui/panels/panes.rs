@@ -4,6 +4,7 @@ use super::{
     axis_cross,
     hints::{Hint, bounded, named},
     menu, pane_labels,
+    visual_order::visual_order,
 };
 use crate::{
     camera::{DepthMapping, View},
@@ -159,9 +160,9 @@ fn about(state: &State, stage: Stage) -> (String, &'static str) {
                 .map(|object| &state.scene().objects()[object]);
             let text = match object {
                 Some(object) if object.placement.mirrors() => {
-                    format!("{}, before M mirrors it", object.name)
+                    format!("{}, before M mirrors it", visual_order(&object.name))
                 }
-                Some(object) => format!("{}, before M", object.name),
+                Some(object) => format!("{}, before M", visual_order(&object.name)),
                 None => "no object".into(),
             };
             (

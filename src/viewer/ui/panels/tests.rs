@@ -26,7 +26,7 @@ use crate::{
 };
 use egui::{Event, Key, Modifiers, RawInput, Rect, Shape, pos2, vec2};
 use glam::DVec2;
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, time::Duration};
 
 fn opened(path: &str) -> State {
     let loaded = scene::load(&[path.into()], &Progress::default()).expect("a scene");
@@ -193,6 +193,34 @@ fn software_is_said_in_the_colour_of_text() {
         .find_map(|clipped| colour(&clipped.shape));
     let colours = colours.expect("the word");
     assert!(!colours.contains(&Some(warns)), "{colours:?}");
+}
+
+/// How long a picture took is said for a while, and no longer once nothing moves.
+#[test]
+fn an_old_frame_time_does_not_stay() {
+    let state = opened("gallery:needles");
+    let statistics = Statistics {
+        frame: Some((Duration::from_millis(4818), 10.0)),
+        ..Statistics::default()
+    };
+    for (now_s, is_said) in [(10.0, true), (12.0, true), (14.0, false), (1e5, false)] {
+        let context = egui::Context::default();
+        let input = RawInput {
+            time: Some(now_s),
+            ..RawInput::default()
+        };
+        let mut output = context.run_ui(input, |ui| status::show(ui, &state, &statistics));
+        output.textures_delta.clear();
+        let mut texts = Vec::new();
+        for clipped in &output.shapes {
+            collect(&clipped.shape, &mut texts);
+        }
+        let frame = texts.iter().find(|text| text.starts_with("frame"));
+        let frame = frame.expect("the word");
+        assert_eq!(frame.contains("4818"), is_said, "{now_s}: {frame}");
+        // What comes after it stays where it is.
+        assert_eq!(frame.chars().count(), "frame 4818.0 ms".len());
+    }
 }
 
 #[test]

@@ -8,7 +8,10 @@ use super::{
     tools::{Does, Tool, groups, open},
 };
 use crate::viewer::ui::command::Command;
-use egui::{Align, Atoms, Button, Color32, FontId, Layout, Response, RichText, TextStyle, Ui};
+use egui::{
+    Align, AtomExt as _, Atoms, Button, Color32, FontId, Layout, Response, RichText, TextStyle, Ui,
+    vec2,
+};
 
 /// How much of a group shows.
 #[derive(Clone, Copy, PartialEq)]
@@ -43,13 +46,15 @@ pub(super) fn show(
         }
         if shows.contains(&Shows::InMenu) {
             let more = ui.menu_button(icon("\u{22ef}"), |ui| {
-                for (group, _) in
-                    (groups.iter().zip(&shows)).filter(|(_, how)| **how == Shows::InMenu)
-                {
+                let in_menu = groups.iter().zip(&shows);
+                let in_menu = in_menu.filter(|(_, how)| **how == Shows::InMenu);
+                for (at, (group, _)) in in_menu.enumerate() {
+                    if at > 0 {
+                        ui.separator();
+                    }
                     for tool in group {
                         add(ui, shown, tool, true, commands);
                     }
-                    ui.separator();
                 }
             });
             named(&more.response, "more");
@@ -62,7 +67,7 @@ pub(super) fn show(
             ] {
                 let has_any = !shown.docks.at(side, sections).is_empty();
                 let on = shown.docks.showing[side as usize];
-                let fold = Button::selectable(on, icon(picture));
+                let fold = Button::selectable(on, icon(picture)).frame_when_inactive(true);
                 let fold = ui.add_enabled(has_any, fold);
                 named(&fold, name);
                 let hint =
@@ -75,7 +80,8 @@ pub(super) fn show(
     });
 }
 
-/// How much of each group shows in `room` points. Groups whose icons say least stand last and keep their names longest.
+/// How much of each group shows in `room` points. Groups whose icons say least stand last and keep their names longest: no
+/// group has names while a later one in the row has none.
 fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> Vec<Shows> {
     let mut shows = vec![Shows::Names; groups.len()];
     let spacing = ui.spacing();
@@ -110,14 +116,6 @@ fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> Vec<Shows> {
         };
         shows[at] = how;
     }
-    // A group that lost its names may still have room for them.
-    for at in 0..shows.len() {
-        let more = named[at] - bare[at];
-        if shows[at] == Shows::Icons && total + more <= room {
-            total += more;
-            shows[at] = Shows::Names;
-        }
-    }
     shows
 }
 
@@ -129,7 +127,8 @@ fn icon(picture: &str) -> RichText {
 /// A tool in the row, or in the menu.
 fn add(ui: &mut Ui, shown: &Shown, tool: &Tool, with_name: bool, commands: &mut Vec<Command>) {
     let atoms = |name: bool| {
-        let mut atoms = Atoms::new(icon(tool.icon));
+        // As wide as any other icon: names stand in a column in the menu.
+        let mut atoms = Atoms::new(icon(tool.icon).atom_size(vec2(ICON, 16.0)));
         if name {
             atoms.push_right(tool.name);
         }
@@ -142,7 +141,7 @@ fn add(ui: &mut Ui, shown: &Shown, tool: &Tool, with_name: bool, commands: &mut 
         }
         Does::Ask(command) => {
             let button = match tool.is_on {
-                Some(on) => Button::selectable(on, atoms(with_name)),
+                Some(on) => Button::selectable(on, atoms(with_name)).frame_when_inactive(true),
                 None => Button::new(atoms(with_name)),
             };
             let response = ui.add_enabled(tool.enabled, button);

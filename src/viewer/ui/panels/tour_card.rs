@@ -10,11 +10,11 @@ use crate::viewer::{
 };
 use egui::{
     Align, Align2, Area, Button, Color32, Frame, Id, Layout, Panel, Rect, RichText, ScrollArea,
-    TextStyle, Ui, vec2,
+    TextStyle, Ui, Vec2, vec2,
 };
 
-/// The gap between the offer and the picture's edge, in points.
-const MARGIN: f32 = 12.0;
+/// The gaps between the offer and the picture's corner, in points. The grid's step stands below the offer.
+const MARGIN: Vec2 = vec2(12.0, 28.0);
 /// The gap between two paragraphs, in points.
 const GAP: f32 = 3.0;
 /// The strip takes no more than this share of the window's height: what is longer scrolls. More would leave no room for
@@ -122,11 +122,11 @@ fn bar(ui: &mut Ui, tour: Tour, state: &State, commands: &mut Vec<Command>) {
     commands.extend(asked.map(Command::Tour));
 }
 
-/// Offers the tour, at the lower edge of the picture.
+/// Offers the tour, in the lower right corner of the picture.
 pub(super) fn offer(ui: &Ui, rect: Rect, commands: &mut Vec<Command>) {
     Area::new(Id::unique("tour offer"))
-        .fixed_pos(rect.center_bottom() - vec2(0.0, MARGIN))
-        .pivot(Align2::CENTER_BOTTOM)
+        .fixed_pos(rect.right_bottom() - MARGIN)
+        .pivot(Align2::RIGHT_BOTTOM)
         .show(ui.ctx(), |ui| {
             Frame::popup(ui.style()).show(ui, |ui| {
                 ui.horizontal(|ui| {
