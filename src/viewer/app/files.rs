@@ -12,7 +12,7 @@ use crate::{
         jobs::{self, Loading, Saving, Stamps},
         model::{Made, Source, hide, no_section},
         options::Options,
-        ui::Filter,
+        ui::{Attempt, Filter},
     },
 };
 use std::path::PathBuf;
@@ -76,7 +76,7 @@ impl App {
             Err(error) => {
                 self.give_up_change(&errand);
                 self.forget_gone();
-                self.complain(error.to_string());
+                self.failed(Attempt::Open, error.to_string());
             }
         }
     }
@@ -98,6 +98,7 @@ impl App {
         match purpose {
             Purpose::Add => {
                 self.state.add(loaded, paths, made);
+                self.succeeded(Attempt::Open);
                 self.warn(&warnings);
                 self.watch(self.state.document(), stamps);
                 return Ok(());
@@ -189,7 +190,7 @@ impl App {
                 let saving = Saving::start(snapshot, path, self.waker());
                 self.saving.push((saving, then));
             }
-            Err(text) => self.complain(text),
+            Err(text) => self.failed(Attempt::Save, text),
         }
     }
 
@@ -212,6 +213,7 @@ impl App {
         let (_, then) = self.saving.remove(at);
         match result {
             Ok(saved) => {
+                self.succeeded(Attempt::Save);
                 self.say(format!("saved {}", saved.path.display()));
                 let source = Source {
                     paths: vec![saved.path],
@@ -226,7 +228,7 @@ impl App {
                     self.propose(then);
                 }
             }
-            Err(text) => self.complain(text),
+            Err(text) => self.failed(Attempt::Save, text),
         }
     }
 }
