@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     camera::{CameraChoice, CameraError, Orbit, View, Viewport},
-    geometry::Sides,
+    geometry::{Section, Sides},
     scene::{self, Loaded, MeshFile, Scene},
 };
 use std::{mem, path::PathBuf};
@@ -76,6 +76,7 @@ impl State {
             document: 0,
             edits: Edits::default(),
             filed: Edits::default(),
+            filed_section: section,
             timeline: Timeline::default(),
             grid: true,
             overlays: Overlays::default(),
@@ -225,6 +226,7 @@ impl State {
             meshes: self.source.meshes.clone(),
             document: self.document,
             edits: self.edits,
+            section: self.view.section,
         }
     }
 
@@ -261,6 +263,7 @@ impl State {
         };
         state.name = scene::title(&source.paths);
         state.filed = snapshot.edits;
+        state.filed_section = snapshot.section;
         let materials = mem::take(&mut state.source.materials);
         state.source = Source {
             materials,
@@ -276,4 +279,5 @@ pub(in crate::viewer) struct Snapshot {
     pub meshes: Vec<MeshFile>,
     pub document: u64,
     edits: Edits,
+    section: Option<Section>,
 }
