@@ -111,11 +111,17 @@ fn clicks_are_led_to_vertices_and_edges_and_measured() {
 
 #[test]
 fn points_of_another_scene_are_forgotten_and_the_list_is_kept() {
-    let (mut window, _folder) = wall();
+    let (mut window, folder) = wall();
     click_on(&mut window, "snap clicks");
     click_near(&mut window, [2.0, 1.0, 0.0], [-4.0, 3.0]);
     click_near(&mut window, [0.0, 0.0, 0.0], [0.0, 0.0]);
     click_on(&mut window, "object area");
+    // The same file again: nothing happens to them.
+    press_key(&mut window, Modifiers::NONE, Key::R);
+    assert_eq!(window.state().measuring().points.len(), 2);
+    assert!(!window.state().measuring().list[0].outdated);
+    let other = WALL.replace("v 2 -1 0", "v 2.5 -1 0");
+    std::fs::write(folder.path().join("wall.obj"), other).expect("a writable folder");
     press_key(&mut window, Modifiers::NONE, Key::R);
     assert!(window.state().measuring().points.is_empty());
     assert_eq!(values(&window), [8.0]);

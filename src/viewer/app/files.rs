@@ -38,7 +38,12 @@ impl App {
     /// Begins to load files. Once all of them are loaded, they replace what is shown or are added to it.
     pub(super) fn load(&mut self, paths: Vec<PathBuf>, purpose: Purpose) {
         let errand = self.errand(paths.clone(), purpose);
-        self.loading = Some((Loading::start(paths, self.waker()), errand));
+        let known = if purpose.reads_again() {
+            self.state.scene().meshes().to_vec()
+        } else {
+            Vec::new()
+        };
+        self.loading = Some((Loading::start(paths, known, self.waker()), errand));
     }
 
     fn errand(&self, paths: Vec<PathBuf>, purpose: Purpose) -> Errand {
@@ -94,7 +99,7 @@ impl App {
             ..
         } = errand;
         let warnings = std::mem::take(&mut loaded.warnings);
-        let mut unused = Vec::new();
+        let (mut unused, mut differs) = (Vec::new(), true);
         match purpose {
             Purpose::Add => {
                 self.state.add(loaded, paths, made);
@@ -103,7 +108,7 @@ impl App {
                 self.watch(self.state.document(), stamps);
                 return Ok(());
             }
-            Purpose::Reload | Purpose::Follow => self.state.reload_as(loaded, made),
+            Purpose::Reload | Purpose::Follow => differs = self.state.reload_as(loaded, made),
             Purpose::Open => {
                 if self.first {
                     unused = self.apply_flags(&mut loaded);
@@ -128,6 +133,10 @@ impl App {
             }
         }
         self.watch_anew(stamps);
+        if purpose == Purpose::Follow && !differs {
+            self.succeeded(Attempt::Open);
+            return Ok(());
+        }
         self.notices.clear();
         if purpose == Purpose::Follow {
             self.say(format!(

@@ -1,14 +1,13 @@
-//! Opening, reading again and saving scenes.
+//! Opening and saving scenes.
 
 use super::{
     action::LensControls,
-    made::Made,
     measuring::Measuring,
     ortho_height::OrthoHeight,
     overlay::Overlays,
     section_memory::SectionMemory,
     showing::Showing,
-    state::{Edits, Selection, Source, State, Step, Viewpoint},
+    state::{Edits, Source, State, Step, Viewpoint},
     timeline::Timeline,
 };
 use crate::{
@@ -183,39 +182,6 @@ impl State {
             Some(Step::Open(_) | Step::Composed { .. })
         );
         made_it && self.step_in_time(true)
-    }
-
-    /// Shows what the same files hold now: view, selection and visibility stay with the objects of the same name.
-    pub fn reload(&mut self, loaded: Loaded) {
-        self.reload_as(loaded, None);
-    }
-
-    /// Does what [`Self::reload`] does. `made` is the resulting scene, if another thread has made it.
-    pub(in crate::viewer) fn reload_as(&mut self, loaded: Loaded, made: Option<Made>) {
-        if self.showing().map(|showing| showing.exhibit) != loaded.exhibit {
-            self.showing = loaded.exhibit.map(Showing::new);
-        }
-        let made = made.filter(|made| made.is_of(&self.scene));
-        let made = made.unwrap_or_else(|| Made::again(&self.scene, loaded.scene));
-        let selected = self.selected().and_then(|object| made.became(object));
-        self.selection = selected.map(|object| Selection { object, pick: None });
-        self.unused.push(mem::replace(&mut self.scene, made.scene));
-        self.scene_revision += 1;
-        self.outdate_measures();
-        self.visibility_revision += 1;
-        (self.cursor, self.lit) = (None, None);
-        (self.hits, self.sought) = (None, None);
-        self.landmarks.clear();
-        self.forget_points();
-        self.source.meshes = loaded.meshes;
-        self.source.materials = loaded.materials;
-        self.edits.matrices = self.filed.matrices;
-        if self.source.paths.is_empty() {
-            self.edits.objects = self.filed.objects;
-        }
-        self.forget_own_steps();
-        self.fit();
-        self.refresh_panes();
     }
 
     /// The scene as it is now, to be saved.
