@@ -125,3 +125,61 @@ fn what_is_saved_is_what_is_open_from_then_on() {
     window.save_as(kept.clone());
     assert_ne!(std::fs::read(&kept).expect("a file"), before);
 }
+
+fn told(window: &Offscreen) -> Vec<&str> {
+    window.messages().collect()
+}
+
+/// An error stays until Esc or the cross closes it, the latest first, or until the same is done with success.
+#[test]
+fn a_red_message_goes_by_esc_or_by_the_next_success() {
+    let (mut window, folder) = row(1.0);
+    let gone = folder.path().join("gone.obj");
+    window.drop_file(gone.clone());
+    key(&mut window, Key::J);
+    assert_eq!(told(&window).len(), 2);
+    assert!(told(&window)[1].contains("no pick to copy"));
+    click(&mut window, MIDDLE);
+    key(&mut window, Key::Escape);
+    assert_eq!(told(&window).len(), 1, "the latest one");
+    assert!(told(&window)[0].contains("gone.obj"));
+    assert_eq!(selected(&window), Some("front"), "one thing at a time");
+    key(&mut window, Key::Escape);
+    assert!(told(&window).is_empty() && selected(&window).is_some());
+    key(&mut window, Key::Escape);
+    assert_eq!(selected(&window), None);
+
+    // A copy that works takes the message about the copy that failed with it, and no other.
+    window.drop_file(gone.clone());
+    key(&mut window, Key::J);
+    click(&mut window, MIDDLE);
+    key(&mut window, Key::J);
+    let now = told(&window);
+    assert!(
+        now.len() == 2 && now[0].contains("gone.obj") && now[1].contains("copied"),
+        "{now:?}"
+    );
+    // A report of what was done goes by itself, so Esc is not for it.
+    key(&mut window, Key::Escape);
+    assert!(told(&window)[0].contains("copied"));
+    // To add files is to open some.
+    window.drop_file(gone);
+    window.send([Event::ModifiersChanged(Modifiers::SHIFT)]);
+    window.drop_file(folder.path().join("row.toml"));
+    window.send([Event::ModifiersChanged(Modifiers::NONE)]);
+    assert_eq!(window.state().scene().objects().len(), 6);
+    assert!(told(&window).iter().all(|text| !text.contains("gone.obj")));
+    // A save that works takes the message about the save that failed with it.
+    window.save_as(folder.path().join("no such folder/kept.toml"));
+    assert!(
+        told(&window)
+            .iter()
+            .any(|text| text.contains("no such folder"))
+    );
+    window.save_as(folder.path().join("kept.toml"));
+    assert!(
+        told(&window)
+            .iter()
+            .all(|text| !text.contains("no such folder"))
+    );
+}

@@ -91,9 +91,12 @@ fn what_is_large_is_added_in_shares() {
 fn what_is_large_is_read_again_in_shares() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = stalls::ground(folder.path(), SIDE);
-    let mut window = open(vec![path], 1.0);
+    let mut window = open(vec![path.clone()], 1.0);
     window.picture().expect("a picture");
     let old = middle(&window);
+    // One more triangle: what is the same would stay as it is.
+    let text = std::fs::read_to_string(&path).expect("a file");
+    std::fs::write(&path, text + "f 1 2 452\n").expect("writable");
     window.frame(press(Key::R)).expect("a frame");
     let seen = watch(&mut window, &old);
     check(&window, &seen, 1);

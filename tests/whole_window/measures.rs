@@ -1,6 +1,9 @@
 //! Clicks snap to the vertices, edges and faces of a file, and measures of them are listed, copied and undone.
 
-use super::*;
+use super::{
+    nothing_lost::{is_asked, is_marked},
+    *,
+};
 
 /// An OBJ file of a wall: one quad, 4 wide and 2 high.
 const WALL: &str = "v -2 -1 0\nv 2 -1 0\nv 2 1 0\nv -2 1.0 0\nf 1 2 3 4\n";
@@ -108,11 +111,17 @@ fn clicks_are_led_to_vertices_and_edges_and_measured() {
 
 #[test]
 fn points_of_another_scene_are_forgotten_and_the_list_is_kept() {
-    let (mut window, _folder) = wall();
+    let (mut window, folder) = wall();
     click_on(&mut window, "snap clicks");
     click_near(&mut window, [2.0, 1.0, 0.0], [-4.0, 3.0]);
     click_near(&mut window, [0.0, 0.0, 0.0], [0.0, 0.0]);
     click_on(&mut window, "object area");
+    // The same file again: nothing happens to them.
+    press_key(&mut window, Modifiers::NONE, Key::R);
+    assert_eq!(window.state().measuring().points.len(), 2);
+    assert!(!window.state().measuring().list[0].outdated);
+    let other = WALL.replace("v 2 -1 0", "v 2.5 -1 0");
+    std::fs::write(folder.path().join("wall.obj"), other).expect("a writable folder");
     press_key(&mut window, Modifiers::NONE, Key::R);
     assert!(window.state().measuring().points.is_empty());
     assert_eq!(values(&window), [8.0]);
@@ -130,6 +139,63 @@ fn points_of_another_scene_are_forgotten_and_the_list_is_kept() {
         .iter()
         .map(|entry| entry.outdated);
     assert_eq!(outdated.collect::<Vec<_>>(), [true, false]);
+}
+
+/// Measures are in no file. They are no edit of the scene, but a question comes before they are lost.
+#[test]
+fn measures_are_not_lost_without_a_question() {
+    let (mut window, folder) = wall();
+    click_on(&mut window, "snap clicks");
+    click_near(&mut window, [0.0, 0.0, 0.0], [0.0, 0.0]);
+    click_on(&mut window, "object area");
+    assert!(!is_marked(&window));
+    let other = folder.path().join("row.toml");
+    std::fs::write(&other, ROW).expect("a writable folder");
+    let is_asked =
+        |window: &Offscreen| !is_asked(window) && has_control(window, "Measures would be lost");
+
+    window.drop_file(other.clone());
+    assert!(is_asked(&window));
+    let told = |window: &Offscreen, words: &str| {
+        let mut all = window.controls().iter();
+        all.any(|control| control.name.contains(words))
+    };
+    assert!(told(&window, "Measures are in no file"));
+    assert!(!has_control(&window, "Save first\u{2026}"), "it saves none");
+    click_on(&mut window, "Copy the measures");
+    let copied = window.copied().expect("text");
+    assert!(copied.starts_with("object area\t8\t"), "{copied}");
+    assert!(is_asked(&window));
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(
+        (window.state().name(), values(&window)),
+        ("wall.toml", vec![8.0])
+    );
+
+    // The gallery keeps them.
+    press_key(&mut window, Modifiers::NONE, Key::E);
+    assert!(!is_asked(&window) && window.state().showing().is_some());
+    window.close();
+    assert!(is_asked(&window) && !window.has_quit());
+    click_on(&mut window, "Cancel");
+    click_on(&mut window, "Gallery");
+    click_on(&mut window, "leave the gallery");
+    assert_eq!(values(&window), [8.0]);
+
+    // With edits, one question is about both.
+    press_key(&mut window, Modifiers::SHIFT, Key::H);
+    window.drop_file(other.clone());
+    assert!(has_control(&window, "Unsaved edits") && told(&window, "Measures are in no file"));
+    click_on(&mut window, "Save first\u{2026}");
+    window.save_as(folder.path().join("kept.toml"));
+    assert!(is_asked(&window), "the measures are left");
+    click_on(&mut window, "Open, drop the measures");
+    assert_eq!(
+        (window.state().name(), values(&window)),
+        ("row.toml", vec![])
+    );
+    window.close();
+    assert!(window.has_quit());
 }
 
 /// The panel's buttons, without its list.

@@ -266,7 +266,7 @@ fn a_scene_is_saved_as_it_was_when_asked() {
 }
 
 /// Everything about a mesh that is drawn and picked.
-fn corners(object: &Object) -> Vec<[[u64; 3]; 3]> {
+pub(super) fn corners(object: &Object) -> Vec<[[u64; 3]; 3]> {
     let Shape::Mesh { mesh, .. } = &object.shape else {
         return Vec::new();
     };

@@ -2,10 +2,85 @@
 //! save goes on once it is done.
 
 use super::{
-    nothing_lost::{edit, is_asked},
+    nothing_lost::{corners, edit, is_asked, is_marked},
+    remembering::wait_until,
     *,
 };
+use sightline::{
+    colour::Srgb,
+    geometry::Placement,
+    scene::{self, Progress, Shape},
+};
 use std::fs;
+
+/// One triangle, as an OBJ file.
+const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+/// Moves the first object: an edit that reading its file again would drop.
+fn move_first(window: &mut Offscreen) {
+    press_key(window, Modifiers::NONE, Key::ArrowDown);
+    click_on(window, "Model matrix");
+    type_into(window, "position x", "0.25");
+    press_key(window, Modifiers::NONE, Key::Enter);
+    assert!(is_marked(window));
+}
+
+/// Where the triangles of the first object are, its placement, and the colour of its first triangle.
+fn first(scene: &scene::Scene) -> (Vec<[[u64; 3]; 3]>, Placement, Option<Srgb>) {
+    let object = &scene.objects()[0];
+    let Shape::Mesh { mesh, .. } = &object.shape else {
+        panic!("a mesh");
+    };
+    (corners(object), object.placement, mesh.triangle_colour(0))
+}
+
+/// What is saved is what is on screen, whatever another program made of the mesh's file or of its colours.
+#[test]
+fn a_mesh_whose_file_has_changed_is_saved_beside() {
+    let coloured = format!("mtllib tri.mtl\nusemtl a\n{TRIANGLE}");
+    let other = "o other\nv 5 5 5\nv 9 9 0\nv 0 9 9\nv 1 0 0\nf 1 2 3\nf 2 3 4\n";
+    for (changed, text) in [
+        ("tri.obj", other),
+        ("tri.obj", "not a mesh any more"),
+        ("tri.mtl", "newmtl a\nKd 0 1 0\n"),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = |name: &str| folder.path().join(name);
+        fs::write(file("tri.obj"), &coloured).expect("writable");
+        fs::write(file("tri.mtl"), "newmtl a\nKd 1 0 0\n").expect("writable");
+        let mut window = open(vec![file("tri.obj")], 1.0);
+        move_first(&mut window);
+        let on_screen = first(window.state().scene());
+        fs::write(file(changed), text).expect("writable");
+        wait_until(&mut window, |window| {
+            let mut all = window.messages();
+            all.any(|text| text.contains("Your edits are kept"))
+        });
+        press_key(&mut window, CTRL, Key::S);
+        window.save_as(file("kept.toml"));
+        assert!(!is_marked(&window));
+        assert_eq!(fs::read_to_string(file(changed)).expect("a file"), text);
+        let kept = scene::load(&[file("kept.toml")], &Progress::default());
+        let kept = kept.unwrap_or_else(|error| panic!("{changed}: {error}"));
+        assert_eq!(first(&kept.scene), on_screen, "{changed}");
+    }
+}
+
+/// A file that was written again as it was is named as before: no second file appears.
+#[test]
+fn a_mesh_whose_file_was_only_touched_is_saved_by_its_name() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name);
+    fs::write(file("tri.obj"), TRIANGLE).expect("writable");
+    let mut window = open(vec![file("tri.obj")], 1.0);
+    move_first(&mut window);
+    fs::write(file("beside"), TRIANGLE).expect("writable");
+    fs::rename(file("beside"), file("tri.obj")).expect("writable");
+    window.save_as(file("kept.toml"));
+    let text = fs::read_to_string(file("kept.toml")).expect("a file");
+    assert!(text.contains("file = \"tri.obj\""), "{text}");
+    assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 2);
+}
 
 #[test]
 fn a_mesh_beside_the_scene_is_named_by_its_name_alone() {

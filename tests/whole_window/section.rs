@@ -1,6 +1,9 @@
 //! A section can be placed, typed, dragged, undone and saved. What it cuts away is neither seen nor picked.
 
-use super::*;
+use super::{
+    nothing_lost::{is_asked, is_marked},
+    *,
+};
 use glam::DVec3;
 use sightline::{camera::SectionChoice, geometry::Section, look};
 
@@ -189,6 +192,41 @@ fn it_is_saved_and_opened_again_and_no_gallery_scene_has_it() {
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     assert!(section(&window).is_some(), "back");
+}
+
+/// A scene file holds the section, so a section that differs from the file's is an unsaved edit.
+#[test]
+fn a_section_is_an_edit_until_it_is_saved() {
+    let (mut window, folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::Z);
+    assert!(is_marked(&window));
+    press_key(&mut window, Modifiers::NONE, Key::Z);
+    assert!(!is_marked(&window), "as the file has it");
+    press_key(&mut window, Modifiers::NONE, Key::Z);
+    // Reading the file again keeps it, so there is nothing to ask.
+    press_key(&mut window, Modifiers::NONE, Key::R);
+    assert!(section(&window).is_some() && is_marked(&window) && !is_asked(&window));
+    press_key(&mut window, CTRL, Key::Q);
+    assert!(is_asked(&window) && !window.has_quit());
+    click_on(&mut window, "Save first\u{2026}");
+    let cut = folder.path().join("cut.toml");
+    window.save_as(cut.clone());
+    assert!(window.has_quit());
+
+    // A file's own section is no edit; to turn it off is one.
+    let mut window = open(vec![cut], 1.0);
+    assert!(section(&window).is_some() && !is_marked(&window));
+    press_key(&mut window, Modifiers::NONE, Key::Z);
+    assert!(is_marked(&window));
+    press_key(&mut window, CTRL, Key::Z);
+    assert!(!is_marked(&window));
+    press_key(&mut window, CTRL, Key::Y);
+    // What was left for the gallery counts, too.
+    press_key(&mut window, Modifiers::NONE, Key::E);
+    window.drop_file(folder.path().join("row.toml"));
+    assert!(is_asked(&window));
+    click_on(&mut window, "Open, drop the edits");
+    assert!(!is_marked(&window));
 }
 
 /// Before anything else, Esc ends the waiting for picks.

@@ -1,6 +1,10 @@
 //! What is open is watched, wherever the user was in the meantime and whatever loads.
 
-use super::{remembering::wait_until, *};
+use super::{
+    nothing_lost::{edit, is_marked, shown},
+    remembering::wait_until,
+    *,
+};
 use std::{fs, thread, time::Duration};
 
 /// Four objects, one more than [`ROW`] has.
@@ -58,4 +62,98 @@ fn a_change_outlasts_a_load_that_is_cancelled() {
     fs::write(folder.path().join("row.toml"), more()).expect("writable");
     window.send([Event::ModifiersChanged(Modifiers::NONE), press(Key::Escape)]);
     wait_until(&mut window, |window| count(window) == 4);
+}
+
+/// A file that is written again as it was, read by itself or by R, leaves history, selection and messages alone.
+#[test]
+fn a_file_that_is_only_touched_changes_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("two.obj");
+    let text =
+        "o a\nv -1 -1 0\nv 4 -1 0\nv 0 1 0\nf 1 2 3\no b\nv 3 0 0\nv 4 0 0\nv 3 1 0\nf 4 5 6\n";
+    fs::write(&path, text).expect("writable");
+    let mut window = open(vec![path.clone()], 1.0);
+    press_key(&mut window, Modifiers::NONE, Key::Num7);
+    press_key(&mut window, Modifiers::NONE, Key::Num1);
+    press_key(&mut window, Modifiers::NONE, Key::ArrowDown);
+    press_key(&mut window, Modifiers::SHIFT, Key::H);
+    press_key(&mut window, Modifiers::NONE, Key::ArrowDown);
+    let before = (*window.state().view(), window.state().selection().cloned());
+    let revision = window.state().scene_revision();
+    for by_itself in [true, false] {
+        let beside = folder.path().join("beside");
+        fs::write(&beside, text).expect("writable");
+        fs::rename(&beside, &path).expect("writable");
+        if by_itself {
+            thread::sleep(Duration::from_millis(800));
+            window.send([]);
+        } else {
+            press_key(&mut window, Modifiers::NONE, Key::R);
+        }
+        assert_eq!(
+            window.state().next_step(true),
+            Some("hide and show"),
+            "{by_itself}"
+        );
+        assert_eq!(window.messages().count(), 0);
+        assert_eq!(
+            window.state().scene_revision(),
+            revision,
+            "it is not drawn anew"
+        );
+        let now = (*window.state().view(), window.state().selection().cloned());
+        assert!(now == before && is_marked(&window));
+    }
+    // The file's numbers are read from the file as it is now.
+    press_key(&mut window, CTRL, Key::Z);
+    assert_eq!(shown(&window), [true; 2]);
+    click(&mut window, MIDDLE);
+    let picked = window.state().picked().expect("a hit");
+    assert_eq!(
+        (picked.in_file.face, picked.in_file.file_error.as_deref()),
+        (Some(1), None)
+    );
+    for _ in 0..2 {
+        press_key(&mut window, CTRL, Key::Z);
+    }
+    assert_eq!(window.state().next_step(true), None);
+    // A change is still seen.
+    fs::write(&path, text.replace("o b", "o c")).expect("writable");
+    wait_until(&mut window, |window| {
+        window.state().scene().objects()[1].name == "c"
+    });
+}
+
+/// Where the objects differ, the view's leaps can still be undone, and so can what is about objects that are still there.
+#[test]
+fn only_steps_about_objects_that_are_gone_are_forgotten() {
+    let (mut window, folder) = row(1.0);
+    let path = folder.path().join("row.toml");
+    fs::write(&path, more()).expect("writable");
+    press_key(&mut window, Modifiers::NONE, Key::R);
+    assert_eq!(count(&window), 4);
+    let view = *window.state().view();
+    press_key(&mut window, Modifiers::NONE, Key::Num7);
+    for _ in 0..4 {
+        press_key(&mut window, Modifiers::NONE, Key::ArrowDown);
+    }
+    assert_eq!(selected(&window), Some("new"));
+    press_key(&mut window, Modifiers::SHIFT, Key::H);
+    assert!(is_marked(&window));
+    fs::write(&path, ROW).expect("writable");
+    wait_until(&mut window, |window| count(window) == 3);
+    assert!(!is_marked(&window), "what was hidden is gone");
+    press_key(&mut window, CTRL, Key::Z);
+    assert_eq!(window.state().view().camera.eye(), view.camera.eye());
+
+    edit(&mut window);
+    fs::write(&path, more()).expect("writable");
+    wait_until(&mut window, |window| count(window) == 4);
+    assert!(is_marked(&window));
+    assert_eq!(shown(&window), [false, true, true, true]);
+    press_key(&mut window, CTRL, Key::Z);
+    assert_eq!(shown(&window), [true; 4]);
+    assert!(!is_marked(&window));
+    press_key(&mut window, CTRL, Key::Y);
+    assert_eq!(shown(&window), [false, true, true, true]);
 }

@@ -316,3 +316,73 @@ fn another_file_begins_another_history() {
     state.apply(Action::LeaveGallery);
     assert_eq!(seen(&state), before);
 }
+
+/// What the files hold after a change: another object first, the others in another order, and the last one is gone.
+fn changed() -> Loaded {
+    Loaded {
+        scene: Scene::new(vec![
+            at(Shape::Cube, "new", [5.0, 0.0, 0.0]),
+            at(Shape::Sphere, "middle", [0.0, 0.0, 0.0]),
+            at(Shape::Cube, "front", [0.0, 0.0, 2.0]),
+        ]),
+        ..row()
+    }
+}
+
+fn hidden(state: &State) -> Vec<&str> {
+    let objects = state.scene().objects().iter();
+    let hidden = objects.filter(|object| !object.visible);
+    hidden.map(|object| object.name.as_str()).collect()
+}
+
+/// Steps go with their objects when files are read again. Those about objects that are gone are forgotten.
+#[test]
+fn a_reload_takes_the_history_with_it() {
+    let mut state = front_view();
+    state.apply(Action::SetVisible(2, false));
+    state.apply(Action::SetVisible(1, false));
+    let camera = state.view().camera;
+    state.apply(Action::LookFrom(DVec3::X));
+    state.apply(moved(0.25));
+    state.apply(Action::Undo);
+    state.reload(changed());
+    assert_eq!(hidden(&state), ["middle"]);
+    assert!(state.unsaved());
+    state.apply(Action::Undo);
+    assert_eq!(state.view().camera.eye(), camera.eye());
+    state.apply(Action::Undo);
+    assert!(hidden(&state).is_empty() && !state.unsaved());
+    assert_eq!(state.next_step(true), None, "what was hidden first is gone");
+    for _ in 0..3 {
+        state.apply(Action::Redo);
+    }
+    assert_eq!(hidden(&state), ["middle"]);
+    let x = |state: &State| state.scene().objects()[2].placement.model().translation.x;
+    assert_eq!((x(&state), state.next_step(false)), (0.25, None));
+    assert!(state.edited());
+    state.apply(Action::Undo);
+    assert_eq!((x(&state), state.edited()), (0.0, false));
+}
+
+#[test]
+fn a_reload_of_the_same_leaves_the_history() {
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    state.apply(moved(0.25));
+    state.apply(Action::SetVisible(1, false));
+    state.apply(Action::Undo);
+    state.apply(Action::Undo);
+    let (before, revision) = (seen(&state), state.scene_revision());
+    state.reload(row());
+    assert_eq!((seen(&state), state.scene_revision()), (before, revision));
+    state.apply(Action::Redo);
+    state.apply(Action::Redo);
+    assert_eq!(hidden(&state), ["middle"]);
+    assert!(state.edited());
+    // The file's matrices are another scene.
+    state.reload(row());
+    assert_eq!(state.next_step(true), Some("hide and show"));
+    assert_eq!((hidden(&state), state.edited()), (vec!["middle"], false));
+    state.apply(Action::Undo);
+    assert_eq!((state.next_step(true), state.unsaved()), (None, false));
+}

@@ -1,8 +1,8 @@
 //! A scene and what was loaded with it.
 
-use super::{MeshFile, Scene, Warning, gallery::Exhibit};
-use crate::camera::CameraChoice;
-use std::path::PathBuf;
+use super::{MeshFile, Scene, Shape, Warning, gallery::Exhibit};
+use crate::{camera::CameraChoice, geometry::Mesh};
+use std::{collections::HashMap, path::PathBuf, sync::Arc};
 
 /// A scene and what was loaded with it; empty by default.
 #[derive(Debug, Default)]
@@ -23,4 +23,40 @@ pub struct Loaded {
     pub title: String,
     /// The gallery scene, if it is the only thing loaded.
     pub exhibit: Option<&'static Exhibit>,
+}
+
+impl Loaded {
+    /// Takes known meshes in place of equal ones, each once: they have their trees, and are in graphics memory.
+    pub(crate) fn share_meshes(&mut self, known: &[Arc<Mesh>]) {
+        let size = |mesh: &Mesh| (mesh.data().positions.len(), mesh.data().triangles.len());
+        let mut by_size: HashMap<_, Vec<&Arc<Mesh>>> = HashMap::new();
+        for mesh in known {
+            by_size.entry(size(mesh)).or_default().push(mesh);
+        }
+        let mut shared = HashMap::new();
+        for mesh in self.scene.meshes() {
+            let alike = by_size.entry(size(mesh)).or_default();
+            if let Some(at) = alike.iter().position(|known| *known == mesh) {
+                shared.insert(Arc::as_ptr(mesh), Arc::clone(alike.remove(at)));
+            }
+        }
+        if shared.is_empty() {
+            return;
+        }
+        let share = |mesh: &mut Arc<Mesh>| {
+            if let Some(known) = shared.get(&Arc::as_ptr(mesh)) {
+                *mesh = Arc::clone(known);
+            }
+        };
+        let mut objects = self.scene.objects().to_vec();
+        for object in &mut objects {
+            if let Shape::Mesh { mesh, .. } = &mut object.shape {
+                share(mesh);
+            }
+        }
+        for file in &mut self.meshes {
+            share(&mut file.mesh);
+        }
+        self.scene = Scene::new(objects);
+    }
 }

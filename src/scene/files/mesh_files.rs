@@ -1,6 +1,10 @@
 //! Mesh files: each is loaded once, and each mesh knows its file.
 
-use super::{ObjError, Progress, Warning, file::absolute, obj};
+use super::{
+    ObjError, Progress, Warning,
+    file::absolute,
+    obj::{self, write},
+};
 use crate::geometry::Mesh;
 use std::{
     path::{Path, PathBuf},
@@ -23,6 +27,31 @@ impl MeshFile {
     #[must_use]
     pub fn of<'a>(files: &'a [Self], mesh: &Arc<Mesh>) -> Option<&'a Self> {
         files.iter().find(|file| Arc::ptr_eq(&file.mesh, mesh))
+    }
+
+    /// Whether two files had the same length when they were loaded. If they hold one mesh, they then hold one text.
+    #[must_use]
+    pub(crate) fn is_as_long_as(&self, other: &Self) -> bool {
+        let bytes = |file: &Self| file.contents.as_ref()?.bytes();
+        bytes(self) == bytes(other)
+    }
+
+    /// The mesh and its file as the file is now; `None` if the file no longer holds this very mesh. A file that has
+    /// changed since it was loaded is read again.
+    #[must_use]
+    pub(super) fn now(&self) -> Option<Self> {
+        if self.contents.as_ref()?.is_current(&self.path) {
+            return Some(self.clone());
+        }
+        let mut again = MeshFiles::default();
+        let mesh = again.load(&self.path, &Progress::default(), &mut Vec::new());
+        let mesh = mesh.ok()?;
+        let holds = mesh == self.mesh && write::same(&mesh, &self.mesh);
+        let now = Self::of(again.files(), &mesh).filter(|_| holds)?;
+        Some(Self {
+            mesh: Arc::clone(&self.mesh),
+            ..now.clone()
+        })
     }
 }
 

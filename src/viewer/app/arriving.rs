@@ -9,7 +9,7 @@ use crate::{
     viewer::{
         jobs::{InNdc, LITTLE, Projecting, Upload},
         model::Stage,
-        ui::Underway,
+        ui::{Attempt, Underway},
     },
 };
 
@@ -70,7 +70,7 @@ impl App {
             }
             Err(error @ GpuError::SceneTooLarge { .. }) => {
                 self.give_up_change(&arrival.errand);
-                self.complain(error.to_string());
+                self.failed(Attempt::Open, error.to_string());
             }
             // The next frame reports other errors of the device.
             Err(_) => self.ready = Some(arrival),
@@ -114,7 +114,7 @@ impl App {
         (self.uploaded).extend(uploaded.map(|uploaded| (None, uploaded)));
         match self.show_scene(*loaded, errand, made) {
             Ok(()) => self.build_trees(),
-            Err(text) => self.complain(text),
+            Err(text) => self.failed(Attempt::Open, text),
         }
     }
 

@@ -12,7 +12,7 @@ use crate::{
     viewer::{
         jobs::{self, Answer, Checking},
         model::{Action, MeasureAction, RayHits, Views, view_command},
-        ui::{Command, Intent, Reply},
+        ui::{Attempt, Command, Intent, Reply},
     },
 };
 
@@ -53,7 +53,8 @@ impl App {
                 };
                 self.copy(command, done);
                 if self.state.edited() {
-                    self.complain(
+                    self.failed(
+                        Attempt::Copy,
                         "the command shows the scene as its files have it, without your edits: save first (Ctrl+S), then copy again"
                             .into(),
                     );
@@ -65,11 +66,10 @@ impl App {
                     self.copy(text, "the camera is copied: Ctrl+V applies it");
                 }
             }
-            Command::Paste(text) => {
-                if let Err(reason) = self.paste_camera(&text) {
-                    self.complain(reason);
-                }
-            }
+            Command::Paste(text) => match self.paste_camera(&text) {
+                Ok(()) => self.succeeded(Attempt::Paste),
+                Err(reason) => self.failed(Attempt::Paste, reason),
+            },
             Command::GoTo(to) => self.go_to(to),
             Command::Screenshot { alone } => {
                 self.screenshots.wanted = Some(Shot { alone });
@@ -93,7 +93,10 @@ impl App {
                 let line = self.state.pick_ray().map(RayHits::line);
                 match line.and_then(|line| json::text(&line).ok()) {
                     Some(json) => self.copy(json, "the pick is copied as JSON"),
-                    None => self.complain("there is no pick to copy: click a surface first".into()),
+                    None => self.failed(
+                        Attempt::Copy,
+                        "there is no pick to copy: click a surface first".into(),
+                    ),
                 }
             }
             Command::Escape => self.escape(),
@@ -134,6 +137,8 @@ impl App {
             // `stop_arriving` did it.
         } else if self.floating.help {
             self.floating.help = false;
+        } else if self.dismiss_latest() {
+            // `dismiss_latest` did it.
         } else if self.state.method().is_some() {
             self.act(Action::PickBy(None));
         } else if matches!(self.checking, Checking::On(..)) {
@@ -150,6 +155,7 @@ impl App {
     /// Puts a text on the clipboard, and says so.
     fn copy(&mut self, text: String, done: &str) {
         self.copied = Some(text);
+        self.succeeded(Attempt::Copy);
         self.say(done.into());
     }
 
@@ -165,12 +171,14 @@ impl App {
             Answer::Save(path) => self.save(path),
             Answer::OpenNone => {}
             Answer::SaveNone => self.save_nothing(),
-            Answer::NoneToOpen => self.complain(
+            Answer::NoneToOpen => self.failed(
+                Attempt::Open,
                 "this desktop shows no file dialog: drop files on the window, or name them on the command line".into(),
             ),
             Answer::NoneToSave => {
                 self.save_nothing();
-                self.complain(
+                self.failed(
+                    Attempt::Save,
                     "nothing is saved: this desktop shows no file dialog; it needs an XDG desktop portal".into(),
                 );
             }

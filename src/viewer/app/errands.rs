@@ -36,7 +36,7 @@ pub(super) struct Errand {
     pub purpose: Purpose,
     /// The scene that was on show.
     pub document: u64,
-    /// The edits that the user agreed to drop.
+    /// The edits and measures that the user agreed to drop.
     pub agreed: Vec<Version>,
     /// How the files were before they were read.
     pub stamps: Stamps,
@@ -56,7 +56,7 @@ impl Errand {
         errand
     }
 
-    /// What the user is asked about, if the outcome would drop edits.
+    /// What the user is asked about, if the outcome would drop edits or measures.
     pub fn intent(&self) -> Option<Intent> {
         match self.purpose {
             Purpose::Open => Some(Intent::Open(self.paths.clone())),
@@ -70,7 +70,7 @@ impl Errand {
         intent.map_or_else(Vec::new, |intent| intent.at_stake(state))
     }
 
-    /// Whether the outcome would drop edits that were made since the load began.
+    /// Whether the outcome would drop edits or measures that were made since the load began.
     pub fn drops_more(&self, state: &State) -> bool {
         let at_stake = self.at_stake(state);
         at_stake.iter().any(|scene| !self.agreed.contains(scene))

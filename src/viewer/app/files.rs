@@ -12,7 +12,7 @@ use crate::{
         jobs::{self, Loading, Saving, Stamps},
         model::{Made, Source, hide, no_section},
         options::Options,
-        ui::Filter,
+        ui::{Attempt, Filter},
     },
 };
 use std::path::PathBuf;
@@ -38,7 +38,12 @@ impl App {
     /// Begins to load files. Once all of them are loaded, they replace what is shown or are added to it.
     pub(super) fn load(&mut self, paths: Vec<PathBuf>, purpose: Purpose) {
         let errand = self.errand(paths.clone(), purpose);
-        self.loading = Some((Loading::start(paths, self.waker()), errand));
+        let known = if purpose.reads_again() {
+            self.state.scene().meshes().to_vec()
+        } else {
+            Vec::new()
+        };
+        self.loading = Some((Loading::start(paths, known, self.waker()), errand));
     }
 
     fn errand(&self, paths: Vec<PathBuf>, purpose: Purpose) -> Errand {
@@ -76,7 +81,7 @@ impl App {
             Err(error) => {
                 self.give_up_change(&errand);
                 self.forget_gone();
-                self.complain(error.to_string());
+                self.failed(Attempt::Open, error.to_string());
             }
         }
     }
@@ -94,15 +99,16 @@ impl App {
             ..
         } = errand;
         let warnings = std::mem::take(&mut loaded.warnings);
-        let mut unused = Vec::new();
+        let (mut unused, mut differs) = (Vec::new(), true);
         match purpose {
             Purpose::Add => {
                 self.state.add(loaded, paths, made);
+                self.succeeded(Attempt::Open);
                 self.warn(&warnings);
                 self.watch(self.state.document(), stamps);
                 return Ok(());
             }
-            Purpose::Reload | Purpose::Follow => self.state.reload_as(loaded, made),
+            Purpose::Reload | Purpose::Follow => differs = self.state.reload_as(loaded, made),
             Purpose::Open => {
                 if self.first {
                     unused = self.apply_flags(&mut loaded);
@@ -127,6 +133,10 @@ impl App {
             }
         }
         self.watch_anew(stamps);
+        if purpose == Purpose::Follow && !differs {
+            self.succeeded(Attempt::Open);
+            return Ok(());
+        }
         self.notices.clear();
         if purpose == Purpose::Follow {
             self.say(format!(
@@ -189,7 +199,7 @@ impl App {
                 let saving = Saving::start(snapshot, path, self.waker());
                 self.saving.push((saving, then));
             }
-            Err(text) => self.complain(text),
+            Err(text) => self.failed(Attempt::Save, text),
         }
     }
 
@@ -212,6 +222,7 @@ impl App {
         let (_, then) = self.saving.remove(at);
         match result {
             Ok(saved) => {
+                self.succeeded(Attempt::Save);
                 self.say(format!("saved {}", saved.path.display()));
                 let source = Source {
                     paths: vec![saved.path],
@@ -226,7 +237,7 @@ impl App {
                     self.propose(then);
                 }
             }
-            Err(text) => self.complain(text),
+            Err(text) => self.failed(Attempt::Save, text),
         }
     }
 }

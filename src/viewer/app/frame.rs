@@ -13,7 +13,7 @@ use crate::{
         jobs::let_go,
         model::{Action, Overlay, Seen, Stage},
         screen::{Canvas, Laid, Motion, PictureProgress, SceneRect, Screen, write_screenshot},
-        ui::{self, Command, Notices, Shown},
+        ui::{self, Attempt, Command, Notices, Shown},
     },
 };
 use std::{
@@ -344,8 +344,11 @@ impl App {
             .map_err(|error| error.to_string())
             .and_then(|picture| write_screenshot(&self.screenshots.folder, &picture));
         match written {
-            Ok(path) => self.say(format!("saved {}", path.display())),
-            Err(text) => self.complain(text),
+            Ok(path) => {
+                self.succeeded(Attempt::Screenshot);
+                self.say(format!("saved {}", path.display()));
+            }
+            Err(text) => self.failed(Attempt::Screenshot, text),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Asks the user before anything that would drop edits.
+//! Asks the user before anything that would drop edits or measures.
 
 use super::{
     errands::{Arrival, Pending, Purpose},
@@ -11,7 +11,7 @@ use crate::viewer::{
 };
 
 impl App {
-    /// Carries out an intent, or asks first if it would drop edits.
+    /// Carries out an intent, or asks first if it would drop edits or measures.
     pub(super) fn intend(&mut self, intent: Intent) {
         self.propose(Pending {
             intent,
@@ -19,9 +19,9 @@ impl App {
         });
     }
 
-    /// Does what waited, or asks first if it would drop edits.
+    /// Does what waited, or asks first if it would drop edits or measures.
     pub(super) fn propose(&mut self, pending: Pending) {
-        if pending.intent.drops(&self.state).is_empty() {
+        if pending.intent.drops_nothing(&self.state) {
             self.carry_out(pending);
         } else {
             self.ask(pending);
@@ -68,7 +68,7 @@ impl App {
     /// Goes on with what was asked about once there is nothing to ask any more: a save may have landed meanwhile.
     pub(super) fn take_settled(&mut self) {
         let state = &self.state;
-        let settled = (self.question).take_if(|pending| pending.intent.drops(state).is_empty());
+        let settled = (self.question).take_if(|pending| pending.intent.drops_nothing(state));
         if let Some(pending) = settled {
             self.carry_out(pending);
             self.context.request_repaint();

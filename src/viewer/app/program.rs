@@ -20,7 +20,7 @@ use crate::{
         options::Options,
         screen::{PictureProgress, Textures},
         ui::{
-            self, Command, Docks, Drag, Filter, Floating, Kind, Letters, Notice, Notices,
+            self, Attempt, Command, Docks, Drag, Filter, Floating, Kind, Letters, Notice, Notices,
             Statistics, Tour,
         },
     },
@@ -231,11 +231,32 @@ impl App {
 
     /// Reports an error, in the window and in the log. A message that is on screen already is not repeated.
     pub fn complain(&mut self, text: String) {
+        self.post_error(None, text);
+    }
+
+    /// Reports why an attempt has failed. The message goes when the next one succeeds.
+    pub(super) fn failed(&mut self, attempt: Attempt, text: String) {
+        self.post_error(Some(attempt), text);
+    }
+
+    /// An attempt has succeeded: removes messages about those before it that failed.
+    pub(super) fn succeeded(&mut self, attempt: Attempt) {
+        let about = Kind::Error(Some(attempt));
+        self.notices.retain(|notice| notice.kind != about);
+    }
+
+    /// Removes the latest warning or error. Returns whether there was one.
+    pub(super) fn dismiss_latest(&mut self) -> bool {
+        let latest = self.notices.iter().rposition(Notice::stays);
+        latest.map(|at| self.notices.remove(at)).is_some()
+    }
+
+    fn post_error(&mut self, of: Option<Attempt>, text: String) {
         if self.notices.iter().any(|notice| notice.text == text) {
             return;
         }
         log::error!("{text}");
-        self.post(text, Kind::Error);
+        self.post(text, Kind::Error(of));
     }
 
     /// Confirms that something is done. The message goes away by itself.
@@ -278,7 +299,7 @@ impl App {
     pub(super) fn forget_said(&mut self, now_s: f64) {
         self.notices.retain(|notice| match notice.kind {
             Kind::Done { until_s } => now_s < until_s,
-            Kind::Warning | Kind::Error => true,
+            Kind::Warning | Kind::Error(_) => true,
         });
     }
 

@@ -1,7 +1,10 @@
 //! Loads files in the background.
 
 use super::job::Job;
-use crate::scene::{self, Detail, LoadError, Loaded, Progress};
+use crate::{
+    geometry::Mesh,
+    scene::{self, Detail, LoadError, Loaded, Progress},
+};
 use std::{path::PathBuf, sync::Arc};
 
 /// A load under way. Dropping it cancels it.
@@ -11,11 +14,19 @@ pub(in crate::viewer) struct Loading {
 }
 
 impl Loading {
-    /// Loads `paths` as one scene; calls `wake` when done.
-    pub fn start(paths: Vec<PathBuf>, wake: impl FnOnce() + Send + 'static) -> Self {
+    /// Loads `paths` as one scene, which takes the known meshes in place of equal ones; calls `wake` when done.
+    pub fn start(
+        paths: Vec<PathBuf>,
+        known: Vec<Arc<Mesh>>,
+        wake: impl FnOnce() + Send + 'static,
+    ) -> Self {
         let progress = Arc::new(Progress::default());
         let shared = Arc::clone(&progress);
-        let load = move || scene::load_with(&paths, &shared, Detail::Drawn);
+        let load = move || {
+            let mut loaded = scene::load_with(&paths, &shared, Detail::Drawn)?;
+            loaded.share_meshes(&known);
+            Ok(loaded)
+        };
         let job = Job::start(load, wake);
         Self { progress, job }
     }

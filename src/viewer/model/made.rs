@@ -1,15 +1,19 @@
 //! Makes a scene from the one on show and from loaded files. For large scenes, a background job does this.
 
-use crate::scene::{Object, Scene, SceneKey};
-use std::collections::HashMap;
+use crate::scene::{Object, Scene, SceneKey, Shape};
+use std::{collections::HashMap, sync::Arc};
 
 /// A scene that is made from another.
 pub(in crate::viewer) struct Made {
     of: SceneKey,
     /// The scene itself.
     pub scene: Scene,
-    /// For each of its objects, the index in the scene that it was made from; [`Made::with`] leaves this empty.
-    was: Vec<Option<usize>>,
+    /// For each object of the scene that it was made from, its index now; [`Made::with`] leaves this empty.
+    became: Vec<Option<usize>>,
+    /// It is the scene that it was made from: the files hold the same objects.
+    pub is_same: bool,
+    /// Hidden is what the files say, and nothing else.
+    pub hides_as_filed: bool,
 }
 
 impl Made {
@@ -19,12 +23,15 @@ impl Made {
         Self {
             of: scene.key(),
             scene: objects.cloned().collect(),
-            was: Vec::new(),
+            became: Vec::new(),
+            is_same: false,
+            hides_as_filed: false,
         }
     }
 
     /// What the files of a scene hold now. Objects keep their visibility, and are matched by name: an object takes the place
-    /// of the old one at the same index if that has the same name, else of the first old one that has it.
+    /// of the old one at the same index if that has the same name, else of the first old one that has it. Meshes are the
+    /// same where they are one: [`Loaded::share_meshes`](crate::scene::Loaded) sees to that.
     pub fn again(scene: &Scene, mut now: Scene) -> Self {
         let old = scene.objects();
         let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())
@@ -41,11 +48,24 @@ impl Made {
         };
         let changed = was.iter().enumerate().filter(differs);
         let changed: Vec<usize> = changed.map(|(index, _)| index).collect();
-        now.toggle(&changed);
+        let is_same = old.len() == was.len() && old.iter().zip(now.objects()).all(are_one);
+        if is_same {
+            now = scene.clone();
+        } else {
+            now.toggle(&changed);
+        }
+        let mut became = vec![None; old.len()];
+        for (index, was) in was.iter().enumerate().rev() {
+            if let Some(was) = was {
+                became[*was] = Some(index);
+            }
+        }
         Self {
             of: scene.key(),
             scene: now,
-            was,
+            became,
+            is_same,
+            hides_as_filed: changed.is_empty(),
         }
     }
 
@@ -56,14 +76,25 @@ impl Made {
 
     /// The index that an object of the scene before has now.
     pub fn became(&self, object: usize) -> Option<usize> {
-        self.was.iter().position(|was| *was == Some(object))
+        self.became.get(object).copied().flatten()
     }
+}
+
+/// Whether two objects are the same but for their visibility.
+fn are_one((a, b): (&Object, &Object)) -> bool {
+    let one_shape = match (&a.shape, &b.shape) {
+        (Shape::Mesh { mesh, part }, Shape::Mesh { mesh: of, part: at }) => {
+            Arc::ptr_eq(mesh, of) && part == at
+        }
+        (a, b) => a == b,
+    };
+    one_shape && a.name == b.name && a.colour == b.colour && a.placement == b.placement
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{geometry::Placement, scene::Shape};
+    use crate::geometry::Placement;
 
     fn scene(objects: &[(&str, bool)]) -> Scene {
         let object = |&(name, visible): &(&str, bool)| Object {

@@ -19,6 +19,7 @@ mod ortho_height;
 mod overlay;
 mod pane_mouse;
 mod picking;
+mod rereading;
 mod section_memory;
 mod sectioning;
 mod seeing;

@@ -1,20 +1,19 @@
-//! Opening, reading again and saving scenes.
+//! Opening and saving scenes.
 
 use super::{
     action::LensControls,
-    made::Made,
     measuring::Measuring,
     on_screen::Seen,
     ortho_height::OrthoHeight,
     overlay::Overlays,
     section_memory::SectionMemory,
     showing::Showing,
-    state::{Edits, Selection, Source, State, Step, Viewpoint},
+    state::{Edits, Source, State, Step, Viewpoint},
     timeline::Timeline,
 };
 use crate::{
     camera::{CameraChoice, CameraError, Orbit, View, Viewport},
-    geometry::Sides,
+    geometry::{Section, Sides},
     scene::{self, Loaded, MeshFile, Scene},
 };
 use std::{mem, path::PathBuf};
@@ -77,6 +76,7 @@ impl State {
             document: 0,
             edits: Edits::default(),
             filed: Edits::default(),
+            filed_section: section,
             timeline: Timeline::default(),
             grid: true,
             overlays: Overlays::default(),
@@ -185,39 +185,6 @@ impl State {
         made_it && self.step_in_time(true)
     }
 
-    /// Shows what the same files hold now: view, selection and visibility stay with the objects of the same name.
-    pub fn reload(&mut self, loaded: Loaded) {
-        self.reload_as(loaded, None);
-    }
-
-    /// Does what [`Self::reload`] does. `made` is the resulting scene, if another thread has made it.
-    pub(in crate::viewer) fn reload_as(&mut self, loaded: Loaded, made: Option<Made>) {
-        if self.showing().map(|showing| showing.exhibit) != loaded.exhibit {
-            self.showing = loaded.exhibit.map(Showing::new);
-        }
-        let made = made.filter(|made| made.is_of(&self.scene));
-        let made = made.unwrap_or_else(|| Made::again(&self.scene, loaded.scene));
-        let selected = self.selected().and_then(|object| made.became(object));
-        self.selection = selected.map(|object| Selection { object, pick: None });
-        self.unused.push(mem::replace(&mut self.scene, made.scene));
-        self.scene_revision += 1;
-        self.outdate_measures();
-        self.visibility_revision += 1;
-        (self.cursor, self.lit) = (None, None);
-        (self.hits, self.sought) = (None, None);
-        self.landmarks.clear();
-        self.forget_points();
-        self.source.meshes = loaded.meshes;
-        self.source.materials = loaded.materials;
-        self.edits.matrices = self.filed.matrices;
-        if self.source.paths.is_empty() {
-            self.edits.objects = self.filed.objects;
-        }
-        self.forget_own_steps();
-        self.fit();
-        self.refresh_panes();
-    }
-
     /// The scene as it is now, to be saved.
     pub(in crate::viewer) fn snapshot(&self) -> Snapshot {
         Snapshot {
@@ -226,6 +193,7 @@ impl State {
             meshes: self.source.meshes.clone(),
             document: self.document,
             edits: self.edits,
+            section: self.view.section,
         }
     }
 
@@ -262,6 +230,7 @@ impl State {
         };
         state.name = scene::title(&source.paths);
         state.filed = snapshot.edits;
+        state.filed_section = snapshot.section;
         let materials = mem::take(&mut state.source.materials);
         state.source = Source {
             materials,
@@ -277,4 +246,5 @@ pub(in crate::viewer) struct Snapshot {
     pub meshes: Vec<MeshFile>,
     pub document: u64,
     edits: Edits,
+    section: Option<Section>,
 }

@@ -188,6 +188,8 @@ pub struct State {
     pub(super) edits: Edits,
     /// The edits that its file has.
     pub(super) filed: Edits,
+    /// The section as the scene was opened or saved with it.
+    pub(super) filed_section: Option<Section>,
     pub(super) timeline: Timeline<Step>,
     pub(super) grid: bool,
     pub(super) overlays: Overlays,

@@ -64,20 +64,12 @@ impl<S> Timeline<S> {
     /// Takes the last step, back or forth.
     pub fn take(&mut self, back: bool) -> Option<S> {
         self.gesture = None;
-        if back {
-            self.past.pop()
-        } else {
-            self.future.pop()
-        }
+        self.steps_mut(back).pop()
     }
 
     /// Keeps the opposite of a step that was taken, back or forth.
     pub fn give(&mut self, step: S, back: bool) {
-        if back {
-            self.future.push(step);
-        } else {
-            self.past.push(step);
-        }
+        self.steps_mut(!back).push(step);
     }
 
     /// The step that would be taken, back or forth.
@@ -104,12 +96,27 @@ impl<S> Timeline<S> {
         self.past.iter_mut().chain(&mut self.future)
     }
 
-    /// Forgets what was undone, and the steps back after the last one that `stays`.
-    pub fn forget_after(&mut self, stays: impl Fn(&S) -> bool) {
-        let kept = self.past.iter().rposition(stays).map_or(0, |last| last + 1);
-        self.past.truncate(kept);
-        self.future.clear();
+    /// Takes out the steps, back or forth, that come before the first for which `ends` holds; the next step comes first.
+    pub fn take_near(&mut self, back: bool, ends: impl Fn(&S) -> bool) -> Vec<S> {
         self.gesture = None;
+        let steps = self.steps_mut(back);
+        let far = steps.iter().rposition(ends).map_or(0, |last| last + 1);
+        let mut near = steps.split_off(far);
+        near.reverse();
+        near
+    }
+
+    /// Puts steps back that were taken out, in the same order.
+    pub fn put_near(&mut self, back: bool, near: Vec<S>) {
+        self.steps_mut(back).extend(near.into_iter().rev());
+    }
+
+    fn steps_mut(&mut self, back: bool) -> &mut Vec<S> {
+        if back {
+            &mut self.past
+        } else {
+            &mut self.future
+        }
     }
 
     /// A history without steps, whose marks go on counting.

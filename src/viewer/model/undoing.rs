@@ -26,12 +26,6 @@ impl State {
         }
     }
 
-    /// The scene was read again: forgets its own steps, and keeps those that lead to scenes before it.
-    pub(super) fn forget_own_steps(&mut self) {
-        self.timeline
-            .forget_after(|step| matches!(step, Step::Open(_)));
-    }
-
     /// Takes back the last change, or makes the change again that was taken back last. Returns whether there was one.
     pub(super) fn step_in_time(&mut self, back: bool) -> bool {
         let Some(step) = self.timeline.take(back) else {

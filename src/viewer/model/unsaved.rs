@@ -1,12 +1,18 @@
-//! Which edits are in no file yet.
+//! Which edits and measures are in no file yet.
 
-use super::state::{Edits, State, Step};
+use super::{
+    measuring::Entry,
+    state::{Edits, State, Step},
+};
+use crate::geometry::Section;
 
-/// A scene and its edits: two are equal when nothing was edited between them.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// A scene with its edits and measures: two are equal when nothing was edited or measured between them.
+#[derive(Clone, Debug, PartialEq)]
 pub(in crate::viewer) struct Version {
     document: u64,
     edits: Edits,
+    section: Option<Section>,
+    measures: Vec<Entry>,
 }
 
 impl State {
@@ -16,31 +22,44 @@ impl State {
     }
 
     /// Whether the scene differs from its files in a model matrix, or has an object that is in none of them. What is hidden
-    /// does not count.
+    /// and the section do not count: reading the files again keeps them.
     #[must_use]
     pub fn edited(&self) -> bool {
         self.edits.matrices != self.filed.matrices
     }
 
-    /// The scenes with edits that closing the window would lose: first those left for the gallery, oldest first, then this
-    /// one.
-    pub(in crate::viewer) fn unsaved_scenes(&self) -> Vec<&Self> {
+    /// The scenes that closing the window would lose: first those left for the gallery, oldest first, then this one.
+    fn scenes_back(&self) -> impl Iterator<Item = &Self> {
         let left = self.timeline.past().iter().filter_map(Step::scene);
-        let all = left.chain([self]);
-        all.filter(|state| state.edits != state.filed).collect()
+        left.chain([self])
     }
 
-    /// Whether there are unsaved edits.
+    /// Those scenes that have edits: in a model matrix, in what is hidden, in the section or in which objects there are.
+    pub(in crate::viewer) fn unsaved_scenes(&self) -> Vec<&Self> {
+        let has_edits =
+            |state: &&Self| state.edits != state.filed || state.view.section != state.filed_section;
+        self.scenes_back().filter(has_edits).collect()
+    }
+
+    /// Those scenes that have measures, which no file holds.
+    pub(in crate::viewer) fn measured_scenes(&self) -> Vec<&Self> {
+        let has_some = |state: &&Self| !state.measuring.list.is_empty();
+        self.scenes_back().filter(has_some).collect()
+    }
+
+    /// Whether there are unsaved edits. Measures are none.
     #[must_use]
     pub fn unsaved(&self) -> bool {
         !self.unsaved_scenes().is_empty()
     }
 
-    /// This scene with all of its edits.
+    /// This scene with all of its edits and measures.
     pub(in crate::viewer) fn version(&self) -> Version {
         Version {
             document: self.document,
             edits: self.edits,
+            section: self.view.section,
+            measures: self.measuring.list.clone(),
         }
     }
 
@@ -52,6 +71,8 @@ impl State {
                 matrices: self.edits.matrices,
                 ..Edits::default()
             },
+            section: None,
+            measures: Vec::new(),
         }
     }
 

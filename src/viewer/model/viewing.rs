@@ -173,6 +173,7 @@ impl State {
         self.pivot_world = self.orbit.target();
         self.view.camera = camera;
         if let Some(section) = choice.section
+            && self.takes_sections()
             && let Ok(section) = self.scene.section(section)
         {
             self.view.section = section;

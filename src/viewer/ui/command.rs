@@ -58,11 +58,11 @@ pub(in crate::viewer) enum Command {
     },
     /// Open again what was open before the gallery.
     LeaveGallery,
-    /// An answer to the question about unsaved edits.
+    /// An answer to the question about unsaved edits and measures.
     Reply(Reply),
     /// The first of these that applies: keep the edits that are asked about, stop waiting for picks of a section or of
-    /// measures, stop loading, close the help, pick by Sightline's own method again, close the comparison, select nothing,
-    /// close the four views, leave the gallery.
+    /// measures, stop loading, close the help, close the latest warning or error, pick by Sightline's own method again, close
+    /// the comparison, select nothing, close the four views, leave the gallery.
     Escape,
     /// Show or hide the help.
     ToggleHelp,
@@ -101,7 +101,7 @@ pub(in crate::viewer) enum GoTo {
     Vertex(usize),
 }
 
-/// Something that would drop unsaved edits.
+/// Something that would drop unsaved edits or measures.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::viewer) enum Intent {
     /// Open these.
@@ -130,12 +130,30 @@ impl Intent {
         }
     }
 
-    /// The same scenes, with the edits that it would drop.
+    /// The scenes whose measures it would drop.
+    pub fn drops_measures<'a>(&self, state: &'a State) -> Vec<&'a State> {
+        let mut scenes = state.measured_scenes();
+        match self {
+            Self::Open(paths) if is_exhibit(paths) => scenes.clear(),
+            Self::Reload => scenes.clear(),
+            Self::LeaveGallery => scenes.retain(|scene| scene.showing().is_some()),
+            Self::Open(_) | Self::Quit => {}
+        }
+        scenes
+    }
+
+    /// Whether it would drop nothing.
+    pub fn drops_nothing(&self, state: &State) -> bool {
+        self.drops(state).is_empty() && self.drops_measures(state).is_empty()
+    }
+
+    /// The scenes whose edits or measures it would drop, with these.
     pub fn at_stake(&self, state: &State) -> Vec<Version> {
         let drops = self.drops(state).into_iter();
+        let measured = self.drops_measures(state).into_iter();
         match self {
             Self::Reload => drops.map(State::version_of_matrices).collect(),
-            _ => drops.map(State::version).collect(),
+            _ => drops.chain(measured).map(State::version).collect(),
         }
     }
 }
@@ -148,12 +166,12 @@ fn is_exhibit(paths: &[impl AsRef<Path>]) -> bool {
     }
 }
 
-/// The user's answer to the question about unsaved edits.
+/// The user's answer to the question about unsaved edits and measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::viewer) enum Reply {
     /// Save first.
     Save,
-    /// Go on, and drop the edits.
+    /// Go on, and drop the edits and the measures.
     GoOn,
     /// Open the files beside what is shown.
     Add,

@@ -75,10 +75,13 @@ pub(super) fn build(
         source,
     })?;
     let mesh = Arc::new(mesh);
+    let libraries = materials.files.iter();
+    let named = libraries.map(|(file, _)| file.clone()).collect();
+    contents.libraries = materials.files;
     Ok(ObjFile {
         mesh,
         warnings,
-        materials: materials.files,
+        materials: named,
         contents,
     })
 }

@@ -2,7 +2,11 @@
 //! can be read again without the pieces before it.
 
 use super::{FileError, file, pieces::Counts};
-use std::{fs::Metadata, path::Path, time::SystemTime};
+use std::{
+    fs::Metadata,
+    path::{Path, PathBuf},
+    time::SystemTime,
+};
 
 /// How much of a file comes before each of its pieces. A piece has about 256 KiB.
 #[derive(Clone, Debug, Default)]
@@ -11,6 +15,8 @@ pub struct Contents {
     starts: Vec<Start>,
     /// The stamp of the file when it was loaded; `None` if the bytes came from no file.
     pub(super) stamp: Option<Stamp>,
+    /// The MTL files that the file names, and the stamp of each when it was read; `None` for a missing one.
+    pub(super) libraries: Vec<(PathBuf, Option<Stamp>)>,
 }
 
 /// How much of the file and of the mesh comes before a piece.
@@ -71,7 +77,24 @@ impl Contents {
         Self {
             starts,
             stamp: None,
+            libraries: Vec::new(),
         }
+    }
+
+    /// Whether the file at `path` and the MTL files that it names are those that were loaded, unchanged since. False
+    /// where the bytes came from no file.
+    #[must_use]
+    pub fn is_current(&self, path: &Path) -> bool {
+        let now = |file: &Path| Stamp::of(file).ok();
+        let mut libraries = self.libraries.iter();
+        self.stamp.is_some()
+            && now(path) == self.stamp
+            && libraries.all(|(file, stamp)| now(file) == *stamp)
+    }
+
+    /// The length of the file when it was loaded; `None` where the bytes came from no file.
+    pub(in crate::scene::files) fn bytes(&self) -> Option<u64> {
+        Some(self.stamp.as_ref()?.bytes)
     }
 
     /// Records how many triangles come before a piece.

@@ -2,7 +2,10 @@
 //!
 //! `tobj` is not used for MTL files, because it panics on `Kd 0.5` and drops a whole file for one bad line.
 
-use super::text_lines::{Lines, decode};
+use super::{
+    contents::Stamp,
+    text_lines::{Lines, decode},
+};
 use crate::{
     colour::Srgb,
     scene::{
@@ -42,8 +45,8 @@ pub(super) struct Materials {
     pub by_name: HashMap<String, Material>,
     /// Warnings about files and colours that could not be read.
     pub warnings: Vec<Warning>,
-    /// The paths of the files, including missing ones.
-    pub files: Vec<PathBuf>,
+    /// The absolute paths of the files, including missing ones, and the stamp of each before it was read.
+    pub files: Vec<(PathBuf, Option<Stamp>)>,
 }
 
 /// Reads the files that `mtllib` lines name. `libraries` has the names and their line numbers. Names are relative to
@@ -67,7 +70,9 @@ pub(super) fn read_libraries(
         if !known.insert(file.canonicalize().unwrap_or_else(|_| file.clone())) {
             continue;
         }
-        materials.files.push(absolute(&file));
+        materials
+            .files
+            .push((absolute(&file), Stamp::of(&file).ok()));
         let read = open(&file, &mut bytes_left)
             .and_then(|input| text(input).map_err(|error| cannot_be_read(&error)))
             .map(|text| materials.add(&file, Lines::new(&text, 0), progress));

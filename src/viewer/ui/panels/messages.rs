@@ -82,7 +82,7 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
                 let colour = match notice.kind {
                     Kind::Done { .. } => ui.visuals().text_color(),
                     Kind::Warning => ui.visuals().warn_fg_color,
-                    Kind::Error => ui.visuals().error_fg_color,
+                    Kind::Error(_) => ui.visuals().error_fg_color,
                 };
                 let dismiss = ui.button("\u{d7}").hint("dismiss");
                 named(&dismiss, "dismiss");
@@ -92,8 +92,8 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
                 let text = RichText::new(&notice.text).color(colour);
                 let hint = match notice.kind {
                     Kind::Done { .. } => "done: this message goes away by itself",
-                    Kind::Warning => "a warning: the cross dismisses it",
-                    Kind::Error => "an error: the cross dismisses it",
+                    Kind::Warning => "a warning: the cross dismisses it, and so does Esc",
+                    Kind::Error(_) => "an error: the cross dismisses it, and so does Esc",
                 };
                 ui.add(egui::Label::new(text).wrap()).hint(hint);
             });

@@ -1,50 +1,71 @@
-//! The one question before edits are dropped.
+//! The one question before edits or measures are dropped.
 
 use super::hints::Hint;
 use crate::viewer::{
     model::State,
     ui::command::{Command, Intent, Reply},
 };
-use egui::{Context, Id, Modal};
+use egui::{Context, Id, Modal, Ui};
 
 /// Shown in the middle of the window, over everything else.
 pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut Vec<Command>) {
-    let (what, go_on) = match intent {
-        Intent::Open(_) => ("opens other files", "Open, drop the edits"),
-        Intent::Reload => ("reads the files again", "Reload, drop the edits"),
-        Intent::LeaveGallery => ("leaves the gallery", "Leave, drop the edits"),
-        Intent::Quit => ("closes the window", "Close, drop the edits"),
+    let (edited, measured) = (intent.drops(state), intent.drops_measures(state));
+    let (heading, dropped) = match (edited.is_empty(), measured.is_empty()) {
+        (false, true) => ("Unsaved edits", "edits"),
+        (false, false) => ("Unsaved edits", "edits and measures"),
+        (true, _) => ("Measures would be lost", "measures"),
     };
-    let scenes: Vec<_> = intent.drops(state).into_iter().map(State::name).collect();
-    let scenes = scenes.join(" and ");
-    Modal::new(Id::unique("question")).show(ctx, |ui| {
-        ui.heading("Unsaved edits");
-        ui.label(format!(
-            "This {what}. Your edits in {scenes} are not saved."
+    let (what, go_on) = match intent {
+        Intent::Open(_) => ("opens other files", "Open"),
+        Intent::Reload => ("reads the files again", "Reload"),
+        Intent::LeaveGallery => ("leaves the gallery", "Leave"),
+        Intent::Quit => ("closes the window", "Close"),
+    };
+    let mut text = vec![format!("This {what}.")];
+    if !edited.is_empty() {
+        text.push(format!("Your edits in {} are not saved.", names(&edited)));
+    }
+    if !measured.is_empty() {
+        let of = names(&measured);
+        text.push(format!(
+            "Measures are in no file: those of {of} would be gone, but can be copied."
         ));
+    }
+    Modal::new(Id::unique("question")).show(ctx, |ui| {
+        ui.heading(heading);
+        ui.label(text.join(" "));
         ui.add_space(8.0);
         ui.horizontal(|ui| {
-            let mut answer = |ui: &mut egui::Ui, text: &str, hint: &str, reply| {
+            let mut button = |ui: &mut Ui, text: &str, hint: &str, asked| {
                 if ui.button(text).hint(hint).clicked() {
-                    commands.push(Command::Reply(reply));
+                    commands.push(asked);
                 }
             };
-            answer(
-                ui,
-                "Save first\u{2026}",
-                "as a scene file, then go on",
-                Reply::Save,
-            );
-            if matches!(intent, Intent::Open(_)) {
-                answer(
-                    ui,
-                    "Add to the scene",
-                    "show them beside the present scene, and keep the edits",
-                    Reply::Add,
-                );
+            if !edited.is_empty() {
+                let hint = "as a scene file, then go on";
+                let save = Command::Reply(Reply::Save);
+                button(ui, "Save first\u{2026}", hint, save);
             }
-            answer(ui, go_on, "the edits are lost", Reply::GoOn);
-            answer(ui, "Cancel", "nothing happens (Esc)", Reply::Stay);
+            if !measured.is_empty() {
+                let lists = measured.iter().map(|scene| scene.measuring().text());
+                let hint = "all lines as text; the question stays";
+                let copy = Command::Copy(lists.collect());
+                button(ui, "Copy the measures", hint, copy);
+            }
+            if matches!(intent, Intent::Open(_)) {
+                let hint = "show them beside the present scene, which stays as it is";
+                button(ui, "Add to the scene", hint, Command::Reply(Reply::Add));
+            }
+            let hint = format!("the {dropped} are lost");
+            let go_on = format!("{go_on}, drop the {dropped}");
+            button(ui, &go_on, &hint, Command::Reply(Reply::GoOn));
+            let stay = Command::Reply(Reply::Stay);
+            button(ui, "Cancel", "nothing happens (Esc)", stay);
         });
     });
+}
+
+fn names(scenes: &[&State]) -> String {
+    let names: Vec<_> = scenes.iter().map(|scene| scene.name()).collect();
+    names.join(" and ")
 }

@@ -1,0 +1,204 @@
+//! The files on screen are read again: what stays, and what the history forgets.
+
+use super::{
+    made::Made,
+    showing::Showing,
+    state::{Chosen, Edits, Selection, State, Step},
+};
+use crate::{
+    pick::Pick,
+    scene::{InFile, Loaded, MeshFile},
+};
+use std::mem;
+
+impl State {
+    /// Shows what the same files hold now. View and section stay, and selection and visibility stay with the objects of the
+    /// same name. The history forgets steps about objects that are gone, and about matrices if edits of these are
+    /// dropped. Where the files hold what they held before, nothing changes.
+    pub fn reload(&mut self, loaded: Loaded) {
+        self.reload_as(loaded, None);
+    }
+
+    /// Does what [`Self::reload`] does. `made` is the resulting scene, if another thread has made it. Returns whether any
+    /// object differs from before.
+    pub(in crate::viewer) fn reload_as(&mut self, loaded: Loaded, made: Option<Made>) -> bool {
+        if self.showing().map(|showing| showing.exhibit) != loaded.exhibit {
+            self.showing = loaded.exhibit.map(Showing::new);
+        }
+        let made = made.filter(|made| made.is_of(&self.scene));
+        let made = made.unwrap_or_else(|| Made::again(&self.scene, loaded.scene.clone()));
+        self.unused.push(loaded.scene);
+        let before = mem::replace(&mut self.source.meshes, loaded.meshes);
+        self.source.materials = loaded.materials;
+        let is_as_long = |file: &MeshFile| {
+            MeshFile::of(&before, &file.mesh).is_some_and(|before| file.is_as_long_as(before))
+        };
+        let is_rewritten = !self.source.meshes.iter().all(is_as_long);
+        if !made.is_same {
+            self.show_again(made);
+            return true;
+        }
+        self.filed.matrices = self.edits.matrices;
+        if made.hides_as_filed {
+            self.filed.visibility = self.edits.visibility;
+        }
+        if is_rewritten {
+            // As they are rounded, its numbers are the same. As they are written, they may not be.
+            self.outdate_all_measures();
+            self.forget_points();
+        }
+        self.ask_files_again(|known| is_rewritten || known.file_error.is_some());
+        false
+    }
+
+    /// Shows what became of the scene.
+    fn show_again(&mut self, made: Made) {
+        let before = self.edits;
+        if self.edited() {
+            // No edit so far has led to these matrices, not even one that is being saved.
+            self.edit(|edits| &mut edits.matrices);
+        }
+        self.filed.matrices = self.edits.matrices;
+        if self.source.paths.is_empty() {
+            self.filed.objects = self.edits.objects;
+        }
+        self.carry_steps(&made, before);
+        self.outdate_all_measures();
+        let selected = self.selected().and_then(|object| made.became(object));
+        self.selection = selected.map(|object| Selection { object, pick: None });
+        self.unused.push(mem::replace(&mut self.scene, made.scene));
+        self.scene_revision += 1;
+        self.visibility_revision += 1;
+        (self.cursor, self.lit) = (None, None);
+        (self.hits, self.sought) = (None, None);
+        self.landmarks.clear();
+        self.forget_points();
+        self.fit();
+        self.refresh_panes();
+    }
+
+    /// Takes this scene's own steps from the old objects to the new ones, and forgets those that no longer lead anywhere.
+    /// `before` are the edits of the old scene.
+    fn carry_steps(&mut self, made: &Made, before: Edits) {
+        let drops_places = before.matrices != self.edits.matrices;
+        for back in [true, false] {
+            // Outwards from the present. Without a forgotten step, the scenes on both sides of it are the same.
+            let mut nearer = self.edits;
+            let mut same = vec![(before, nearer)];
+            let mut kept = Vec::new();
+            for mut step in self.timeline.take_near(back, Step::is_of_another_scene) {
+                let stays = step.carry(made, drops_places);
+                if let Some(edits) = step.edits_mut() {
+                    for (from, to) in &same {
+                        edits.rename(from, to);
+                    }
+                    edits.objects = self.edits.objects;
+                    if stays {
+                        nearer = *edits;
+                    } else {
+                        same.push((*edits, nearer));
+                        self.filed.rename(edits, &nearer);
+                    }
+                }
+                match step {
+                    step if stays => kept.push(step),
+                    Step::Composed { scene, .. } => self.unused.push(scene),
+                    _ => {}
+                }
+            }
+            self.timeline.put_near(back, kept);
+        }
+        if made.hides_as_filed {
+            self.filed.visibility = self.edits.visibility;
+        }
+    }
+
+    /// Marks all measures of this scene as taken before it changed, also those that undo or redo brings back.
+    fn outdate_all_measures(&mut self) {
+        self.outdate_measures();
+        for back in [true, false] {
+            let mut near = self.timeline.take_near(back, Step::is_of_another_scene);
+            for step in &mut near {
+                if let Step::Measured(list) = step {
+                    list.iter_mut().for_each(|entry| entry.outdated = true);
+                }
+            }
+            self.timeline.put_near(back, near);
+        }
+    }
+
+    /// Forgets what files have said about picks, where `is_old` holds for it: they are asked again.
+    fn ask_files_again(&mut self, is_old: impl Fn(&InFile) -> bool) {
+        let forget = |pick: &mut Pick| {
+            if is_old(&pick.in_file) {
+                pick.in_file = InFile::default();
+            }
+        };
+        let selection = self.selection.as_mut();
+        let line = selection.and_then(|selection| selection.pick.as_mut());
+        let picked = line.and_then(|line| line.hit.as_mut());
+        picked.into_iter().for_each(forget);
+        let on_ray = self.hits.iter_mut().flat_map(|hits| &mut hits.picks);
+        on_ray.for_each(forget);
+    }
+}
+
+impl Step {
+    fn is_of_another_scene(&self) -> bool {
+        matches!(self, Self::Open(_))
+    }
+
+    fn edits_mut(&mut self) -> Option<&mut Edits> {
+        match self {
+            Self::Placed { edits, .. }
+            | Self::Shown { edits, .. }
+            | Self::Composed { edits, .. } => Some(edits),
+            Self::Viewpoint(_) | Self::Measured(_) | Self::Open(_) => None,
+        }
+    }
+
+    /// Makes it a step about the new objects. Returns whether it still is about any.
+    fn carry(&mut self, made: &Made, drops_places: bool) -> bool {
+        match self {
+            Self::Placed { object, chosen, .. } => {
+                chosen.carry(made);
+                let now = made.became(*object).filter(|_| !drops_places);
+                *object = now.unwrap_or_default();
+                now.is_some()
+            }
+            Self::Shown {
+                objects, chosen, ..
+            } => {
+                chosen.carry(made);
+                let now = objects.iter().filter_map(|object| made.became(*object));
+                *objects = now.collect();
+                !objects.is_empty()
+            }
+            // It holds the scene before as the files had it.
+            Self::Composed { .. } => false,
+            Self::Viewpoint(_) | Self::Measured(_) | Self::Open(_) => true,
+        }
+    }
+}
+
+impl Chosen {
+    /// The same object, without the pick.
+    fn carry(&mut self, made: &Made) {
+        let object = self.selection.take().map(|selection| selection.object);
+        let now = object.and_then(|object| made.became(object));
+        self.selection = now.map(|object| Selection { object, pick: None });
+        self.hits = None;
+    }
+}
+
+impl Edits {
+    /// Calls matrices and visibility by the numbers of `to` where they have those of `from`.
+    fn rename(&mut self, from: &Self, to: &Self) {
+        if self.matrices == from.matrices {
+            self.matrices = to.matrices;
+        }
+        if self.visibility == from.visibility {
+            self.visibility = to.visibility;
+        }
+    }
+}
