@@ -57,6 +57,11 @@ fn a_phantom_is_seen_under_a_banner_until_escape() {
 
     key(&mut window, Key::J);
     assert_eq!(window.copied(), None, "a wrong pick is not handed out");
+    // The first Esc closes the message that says so.
+    assert_eq!(window.messages().count(), 1);
+    key(&mut window, Key::Escape);
+    assert_eq!(window.messages().count(), 0);
+    assert_eq!(window.state().method(), Some(method));
     key(&mut window, Key::Escape);
     assert_eq!((window.state().method(), selected(&window)), (None, None));
     let after = window.picture().expect("a picture");
