@@ -32,7 +32,6 @@ mod remembering;
 mod rest;
 mod saving;
 mod section;
-mod sides;
 mod stalls;
 mod tour;
 mod typed;
