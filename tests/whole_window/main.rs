@@ -3,6 +3,7 @@
 #![cfg(feature = "window")]
 
 mod corner;
+mod covered;
 mod device;
 mod earlier_view;
 mod events;
