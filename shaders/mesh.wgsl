@@ -55,6 +55,20 @@ fn corner(in: Vertex, batch: Batch, triangle: u32) -> Corner {
     return out;
 }
 
+// What colours alone need. The normal of a mirrored object is turned, so that its sign tells the side.
+struct ColourCorner {
+    @invariant @builtin(position) clip: vec4<f32>,
+    @location(0) normal_view: vec3<f32>,
+    @location(1) albedo: vec3<f32>,
+}
+
+@vertex
+fn colour_vertex(in: Vertex, batch: Batch) -> ColourCorner {
+    let all = corner(in, batch, 0u);
+    let mirrors = (batch.numbers.z & MIRRORS) != 0u;
+    return ColourCorner(all.clip, select(all.normal_view, -all.normal_view, mirrors), all.albedo);
+}
+
 // The shaded colour. Where a section cuts, back faces get the colour of a solid's inside.
 fn lit(in: Corner, winding_front: bool, is_cut: bool) -> vec4<f32> {
     let front = winding_front != ((in.own.z & MIRRORS) != 0u);
@@ -67,8 +81,8 @@ fn id_of(in: Corner, primitive: u32) -> vec2<u32> {
 }
 
 @fragment
-fn colour(in: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    return lit(in, front, false);
+fn colour(in: ColourCorner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+    return vec4<f32>(shade(in.albedo, select(-in.normal_view, in.normal_view, front)), 1.0);
 }
 
 // Dark, since lines are thin.

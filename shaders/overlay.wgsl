@@ -20,6 +20,13 @@ fn line_colour(in: Point) -> @location(0) vec4<f32> {
     return vec4<f32>(in.colour, 1.0);
 }
 
+// Covers the target as far away as the depth buffer is where nothing was drawn.
+@vertex
+fn behind(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4<f32> {
+    let is_standard = frame.clip_per_depth > 0.0;
+    return vec4<f32>(covering(corner), select(0.0, 1.0, is_standard), 1.0);
+}
+
 // The same as look::background.
 @fragment
 fn background_colour(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {

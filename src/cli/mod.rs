@@ -147,14 +147,17 @@ fn load(args: &SceneArgs) -> Result<Loaded, CliError> {
     load_with(args, Detail::All)
 }
 
-/// Like [`load`], while another thread makes the device that draws. For a small file, the device takes longer than the
+/// Like [`load`], while another thread opens the device that draws. For a small file, the device takes longer than the
 /// load.
-fn load_beside_gpu(args: &SceneArgs) -> Result<(Loaded, Result<Gpu, GpuError>), CliError> {
+fn load_beside_gpu(
+    args: &SceneArgs,
+    open: fn() -> Result<Gpu, GpuError>,
+) -> Result<(Loaded, Result<Gpu, GpuError>), CliError> {
     // The device's thread logs, too.
     start_log(args.verbose);
     // The thread is waited for in any case: drivers do not like to be left in the middle.
     thread::scope(|scope| {
-        let gpu = scope.spawn(Gpu::headless);
+        let gpu = scope.spawn(open);
         let loaded = load(args);
         let gpu = gpu.join().unwrap_or_else(|panic| resume_unwind(panic));
         Ok((loaded?, gpu))

@@ -7,7 +7,8 @@ use super::{
 use crate::{
     camera::View,
     image::{Id, Image, ImageError, Rgb},
-    pick, render,
+    pick,
+    render::{self, Gpu},
     replace::target,
     scene::Scene,
     viewer::{self, model::Views},
@@ -63,7 +64,12 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     }
     let views = args.views.filter(|views| *views != Views::Picture);
     let (mut loaded, gpu) = if args.by == By::Raster && views.is_none() {
-        let (loaded, gpu) = load_beside_gpu(&args.scene)?;
+        let open = if args.ids.is_none() && args.pick.is_none() {
+            Gpu::headless_for_colours
+        } else {
+            Gpu::headless
+        };
+        let (loaded, gpu) = load_beside_gpu(&args.scene, open)?;
         (loaded, Some(gpu))
     } else {
         (load(&args.scene)?, None)

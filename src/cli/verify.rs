@@ -5,7 +5,7 @@ use crate::{
     camera::View,
     image::{Id, Image, Rgb},
     json, pick,
-    render::{self, Rasteriser},
+    render::{self, Gpu, Rasteriser},
     scene::Scene,
     study::methods::usual,
     verify::{
@@ -56,7 +56,7 @@ const CHECK_BYTES: usize = size_of::<Id>() + size_of::<bool>() + size_of::<Rgb>(
 
 /// Draws, picks, compares and prints the report.
 pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
-    let (mut loaded, gpu) = load_beside_gpu(&args.scene)?;
+    let (mut loaded, gpu) = load_beside_gpu(&args.scene, Gpu::headless)?;
     let view = args.view.apply(&mut loaded)?;
     let scene = &loaded.scene;
     let gpu = gpu.map_err(CliError::NothingDrawn)?;

@@ -11,13 +11,16 @@ use super::{
     scene_buffers::SceneBuffers,
     seen::Tables,
     slices::{Piece, Slice},
-    steps::{LINE, Parts, Steps},
+    steps::{LINE, Parts, Step, Steps},
     targets::Targets,
     without_depth,
 };
 use crate::camera::View;
 use std::{collections::VecDeque, ops::Range};
 use wgpu::BufferUsages;
+
+/// How much a software adapter draws in one pass, in triangles. Lavapipe rasters one pass while it transforms the next.
+const SOFTWARE_PASS: u64 = 1 << 14;
 
 /// The drawing of a scene, or of its selection, into targets.
 #[derive(Debug)]
@@ -199,29 +202,39 @@ impl Renderer {
             },
             lines: if has_colours { drawing.lines.len() } else { 0 },
         };
-        let Some(step) = drawing.steps.take(&parts, piece) else {
+        // Colours need no numbers of triangles: only they can be drawn in several passes at once.
+        let each = (gpu.is_software() && pass == Pass::Colour).then_some(SOFTWARE_PASS);
+        let steps = drawing.steps.take(&parts, piece, each);
+        let Some(last) = steps.last() else {
             return Ok(false);
         };
+        let ends = last.ends;
         let is_first = begins && drawing.band == 0;
-        let is_last = step.ends && drawing.band + 1 == drawing.bands;
+        let is_last = ends && drawing.band + 1 == drawing.bands;
         self.write_frame(gpu, &view);
-        let scene_bindings = self.bind(gpu, scene);
         let tables = scene.tables();
-        begin_at(tables, draws, &step.surfaces, |slice, _| {
-            slice.triangles.start
-        });
-        let vertices = lines::vertices(&view, &drawing.lines[step.lines.clone()]);
-        let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
-        let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
+        let numbered: &[Slice] = match (pass, &*steps) {
+            (Pass::ColourAndIds | Pass::Ids, [step]) => &step.surfaces,
+            _ => &[],
+        };
+        begin_at(tables, draws, numbered, |slice, _| slice.triangles.start);
+        let bindings = self.bind(gpu, scene);
         let mut encoder = gpu.encoder();
-        {
+        for (number, step) in steps.iter().enumerate() {
+            let vertices = lines::vertices(&view, &drawing.lines[step.lines.clone()]);
+            let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
+            let [begins, ends] = [is_first && number == 0, is_last && step.ends];
             let mut render_pass = match pass {
-                Pass::Mask => without_depth::begin(&mut encoder, &targets.mask_view, is_first),
-                _ => begin(gpu, &mut encoder, targets, &view, pass, [is_first, is_last]),
+                Pass::Mask => without_depth::begin(&mut encoder, &targets.mask_view, begins),
+                _ => {
+                    let which = [begins, ends];
+                    begin(gpu, &mut encoder, targets, &view, pass, number, which)
+                }
             };
-            render_pass.set_bind_group(0, &scene_bindings, &[]);
+            render_pass.set_bind_group(0, &bindings, &[]);
             render_pass.set_vertex_buffer(BATCHES, tables.triangles.slice(..));
-            if is_first && has_colours {
+            // Smooth colours are seen only when they are finished. The background is then drawn where nothing else is.
+            if has_colours && if pass == Pass::Colour { ends } else { begins } {
                 render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Background, &view));
                 render_pass.draw(0..3, 0..1);
             }
@@ -229,17 +242,12 @@ impl Renderer {
             let rows = drawing.rows();
             let (width, height) = (view.viewport.width(), rows.end - rows.start);
             render_pass.set_scissor_rect(0, rows.start, width, height);
-            for slice in &step.surfaces {
-                self.draw_slice(gpu, &mut render_pass, pass, &view, draws, slice);
-            }
-            for slice in &step.edges {
-                let draw = &parts.edged[slice.draw];
-                self.draw_edges(gpu, &mut render_pass, pass, &view, draw, slice);
-            }
-            if !line_ends.is_empty() {
+            self.draw_step(gpu, &mut render_pass, pass, &view, &parts, step);
+            if !vertices.is_empty() {
+                let ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
                 render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Lines, &view));
                 render_pass.set_vertex_buffer(0, line_buffer.slice(..));
-                render_pass.draw(line_ends, 0..1);
+                render_pass.draw(ends, 0..1);
             }
         }
         if is_last && pass == Pass::Colour && !gpu.resolves() {
@@ -247,11 +255,11 @@ impl Renderer {
             resolve.encode(gpu, &mut encoder, targets);
         }
         gpu.submit([encoder.finish()]);
-        begin_at(tables, draws, &step.surfaces, |_, draw| {
+        begin_at(tables, draws, numbered, |_, draw| {
             draw.shape.triangles().start
         });
-        drawing.done += step.work();
-        if step.ends {
+        drawing.done += steps.iter().map(Step::work).sum::<u64>();
+        if ends {
             (drawing.steps, drawing.band) = (Steps::default(), drawing.band + 1);
         }
         if is_last {
@@ -262,6 +270,25 @@ impl Renderer {
             }
         }
         Ok(drawing.passes.is_empty())
+    }
+
+    /// Draws the surfaces and edges of a step.
+    fn draw_step(
+        &mut self,
+        gpu: &Gpu,
+        render_pass: &mut wgpu::RenderPass<'_>,
+        pass: Pass,
+        view: &View,
+        parts: &Parts<'_>,
+        step: &Step,
+    ) {
+        for slice in &step.surfaces {
+            self.draw_slice(gpu, render_pass, pass, view, parts.surfaces, slice);
+        }
+        for slice in &step.edges {
+            let draw = &parts.edged[slice.draw];
+            self.draw_edges(gpu, render_pass, pass, view, draw, slice);
+        }
     }
 }
 

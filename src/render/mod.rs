@@ -105,21 +105,22 @@ pub struct Renderer {
     /// [`Gpu::draws_wireframes`].
     pub wireframe: Option<Wireframe>,
     pipelines: pipelines::Pipelines,
-    post: outline::PostPasses,
+    /// Made at first use.
+    post: Option<outline::PostPasses>,
     /// Made at first use.
     resolve: OnceCell<resolve::Resolve>,
     frame: wgpu::Buffer,
 }
 
 impl Renderer {
-    /// Compiles the shaders, for targets with 1 or [`SMOOTH_SAMPLES`] colour samples per pixel.
+    /// A renderer for targets with 1 or [`SMOOTH_SAMPLES`] colour samples per pixel. It compiles shaders at first use.
     #[must_use]
     pub fn new(gpu: &Gpu, colour_samples: u32) -> Self {
         Self {
             scale_factor: 1.0,
             wireframe: None,
             pipelines: pipelines::Pipelines::new(gpu, colour_samples),
-            post: outline::PostPasses::new(gpu),
+            post: None,
             resolve: OnceCell::new(),
             frame: uniform_buffer::<shader_structs::Frame>(gpu, "frame"),
         }
@@ -137,7 +138,19 @@ pub fn render(
     selection: Option<usize>,
 ) -> Result<(Image<Id>, Image<Rgb>), GpuError> {
     let drawing = Drawing::of_scene(gpu.smooth_samples(), view, Vec::new());
-    let (targets, picture) = draw_alone(gpu, scene, view, drawing, selection)?;
+    let DrawnAlone {
+        targets,
+        buffers,
+        mut renderer,
+    } = draw_alone(gpu, scene, view, drawing)?;
+    if let Some(object) = selection {
+        renderer.draw_selection(gpu, &buffers, &targets, view, object)?;
+    }
+    let marks = Marks {
+        selection,
+        hover: None,
+    };
+    let picture = renderer.composite_to_image(gpu, &buffers, &targets, view, &marks)?;
     Ok((targets.read_ids(gpu)?, picture))
 }
 
@@ -150,18 +163,26 @@ pub fn picture(gpu: &Gpu, scene: &Scene, view: &View) -> Result<Image<Rgb>, GpuE
         1 => Drawing::of_scene(1, view, Vec::new()),
         _ => Drawing::of_smooth_colours(view, Vec::new(), 1),
     };
-    let (_, picture) = draw_alone(gpu, scene, view, drawing, None)?;
-    Ok(picture)
+    // Without marks, the picture is the colours as drawn.
+    draw_alone(gpu, scene, view, drawing)?
+        .targets
+        .read_colours(gpu)
 }
 
-/// Draws into new targets and returns them with the picture.
+/// A picture that was drawn, and what drew it.
+struct DrawnAlone {
+    targets: Targets,
+    buffers: SceneBuffers,
+    renderer: Renderer,
+}
+
+/// Draws into new targets.
 fn draw_alone(
     gpu: &Gpu,
     scene: &Scene,
     view: &View,
     mut drawing: Drawing,
-    selection: Option<usize>,
-) -> Result<(Targets, Image<Rgb>), GpuError> {
+) -> Result<DrawnAlone, GpuError> {
     let targets = Targets::new(gpu, view.viewport, gpu.smooth_samples())?;
     let buffers = SceneBuffers::upload(gpu, scene)?;
     let mut renderer = Renderer::new(gpu, gpu.smooth_samples());
@@ -173,15 +194,11 @@ fn draw_alone(
     while !renderer.advance(gpu, &buffers, &targets, &mut drawing, piece)? {
         gpu.wait()?;
     }
-    if let Some(object) = selection {
-        renderer.draw_selection(gpu, &buffers, &targets, view, object)?;
-    }
-    let marks = Marks {
-        selection,
-        hover: None,
-    };
-    let picture = renderer.composite_to_image(gpu, &buffers, &targets, view, &marks)?;
-    Ok((targets, picture))
+    Ok(DrawnAlone {
+        targets,
+        buffers,
+        renderer,
+    })
 }
 
 fn uniform_buffer<T>(gpu: &Gpu, label: &'static str) -> wgpu::Buffer {

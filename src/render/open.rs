@@ -17,6 +17,22 @@ impl Gpu {
         Self::headless_within(&Restraint::default())
     }
 
+    /// [`Gpu::headless`] for colours alone: the rasteriser is not measured, which takes milliseconds, and counts as the
+    /// common one; ids name no triangles.
+    ///
+    /// # Errors
+    /// As [`Gpu::headless`].
+    pub fn headless_for_colours() -> Result<Self, GpuError> {
+        let adapter = pollster::block_on(best_adapter(&instance(), None))?;
+        let restraint = Restraint {
+            numbers: Numbers::Objects,
+            ..Restraint::default()
+        };
+        let mut gpu = Self::unmeasured_of(adapter, &restraint)?;
+        gpu.rasteriser.names_triangles = false;
+        Ok(gpu)
+    }
+
     /// [`Gpu::headless`], restricted to what a lesser adapter can do.
     ///
     /// # Errors
@@ -53,6 +69,21 @@ impl Gpu {
 
     /// A device of an adapter.
     pub(super) fn of(adapter: wgpu::Adapter, restraint: &Restraint) -> Result<Self, GpuError> {
+        let mut gpu = Self::unmeasured_of(adapter, restraint)?;
+        let start = Instant::now();
+        gpu.probe()?;
+        log::info!(
+            "{} has {} sub-pixel bits and numbers triangles by {:?}: found in {:.1?}",
+            gpu.adapter_name(),
+            gpu.rasteriser.sub_pixel_bits(),
+            gpu.numbers,
+            start.elapsed()
+        );
+        Ok(gpu)
+    }
+
+    /// [`Self::of`] before the rasteriser is measured.
+    fn unmeasured_of(adapter: wgpu::Adapter, restraint: &Restraint) -> Result<Self, GpuError> {
         abilities::check(&adapter)?;
         let info = adapter.get_info();
         let numbers = restraint.numbers_of(&adapter);
@@ -76,17 +107,8 @@ impl Gpu {
                 }
             })?;
         let samples = restraint.samples_of(&adapter);
-        let mut gpu = Self::unmeasured(adapter, (device, queue), numbers, samples);
-        let start = Instant::now();
-        gpu.probe()?;
-        log::info!(
-            "{} has {} sub-pixel bits and numbers triangles by {:?}: found in {:.1?}",
-            gpu.adapter_name(),
-            gpu.rasteriser.sub_pixel_bits(),
-            gpu.numbers,
-            start.elapsed()
-        );
-        Ok(gpu)
+        let made = (device, queue);
+        Ok(Self::unmeasured(adapter, made, numbers, samples))
     }
 
     /// Measures the rasteriser. A numbering of triangles that does not work is replaced by the next one.

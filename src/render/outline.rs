@@ -105,9 +105,10 @@ impl Renderer {
             outline_px,
             ..uniform(&Marks::default(), [0, 0], 1)
         };
-        self.post.write(gpu, &uniform);
-        let marks = (self.post).bind(gpu, targets, &targets.values_view, &targets.mask_view);
-        let pipeline = self.post.pipeline(gpu, "outline", MARKS);
+        let post = (self.post).get_or_insert_with(|| PostPasses::new(gpu));
+        post.write(gpu, &uniform);
+        let marks = post.bind(gpu, targets, &targets.values_view, &targets.mask_view);
+        let pipeline = post.pipeline(gpu, "outline", MARKS);
         let mut encoder = gpu.encoder();
         let place = scene.shown(selection);
         {
@@ -139,9 +140,10 @@ impl Renderer {
             coarseness,
             ..
         } = *destination;
-        (self.post).write(gpu, &uniform(marks, origin_px, coarseness));
-        let viewport = targets.viewport();
         let outline_px = self.outline_px();
+        let post = (self.post).get_or_insert_with(|| PostPasses::new(gpu));
+        post.write(gpu, &uniform(marks, origin_px, coarseness));
+        let viewport = targets.viewport();
         let whole = [0, 0, viewport.width(), viewport.height()];
         let box_of = |object: Option<usize>| {
             let place = scene.shown(object?)?;
@@ -167,7 +169,7 @@ impl Renderer {
                 format: Some(format),
                 ..Default::default()
             });
-            let bind_group = (self.post).bind(gpu, targets, picture, &targets.outline_view);
+            let bind_group = post.bind(gpu, targets, picture, &targets.outline_view);
             let mut pass = without_depth::begin(&mut encoder, &view, false);
             pass.set_bind_group(0, &bind_group, &[]);
             for &(entry, rect) in rects {
@@ -175,7 +177,7 @@ impl Renderer {
                     continue;
                 };
                 pass.set_scissor_rect(x, y, width, height);
-                pass.set_pipeline(&self.post.pipeline(gpu, entry, format));
+                pass.set_pipeline(&post.pipeline(gpu, entry, format));
                 pass.draw(0..3, 0..1);
             }
         }

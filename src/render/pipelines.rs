@@ -1,5 +1,5 @@
-//! Makes the pipelines: which shader draws what in which pass. Each is made at first use, since a driver takes
-//! milliseconds for it and most programs need few.
+//! Makes the pipelines: which shader draws what in which pass. Pipelines and shader modules are made at first use, since
+//! they take milliseconds and most programs need few.
 
 use super::{
     abilities::Numbers,
@@ -59,9 +59,7 @@ pub(super) struct Pipelines {
     /// Frame, objects and spheres.
     pub bind_group_layout: wgpu::BindGroupLayout,
     layout: wgpu::PipelineLayout,
-    mesh: wgpu::ShaderModule,
-    sphere: wgpu::ShaderModule,
-    overlay: wgpu::ShaderModule,
+    modules: HashMap<&'static str, wgpu::ShaderModule>,
     samples: u32,
     made: HashMap<Key, wgpu::RenderPipeline>,
 }
@@ -130,12 +128,6 @@ const fn column(shader_location: u32, matrix: usize, column: usize) -> VertexAtt
 
 impl Pipelines {
     pub fn new(gpu: &Gpu, samples: u32) -> Self {
-        let mesh = match gpu.numbers() {
-            Numbers::Primitives => "mesh by primitive",
-            Numbers::Corners | Numbers::Objects => "mesh by corner",
-        };
-        let [mesh, sphere, overlay] =
-            [mesh, "sphere", "overlay"].map(|name| shader_module(gpu, name));
         let types = [
             wgpu::BufferBindingType::Uniform,
             wgpu::BufferBindingType::Storage { read_only: true },
@@ -147,9 +139,7 @@ impl Pipelines {
         Self {
             bind_group_layout,
             layout,
-            mesh,
-            sphere,
-            overlay,
+            modules: HashMap::new(),
             samples,
             made: HashMap::new(),
         }
@@ -178,7 +168,7 @@ impl Pipelines {
         pipeline
     }
 
-    fn make(&self, gpu: &Gpu, (pass, drawn, depth, is_cut): Key) -> wgpu::RenderPipeline {
+    fn make(&mut self, gpu: &Gpu, (pass, drawn, depth, is_cut): Key) -> wgpu::RenderPipeline {
         let surface_entry = match (pass, is_cut) {
             (Pass::ColourAndIds, false) => "colour_and_id",
             (Pass::ColourAndIds, true) => "colour_and_id_cut",
@@ -189,15 +179,25 @@ impl Pipelines {
             (Pass::Mask, false) => "mask",
             (Pass::Mask, true) => "mask_cut",
         };
-        let edge_entry = if is_cut { "edge_cut" } else { "edge" };
-        let (module, vertex, fragment) = match drawn {
-            Drawn::Triangles { .. } => (&self.mesh, "vertex", surface_entry),
-            Drawn::Edges => (&self.mesh, "vertex", edge_entry),
-            Drawn::Spheres => (&self.sphere, "vertex", surface_entry),
-            Drawn::Lines => (&self.overlay, "line_vertex", "line_colour"),
-            Drawn::Background => (&self.overlay, "cover", "background_colour"),
-            Drawn::Depths => (&self.overlay, "cover", "given_depth"),
+        let triangle_vertex = match surface_entry {
+            "colour" => "colour_vertex",
+            _ => "vertex",
         };
+        let edge_entry = if is_cut { "edge_cut" } else { "edge" };
+        let mesh = match gpu.numbers() {
+            Numbers::Primitives => "mesh by primitive",
+            Numbers::Corners | Numbers::Objects => "mesh by corner",
+        };
+        let (module, vertex, fragment) = match drawn {
+            Drawn::Triangles { .. } => (mesh, triangle_vertex, surface_entry),
+            Drawn::Edges => (mesh, "vertex", edge_entry),
+            Drawn::Spheres => ("sphere", "vertex", surface_entry),
+            Drawn::Lines => ("overlay", "line_vertex", "line_colour"),
+            Drawn::Background => ("overlay", "behind", "background_colour"),
+            Drawn::Depths => ("overlay", "cover", "given_depth"),
+        };
+        let module = self.modules.entry(module);
+        let module = &*module.or_insert_with_key(|name| shader_module(gpu, name));
         let buffers: &[Option<wgpu::VertexBufferLayout>] = match drawn {
             Drawn::Triangles { .. } | Drawn::Edges => &[Some(VERTEX), Some(BATCH)],
             Drawn::Lines => &[Some(LINE_VERTEX)],
@@ -293,20 +293,23 @@ fn primitive(drawn: Drawn) -> wgpu::PrimitiveState {
 }
 
 /// The comparison is strict: at equal depth the surface drawn first stays, which is that of the lower object or
-/// triangle.
+/// triangle. The background is as deep as where nothing is, and shows only there.
 fn depth_state(drawn: Drawn, depth: DepthMapping) -> wgpu::DepthStencilState {
     let nearer = match depth {
         DepthMapping::Reversed => wgpu::CompareFunction::Greater,
         DepthMapping::Standard => wgpu::CompareFunction::Less,
     };
-    let covers = matches!(drawn, Drawn::Background | Drawn::Depths);
+    let as_near = match depth {
+        DepthMapping::Reversed => wgpu::CompareFunction::GreaterEqual,
+        DepthMapping::Standard => wgpu::CompareFunction::LessEqual,
+    };
     wgpu::DepthStencilState {
         format: DEPTH,
         depth_write_enabled: Some(drawn != Drawn::Background),
-        depth_compare: Some(if covers {
-            wgpu::CompareFunction::Always
-        } else {
-            nearer
+        depth_compare: Some(match drawn {
+            Drawn::Background => as_near,
+            Drawn::Depths => wgpu::CompareFunction::Always,
+            _ => nearer,
         }),
         stencil: wgpu::StencilState::default(),
         bias: if drawn == Drawn::Edges {

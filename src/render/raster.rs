@@ -102,6 +102,7 @@ pub(super) fn begin<'a>(
     targets: &Targets,
     view: &View,
     writes: Pass,
+    number: usize,
     [is_first, is_last]: [bool; 2],
 ) -> wgpu::RenderPass<'a> {
     let attach = |view, resolve_target: Option<_>| {
@@ -126,7 +127,8 @@ pub(super) fn begin<'a>(
         })
     };
     let (colours, depth_view) = match (&targets.multisampled, writes) {
-        (Some([colour, depth]), Pass::Colour) => {
+        (Some([even, odd, depth]), Pass::Colour) => {
+            let colour = if number.is_multiple_of(2) { even } else { odd };
             (vec![attach(colour, Some(&targets.colour_view))], depth)
         }
         (_, Pass::Ids) => (vec![attach(&targets.ids_view, None)], &targets.depth_view),

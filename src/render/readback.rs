@@ -163,12 +163,10 @@ pub(super) fn read<T: bytemuck::Pod, P>(
         let bytes = buffer
             .get_mapped_range(band)
             .map_err(|error| gpu.failed(&error))?;
-        pixels.extend(
-            bytes
-                .chunks_exact(bytes.len() / height as usize)
-                .flat_map(|line| line[..row].chunks_exact(size_of::<T>()))
-                .map(|bytes| pixel(bytemuck::pod_read_unaligned(bytes))),
-        );
+        for line in bytes.chunks_exact(bytes.len() / height as usize) {
+            let values = line[..row].chunks_exact(size_of::<T>());
+            pixels.extend(values.map(|bytes| pixel(bytemuck::pod_read_unaligned(bytes))));
+        }
         drop(bytes);
         buffer.unmap();
     }

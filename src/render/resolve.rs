@@ -33,7 +33,7 @@ impl Resolve {
 
     /// Resolves all samples of the colours. Does nothing for targets with one sample per pixel.
     pub fn encode(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
-        let Some([samples, _]) = &targets.multisampled else {
+        let Some([samples, ..]) = &targets.multisampled else {
             return;
         };
         let samples = wgpu::BindingResource::TextureView(samples);

@@ -105,6 +105,23 @@ fn where_triangles_have_no_numbers_objects_do() {
     }
 }
 
+/// A device whose rasteriser nobody measured draws the same colours.
+#[test]
+fn colours_alone_need_no_measured_rasteriser() {
+    let unmeasured = Gpu::headless_for_colours().unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(unmeasured.numbers(), Numbers::Objects);
+    assert!(!unmeasured.rasteriser().names_triangles);
+    let scene = shapes(DVec3::ZERO);
+    for view in views() {
+        let (_, colours) = sightline::render::render(&gpu(), &scene, &view, None).expect("drawn");
+        let alone = sightline::render::picture(&unmeasured, &scene, &view).expect("drawn");
+        assert!(
+            alone.pixels() == colours.pixels(),
+            "the same to the last bit"
+        );
+    }
+}
+
 #[test]
 fn without_multisampling_pictures_are_rough() {
     let rough = lesser(&Restraint {
