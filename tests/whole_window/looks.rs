@@ -109,7 +109,9 @@ fn every_word_is_explained() {
         click_on(&mut window, heading);
         check(&window);
     }
+    // A section is an edit, which would be asked about below.
     click_on(&mut window, "Camera");
+    click_on(&mut window, "section");
     for menu in ["Recent", "Views", "Overlays", "Gallery"] {
         click_on(&mut window, menu);
         check(&window);

@@ -10,8 +10,8 @@ use crate::{
     },
 };
 use egui::{
-    Align, Align2, Color32, FontId, Label, Painter, Pos2, Rect, Response, RichText, Role, Sense,
-    Stroke, Ui, WidgetInfo, pos2, vec2,
+    Align, Align2, Color32, FontId, Frame, Label, Layout, Painter, Pos2, Rect, Response, RichText,
+    Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 use glam::{DMat3, DVec3};
 
@@ -50,12 +50,20 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, state: &State, commands: &mut Vec<Co
     }
     let middle = middle(rect);
     if let Some(step) = grid_step(state) {
-        let at = middle + vec2(RADIUS + 6.0, RADIUS - 16.0);
+        let at = middle + vec2(RADIUS + 6.0, RADIUS - 18.0);
+        let room = Rect::from_min_size(at, vec2(STEP_WIDTH, 18.0));
+        let inside = UiBuilder::new()
+            .max_rect(room)
+            .layout(Layout::left_to_right(Align::Center));
         let text = RichText::new(format!("grid step {}", short(step)));
-        let text = Label::new(text.color(Color32::from_gray(170)))
-            .selectable(false)
-            .halign(Align::Min);
-        ui.put(Rect::from_min_size(at, vec2(STEP_WIDTH, 16.0)), text)
+        let text = Label::new(text.color(Color32::from_gray(200))).selectable(false);
+        // Readable over light surfaces, too.
+        let plate = Frame::new()
+            .fill(Color32::from_black_alpha(90))
+            .corner_radius(3.0)
+            .inner_margin(vec2(4.0, 1.0));
+        ui.scope_builder(inside, |ui| plate.show(ui, |ui| ui.add(text)).inner)
+            .inner
             .on_hover_text("from one line of the grid to the next, in world units (G hides it)");
     }
 }
