@@ -112,6 +112,18 @@ impl Drawing {
         }
     }
 
+    /// Takes what was drawn: so much work, all of the band, or all of the pass.
+    fn drew(&mut self, work: u64, band: bool, pass: bool) {
+        self.done += work;
+        if band {
+            (self.steps, self.band) = (Steps::default(), self.band + 1);
+        }
+        if pass {
+            self.passes.pop_front();
+            self.band = 0;
+        }
+    }
+
     /// The rows of the current band.
     fn rows(&self) -> Range<u32> {
         let height = u64::from(self.view.viewport.height());
@@ -224,12 +236,11 @@ impl Renderer {
             let vertices = lines::vertices(&view, &drawing.lines[step.lines.clone()]);
             let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
             let [begins, ends] = [is_first && number == 0, is_last && step.ends];
-            let mut render_pass = match pass {
-                Pass::Mask => without_depth::begin(&mut encoder, &targets.mask_view, begins),
-                _ => {
-                    let which = [begins, ends];
-                    begin(gpu, &mut encoder, targets, &view, pass, number, which)
-                }
+            let mut render_pass = if pass == Pass::Mask {
+                without_depth::begin(&mut encoder, &targets.mask_view, begins)
+            } else {
+                let which = [begins, ends];
+                begin(gpu, &mut encoder, targets, &view, pass, number, which)
             };
             render_pass.set_bind_group(0, &bindings, &[]);
             render_pass.set_vertex_buffer(BATCHES, tables.triangles.slice(..));
@@ -258,16 +269,9 @@ impl Renderer {
         begin_at(tables, draws, numbered, |_, draw| {
             draw.shape.triangles().start
         });
-        drawing.done += steps.iter().map(Step::work).sum::<u64>();
-        if ends {
-            (drawing.steps, drawing.band) = (Steps::default(), drawing.band + 1);
-        }
-        if is_last {
-            drawing.passes.pop_front();
-            drawing.band = 0;
-            if let Some((object, _)) = drawing.selection {
-                self.draw_outline(gpu, scene, targets, &view, object);
-            }
+        drawing.drew(steps.iter().map(Step::work).sum(), ends, is_last);
+        if is_last && let Some((object, _)) = drawing.selection {
+            self.draw_outline(gpu, scene, targets, &view, object);
         }
         Ok(drawing.passes.is_empty())
     }

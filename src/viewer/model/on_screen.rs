@@ -12,6 +12,7 @@ pub(in crate::viewer) struct OnScreen {
 
 /// What is on screen, as far as it is not what the state wants.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "there is one, and it is copied")]
 pub(in crate::viewer) enum Seen {
     /// The picture is the wanted one.
     #[default]

@@ -120,7 +120,9 @@ impl State {
             let mut near = self.timeline.take_near(back, Step::is_of_another_scene);
             for step in &mut near {
                 if let Step::Measured(list) = step {
-                    list.iter_mut().for_each(|entry| entry.outdated = true);
+                    for entry in list {
+                        entry.outdated = true;
+                    }
                 }
             }
             self.timeline.put_near(back, near);
