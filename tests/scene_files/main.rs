@@ -285,6 +285,7 @@ fn errors_say_where_and_what() {
 
 /// What a person wrote, and the whole message.
 #[test]
+#[expect(clippy::too_many_lines, reason = "a table")]
 fn errors_are_in_words_for_people() {
     let of_object = |line: &str| format!("[[object]]\nshape = \"cube\"\n{line}\n");
     let of_camera = |line: &str| format!("[camera]\n\n{line}\n");
