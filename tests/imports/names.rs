@@ -64,7 +64,9 @@ fn files_of_one_name_are_about_one_subject() {
     }
     assert!(folders.len() > 300, "{}", folders.len());
     folders.retain(|_, folders| folders.len() > 1);
-    folders.values_mut().for_each(|folders| folders.sort());
+    for folders in folders.values_mut() {
+        folders.sort();
+    }
     let shared = SHARED.map(|(name, folders)| {
         let mut folders: Vec<_> = folders.iter().map(|&folder| folder.to_owned()).collect();
         folders.sort();
