@@ -95,7 +95,8 @@ fn a_wrong_use_is_exit_code_2() {
 fn a_bad_file_is_exit_code_3_and_named() {
     let folder = Folder::new();
     std::fs::write(folder.path("bad.toml"), "[[object]]\nshape = \"ball\"\n").unwrap();
-    std::fs::write(folder.path("camera.toml"), "[camera]\nnear = 5\nfar = 4\n").unwrap();
+    let crossed = "[camera]\nnear = 5\nfar = 4\n[[object]]\nshape = \"cube\"\n";
+    std::fs::write(folder.path("camera.toml"), crossed).unwrap();
     std::fs::write(
         folder.path("odd.toml"),
         "[[object]]\nshape = \"cu\\nbe\\u0007\"\n",

@@ -214,7 +214,7 @@ fn a_save_that_fails_half_way_leaves_the_old_scene_file() {
         .arg(std::env::current_exe().unwrap())
         .args([
             "--exact",
-            "beside::a_save_that_fails_half_way_leaves_the_old_scene_file",
+            "moved_folder::a_save_that_fails_half_way_leaves_the_old_scene_file",
         ])
         .env(SCENE_FILE, &path)
         .output()
