@@ -4,6 +4,7 @@
 mod beside;
 #[path = "../common/mod.rs"]
 mod common;
+mod many;
 mod saved;
 
 use common::assert_near;
