@@ -136,11 +136,11 @@ impl App {
     pub(super) fn underway(&self) -> Option<Underway> {
         let loading = self.loading.as_ref().map(|(load, ..)| Underway {
             what: "loading",
-            fraction: Some(load.fraction()),
+            fraction: load.fraction(),
         });
-        let arriving = self.arriving.as_ref().map(|_| Underway {
+        let arriving = self.arriving.as_ref().map(|(upload, _)| Underway {
             what: "getting ready",
-            fraction: None,
+            fraction: upload.fraction(),
         });
         loading.or(arriving)
     }

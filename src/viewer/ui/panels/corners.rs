@@ -32,9 +32,8 @@ pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mu
             .show(&ctx, |ui| {
                 Frame::popup(ui.style()).show(ui, |ui| {
                     ui.horizontal(|ui| {
-                        let bar = ProgressBar::new(fraction.unwrap_or(1.0));
-                        let bar = bar.animate(fraction.is_none());
-                        ui.add(bar.desired_width(220.0).text(*what));
+                        let bar = ProgressBar::new(*fraction).desired_width(220.0);
+                        ui.add(bar.text(*what));
                         if ui.button("cancel").hint("(Esc)").clicked() {
                             commands.push(Command::Escape);
                         }

@@ -25,8 +25,8 @@ pub(in crate::viewer) struct Floating {
 pub(in crate::viewer) struct Underway {
     /// What is being done.
     pub what: &'static str,
-    /// How far it has come; `None` if that is not known.
-    pub fraction: Option<f32>,
+    /// How far it has come, in [0, 1].
+    pub fraction: f32,
 }
 
 /// What the panels show besides the state.
