@@ -3,6 +3,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod many;
 mod moved_folder;
 mod saved;
 

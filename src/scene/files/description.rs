@@ -176,10 +176,11 @@ pub fn to_toml(
     meshes: &[MeshFile],
 ) -> Result<String, SaveError> {
     let unplaced = |entry| Spanned::new(0..0, entry);
+    let meshes = MeshFile::by_mesh(meshes);
     let objects = scene
         .objects()
         .iter()
-        .map(|object| Entry::of(object, meshes).map(unplaced))
+        .map(|object| Entry::of(object, &meshes).map(unplaced))
         .collect::<Result<_, _>>()?;
     let camera = (*camera != CameraChoice::default()).then(|| Spanned::new(0..0, *camera));
     Ok(toml::to_string(&SceneFile { camera, objects })?)

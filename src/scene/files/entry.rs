@@ -1,6 +1,6 @@
 //! One `[[object]]` of a scene file, with its colour and model matrix as people write them.
 
-use super::{MeshFile, ObjError, Object, Problem, SaveError, Shape};
+use super::{MeshFile, ObjError, Object, Problem, SaveError, Shape, mesh_files::address};
 use crate::{
     camera::{exactly, some_vector},
     colour::Srgb,
@@ -8,7 +8,7 @@ use crate::{
 };
 use glam::{DAffine3, DMat3, DVec3};
 use serde::{Deserialize, Serialize};
-use std::{path::Path, sync::Arc};
+use std::{collections::HashMap, path::Path, sync::Arc};
 
 /// What a scene file says about one object, or about all objects of a mesh file.
 #[derive(Serialize, Deserialize)]
@@ -193,8 +193,11 @@ impl Entry {
         })
     }
 
-    /// The entry that describes an object.
-    pub(super) fn of(object: &Object, meshes: &[MeshFile]) -> Result<Self, SaveError> {
+    /// The entry that describes an object. `meshes` are the files by the addresses of their meshes.
+    pub(super) fn of(
+        object: &Object,
+        meshes: &HashMap<usize, &MeshFile>,
+    ) -> Result<Self, SaveError> {
         let mut entry = Self {
             name: Some(object.name.clone()),
             shape: Some(match object.shape {
@@ -213,7 +216,7 @@ impl Entry {
             visible: (!object.visible).then_some(false),
         };
         if let Shape::Mesh { mesh, part } = &object.shape {
-            let known = MeshFile::of(meshes, mesh);
+            let known = meshes.get(&address(mesh));
             let known = known.ok_or_else(|| SaveError::NoFile(object.name.clone()))?;
             let text = (known.path.to_str())
                 .ok_or_else(|| SaveError::Path(known.path.display().to_string()))?;

@@ -2,37 +2,38 @@
 
 use super::{
     MeshFile, Progress, Scene, Shape,
+    mesh_files::address,
     obj::{Again, AgainError, FaceInFile, InFile},
 };
 use crate::geometry::Mesh;
-use std::sync::Arc;
+use std::{collections::HashMap, sync::Arc};
 
 /// The files of a scene's meshes, for reading again.
 pub struct FilesAgain<'a> {
     scene: &'a Scene,
-    files: Vec<(&'a Arc<Mesh>, Again<'a>)>,
+    /// By the addresses of their meshes.
+    files: HashMap<usize, Again<'a>>,
 }
 
 impl<'a> FilesAgain<'a> {
     /// Takes a scene and its mesh files, as [`Loaded::meshes`](super::Loaded) has them.
     #[must_use]
     pub fn new(scene: &'a Scene, files: &'a [MeshFile], progress: &'a Progress) -> Self {
-        let again = |file: &'a MeshFile| {
+        let again = |(mesh, file): (usize, &'a MeshFile)| {
             let contents = file.contents.as_ref()?;
             let again = Again::new(&file.path, contents, &file.mesh, progress);
-            Some((&file.mesh, again))
+            Some((mesh, again))
         };
+        let files = MeshFile::by_mesh(files).into_iter();
         Self {
             scene,
-            files: files.iter().filter_map(again).collect(),
+            files: files.filter_map(again).collect(),
         }
     }
 
     /// The file of a mesh; `None` where the mesh is from no file.
     pub fn of(&mut self, mesh: &Arc<Mesh>) -> Option<&mut Again<'a>> {
-        let mut files = self.files.iter_mut();
-        let found = files.find(|(known, _)| Arc::ptr_eq(known, mesh));
-        found.map(|(_, again)| again)
+        self.files.get_mut(&address(mesh))
     }
 
     /// What the file says of a triangle, counted from the object's first; empty where the mesh is from no file.

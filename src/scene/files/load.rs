@@ -41,10 +41,7 @@ pub fn load_with(
     if paths.is_empty() {
         return demo::demo(progress);
     }
-    let mut meshes = MeshFiles {
-        detail,
-        ..MeshFiles::default()
-    };
+    let mut meshes = MeshFiles::new(detail);
     let mut objects = Vec::new();
     let mut warnings = Vec::new();
     let mut camera = None;
@@ -80,13 +77,14 @@ pub fn load_with(
     warnings.extend(lacking);
     let camera = camera.map(|(camera, own, from)| (of_all(camera, &own, objects.len()), from));
     let (camera, camera_from) = camera.unzip();
+    let (meshes, materials) = meshes.into_files();
     Ok(Loaded {
         scene: Scene::new(objects),
         camera: camera.unwrap_or_default(),
         camera_from,
         warnings,
-        meshes: meshes.loaded,
-        materials: meshes.materials,
+        meshes,
+        materials,
         title: title(paths),
         exhibit: match paths {
             [only] => Exhibit::at(only)?,

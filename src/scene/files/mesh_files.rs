@@ -7,6 +7,7 @@ use super::{
 };
 use crate::geometry::Mesh;
 use std::{
+    collections::HashMap,
     path::{Path, PathBuf},
     sync::Arc,
 };
@@ -53,15 +54,29 @@ impl MeshFile {
             ..now.clone()
         })
     }
+
+    /// The files by the addresses of their meshes, for many questions.
+    pub(super) fn by_mesh(files: &[Self]) -> HashMap<usize, &Self> {
+        // Of several files of a mesh, the first stays.
+        let last_first = files.iter().rev();
+        last_first.map(|file| (address(&file.mesh), file)).collect()
+    }
+}
+
+/// What tells a mesh from all others that there are.
+pub(super) fn address(mesh: &Arc<Mesh>) -> usize {
+    Arc::as_ptr(mesh).addr()
 }
 
 /// Mesh files by their absolute paths; each is loaded once.
 #[derive(Debug, Default)]
 pub struct MeshFiles {
-    pub(super) loaded: Vec<MeshFile>,
+    loaded: Vec<MeshFile>,
+    /// The place of each path in `loaded`.
+    places: HashMap<PathBuf, usize>,
     /// The MTL files that they name.
-    pub(super) materials: Vec<PathBuf>,
-    pub(super) detail: Detail,
+    materials: Vec<PathBuf>,
+    detail: Detail,
 }
 
 /// How much of a mesh file is loaded.
@@ -79,11 +94,19 @@ pub enum Detail {
 impl MeshFiles {
     /// Uses `mesh` as the mesh of a file. The file is then not read.
     pub(super) fn insert(&mut self, path: &Path, mesh: Arc<Mesh>) {
-        self.loaded.push(MeshFile {
+        self.add(MeshFile {
             path: absolute(path),
             mesh,
             contents: None,
         });
+    }
+
+    /// None yet; they are loaded with this detail.
+    pub(super) fn new(detail: Detail) -> Self {
+        Self {
+            detail,
+            ..Self::default()
+        }
     }
 
     /// The files that were loaded.
@@ -95,20 +118,31 @@ impl MeshFiles {
     ///
     /// # Errors
     /// As [`obj::load`].
+    fn add(&mut self, file: MeshFile) {
+        let place = self.places.entry(file.path.clone());
+        place.or_insert(self.loaded.len());
+        self.loaded.push(file);
+    }
+
     pub fn load(
         &mut self,
         as_named: &Path,
         progress: &Progress,
         warnings: &mut Vec<Warning>,
+    /// The files that were loaded, and the MTL files that they name.
+    pub(super) fn into_files(self) -> (Vec<MeshFile>, Vec<PathBuf>) {
+        (self.loaded, self.materials)
+    }
+
     ) -> Result<Arc<Mesh>, ObjError> {
         let path = absolute(as_named);
-        if let Some(known) = self.loaded.iter().find(|known| known.path == path) {
-            return Ok(Arc::clone(&known.mesh));
+        if let Some(&known) = self.places.get(&path) {
+            return Ok(Arc::clone(&self.loaded[known].mesh));
         }
         let file = obj::load_with(as_named, progress, self.detail)?;
         warnings.extend(file.warnings);
         self.materials.extend(file.materials);
-        self.loaded.push(MeshFile {
+        self.add(MeshFile {
             path,
             mesh: Arc::clone(&file.mesh),
             contents: Some(Arc::new(file.contents)),

@@ -4,10 +4,12 @@ use super::{
     MeshFile, MeshFiles, Progress, SaveError, Scene, Shape,
     description::to_toml,
     file::{absolute, holds},
+    mesh_files::address,
     obj::write,
 };
 use crate::{camera::CameraChoice, geometry::Mesh, replace::replace};
 use std::{
+    collections::HashSet,
     fs,
     io::Write,
     path::{Component, Path, PathBuf},
@@ -31,14 +33,15 @@ pub fn save(
     let path = absolute(path);
     let mut made = Made(Vec::new());
     let mut files: Vec<MeshFile> = Vec::new();
+    let (by_mesh, mut seen) = (MeshFile::by_mesh(meshes), HashSet::new());
     for object in scene.objects() {
         let Shape::Mesh { mesh, .. } = &object.shape else {
             continue;
         };
-        if MeshFile::of(&files, mesh).is_some() {
+        if !seen.insert(address(mesh)) {
             continue;
         }
-        let known = MeshFile::of(meshes, mesh);
+        let known = by_mesh.get(&address(mesh)).copied();
         files.push(match known.and_then(MeshFile::now) {
             Some(file) => file,
             None => write_mesh(&path, known.map(|file| &*file.path), mesh, &mut made)?,
