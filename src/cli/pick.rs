@@ -3,7 +3,7 @@
 use super::{
     CliError, SceneArgs, ViewArgs, build_trees,
     in_file::{self, Wanted},
-    load, stored, value,
+    load_with, stored, value,
 };
 use crate::{
     camera::{View, Viewport},
@@ -13,7 +13,7 @@ use crate::{
         measure::{ExactPoint, Measured},
         snap::{Snap, SnapLine, object_area},
     },
-    scene::{FilesAgain, Progress, Scene},
+    scene::{Detail, FilesAgain, Progress, Scene},
     verify,
 };
 use glam::DVec2;
@@ -119,7 +119,7 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
             inside(args.view.size(), px)?;
         }
     }
-    let mut loaded = load(&args.scene)?;
+    let mut loaded = load_with(&args.scene, Detail::Picked)?;
     let view = args.view.apply(&mut loaded)?;
     let mut out = std::io::stdout().lock();
     if args.stored {

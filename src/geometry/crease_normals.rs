@@ -1,10 +1,10 @@
 //! Computes shading normals for meshes that have none.
 
-use super::shares::on_all_cores;
+use super::shares::{ALWAYS, GoOn, in_pieces, share};
 use glam::{DVec3, Vec3};
-use std::{convert::Infallible, ops::Range};
+use std::ops::Range;
 
-/// Triangles, or vertices, in one piece of work: a few milliseconds.
+/// Triangles in one piece of work that one core does: a few milliseconds.
 const PIECE: usize = 1 << 15;
 
 /// One normal for each corner of each triangle: what shading interpolates. Picking never reads it.
@@ -12,7 +12,8 @@ const PIECE: usize = 1 << 15;
 pub struct CornerNormals {
     /// Unit normals in object space.
     pub normals: Vec<[f32; 3]>,
-    /// For each triangle, the index into `normals` of each of its corners.
+    /// For each triangle, the index into `normals` of each of its corners. Empty where each vertex has one normal, at its
+    /// own index, and where there are no normals.
     pub corners: Vec<[u32; 3]>,
 }
 
@@ -20,8 +21,29 @@ impl CornerNormals {
     /// Stands for the indices of a triangle that has no normals.
     pub const NONE: [u32; 3] = [u32::MAX; 3];
 
+    /// The indices into `normals` of the corners of these triangles, the mesh's own; empty where there are no normals.
+    #[must_use]
+    pub fn corners_of<'a>(&'a self, triangles: &'a [[u32; 3]]) -> &'a [[u32; 3]] {
+        if self.is_by_vertex() {
+            triangles
+        } else {
+            &self.corners
+        }
+    }
+
+    /// Whether each vertex has one normal, at its own index.
+    pub(crate) fn is_by_vertex(&self) -> bool {
+        self.corners.is_empty() && !self.normals.is_empty()
+    }
+
     /// These normals for the triangles that have any, those of `all` for the rest.
-    pub(super) fn completed_by(&self, mut all: Self) -> Self {
+    pub(super) fn completed_by(&self, mut all: Self, triangles: &[[u32; 3]]) -> Self {
+        if self.corners.is_empty() {
+            return all;
+        }
+        if all.corners.is_empty() {
+            all.corners = triangles.to_vec();
+        }
         let offset = u32::try_from(all.normals.len()).unwrap_or(u32::MAX);
         for (corners, given) in all.corners.iter_mut().zip(&self.corners) {
             if *given != Self::NONE {
@@ -60,35 +82,27 @@ pub fn crease_normals(
     triangles: &[[u32; 3]],
     crease: f32,
 ) -> CornerNormals {
-    let Ok(normals) =
-        crease_normals_while(positions, triangles, crease, |_| Ok::<(), Infallible>(()));
+    let Ok(normals) = crease_normals_while(positions, triangles, crease, ALWAYS);
     normals
 }
 
-/// [`crease_normals`] for as long as `go_on` lets it. Each call is told the share done since the last; shares add up to
-/// 1.
+/// [`crease_normals`] for as long as `go_on` lets it.
 pub(super) fn crease_normals_while<E: Send>(
     positions: &[[f32; 3]],
     triangles: &[[u32; 3]],
     crease: f32,
-    go_on: impl Fn(f64) -> Result<(), E> + Sync,
+    go_on: &GoOn<E>,
 ) -> Result<CornerNormals, E> {
-    let pieces = |count: usize| {
-        let pieces = (0..count).step_by(PIECE);
-        pieces.map(move |first| first..(first + PIECE).min(count))
-    };
     // There are four passes through all triangles or vertices.
-    let go_on = |done: usize, of: usize| go_on(0.25 * share(done, of));
     let face = |corners: &[u32; 3]| face_normal(corners.map(|i| positions[i as usize]));
-    let of_faces = on_all_cores(pieces(triangles.len()), |piece| {
-        go_on(piece.len(), triangles.len())?;
-        Ok(triangles[piece].iter().map(face).collect::<Vec<_>>())
-    });
+    let of_faces = in_pieces(triangles.len(), 0.25, go_on, |piece| {
+        triangles[piece].iter().map(face).collect::<Vec<_>>()
+    })?;
     let mut faces = Vec::with_capacity(triangles.len());
-    for of_piece in of_faces {
-        faces.extend(of_piece?);
-    }
-    let around = corners_by_vertex(positions.len(), triangles, go_on)?;
+    // Each piece is freed as soon as it is copied.
+    of_faces.into_iter().for_each(|piece| faces.extend(piece));
+    let told = |done: usize, of: usize| go_on(0.25 * share(done, of));
+    let around = corners_by_vertex(positions.len(), triangles, told)?;
     let fans = Fans {
         positions,
         triangles,
@@ -96,36 +110,35 @@ pub(super) fn crease_normals_while<E: Send>(
         around: &around,
         cos_crease: crease.cos(),
     };
-    let shares = on_all_cores(pieces(positions.len()), |vertices| {
-        go_on(vertices.len(), positions.len())?;
-        Ok(fans.normals(vertices))
-    });
-    let shares = shares.into_iter().collect::<Result<Vec<Share>, E>>()?;
+    let shares = in_pieces(positions.len(), 0.25, go_on, |vertices| {
+        fans.normals(vertices)
+    })?;
     drop(faces);
+    let is_by_vertex = shares.iter().all(|share| share.of_corners.is_none());
     let mut result = CornerNormals {
         normals: Vec::with_capacity(positions.len()),
-        corners: vec![[0; 3]; triangles.len()],
+        corners: vec![[0; 3]; if is_by_vertex { 0 } else { triangles.len() }],
     };
-    let mut corners = around.corners.iter();
-    for Share {
-        normals,
-        of_corners,
-    } in shares
-    {
-        go_on(of_corners.len(), 3 * triangles.len())?;
-        let offset = u32::try_from(result.normals.len()).unwrap_or(u32::MAX);
-        for (index, &corner) in of_corners.iter().zip(&mut corners) {
-            let (face, at) = split(corner);
-            result.corners[face][at] = offset + index;
+    for share in shares {
+        let corners = around.of(share.vertices.clone());
+        told(corners.len(), 3 * triangles.len())?;
+        if !is_by_vertex {
+            let offset = u32::try_from(result.normals.len()).unwrap_or(u32::MAX);
+            let of_vertices = || {
+                let vertices = (0..).zip(share.vertices.clone());
+                vertices.flat_map(|(index, vertex)| {
+                    std::iter::repeat_n(index, around.of(vertex..vertex + 1).len())
+                })
+            };
+            let indices = share.of_corners.unwrap_or_else(|| of_vertices().collect());
+            for (index, &corner) in indices.iter().zip(corners) {
+                let (face, at) = split(corner);
+                result.corners[face][at] = offset + index;
+            }
         }
-        result.normals.extend(normals);
+        result.normals.extend(share.normals);
     }
     Ok(result)
-}
-
-#[expect(clippy::cast_precision_loss, reason = "a share")]
-fn share(done: usize, of: usize) -> f64 {
-    done as f64 / of as f64
 }
 
 /// What normals about vertices are computed from.
@@ -139,34 +152,37 @@ struct Fans<'a> {
 
 /// The normals about a run of vertices, and which of them each corner there takes.
 struct Share {
+    vertices: Range<usize>,
     normals: Vec<[f32; 3]>,
-    of_corners: Vec<u32>,
+    /// `None` if each vertex has one normal.
+    of_corners: Option<Vec<u32>>,
 }
 
 impl Fans<'_> {
     fn normals(&self, vertices: Range<usize>) -> Share {
-        let starts = &self.around.starts;
-        let all = starts[vertices.start] as usize..starts[vertices.end] as usize;
-        let mut share = Share {
-            normals: Vec::with_capacity(vertices.len()),
-            of_corners: Vec::with_capacity(all.len()),
-        };
+        let mut normals = Vec::with_capacity(vertices.len());
+        let mut of_corners = Vec::with_capacity(self.around.of(vertices.clone()).len());
+        let mut is_by_vertex = true;
         let mut fan = Fan::default();
-        for vertex in vertices {
-            let corners =
-                &self.around.corners[starts[vertex] as usize..starts[vertex + 1] as usize];
+        for vertex in vertices.clone() {
+            let corners = self.around.of(vertex..vertex + 1);
             fan.group(corners, self.triangles, self.faces, self.cos_crease);
-            let first = u32::try_from(share.normals.len()).unwrap_or(u32::MAX);
+            let first = u32::try_from(normals.len()).unwrap_or(u32::MAX);
             for (place, &corner) in corners.iter().enumerate() {
                 let (face, at) = split(corner);
                 let group = fan.group_of(place, self.faces[face]);
                 fan.groups[group as usize].sum +=
                     self.faces[face].as_dvec3() * self.weight(face, at);
-                share.of_corners.push(first + group);
+                of_corners.push(first + group);
             }
-            share.normals.extend(fan.groups.iter().map(Group::normal));
+            is_by_vertex &= fan.groups.len() == 1;
+            normals.extend(fan.groups.iter().map(Group::normal));
         }
-        share
+        Share {
+            vertices,
+            normals,
+            of_corners: (!is_by_vertex).then_some(of_corners),
+        }
     }
 
     /// The sine of a corner's angle over the product of its sides' lengths; 0 where a side has no length.
@@ -189,6 +205,14 @@ impl Fans<'_> {
 struct CornersByVertex {
     starts: Vec<u32>,
     corners: Vec<u32>,
+}
+
+impl CornersByVertex {
+    /// The corners of a run of vertices.
+    fn of(&self, vertices: Range<usize>) -> &[u32] {
+        let [start, end] = [vertices.start, vertices.end].map(|vertex| self.starts[vertex]);
+        &self.corners[start as usize..end as usize]
+    }
 }
 
 fn corners_by_vertex<E>(

@@ -1,6 +1,7 @@
 //! Shares work among all cores.
 
 use std::{
+    convert::Infallible,
     iter,
     num::NonZero,
     ops::Range,
@@ -8,6 +9,13 @@ use std::{
     sync::{Mutex, PoisonError},
     thread,
 };
+
+/// What long work calls now and then. It is told the share of the work that was done since the last call; all shares
+/// add up to 1. An error stops the work.
+pub(crate) type GoOn<'a, E> = dyn Fn(f64) -> Result<(), E> + Sync + 'a;
+
+/// Asks nobody.
+pub(crate) const ALWAYS: &GoOn<Infallible> = &|_| Ok(());
 
 /// The results of `work` on each item, in order; each free core takes the next item.
 pub(crate) fn on_all_cores<T, R: Send>(
@@ -32,6 +40,33 @@ pub(crate) fn on_all_cores<T, R: Send>(
     });
     done.sort_unstable_by_key(|&(index, _)| index);
     done.into_iter().map(|(_, result)| result).collect()
+}
+
+/// Items in one piece of work that can be stopped: a few milliseconds, if an item takes less than a tenth of a
+/// microsecond.
+const PIECE: usize = 1 << 15;
+
+/// The results of `work` on the pieces of `0..count`, in order, on all cores, for as long as `go_on` lets it. `weight` is
+/// the share of all these pieces in the work that `go_on` knows.
+pub(crate) fn in_pieces<T: Send, E: Send>(
+    count: usize,
+    weight: f64,
+    go_on: &GoOn<E>,
+    work: impl Fn(Range<usize>) -> T + Sync,
+) -> Result<Vec<T>, E> {
+    let pieces = (0..count).step_by(PIECE);
+    let pieces = pieces.map(|first| first..(first + PIECE).min(count));
+    let done = on_all_cores(pieces, |piece| {
+        go_on(weight * share(piece.len(), count))?;
+        Ok(work(piece))
+    });
+    done.into_iter().collect()
+}
+
+/// A count as a share of another, which is not 0.
+#[expect(clippy::cast_precision_loss, reason = "a share")]
+pub(crate) fn share(done: usize, of: usize) -> f64 {
+    done as f64 / of as f64
 }
 
 /// The least share that is worth a thread.

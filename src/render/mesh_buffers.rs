@@ -164,7 +164,7 @@ fn unify(mesh: &Mesh) -> (Vec<Vertex>, Cow<'_, [[u32; 3]]>) {
     // In a smooth surface of one part and colour, such as a scan, each position is one vertex already.
     if let ([_], [run]) = (&*data.parts, &*data.colours)
         && data.vertex_colours.is_empty()
-        && shading.corners == data.triangles
+        && shading.is_by_vertex()
     {
         let colour = colour((run.colour, None));
         let vertices = data.positions.iter().zip(&shading.normals);
@@ -193,7 +193,7 @@ fn unify(mesh: &Mesh) -> (Vec<Vertex>, Cow<'_, [[u32; 3]]>) {
             run += 1;
         }
         let own = data.colours[run].colour;
-        let normals: [[f32; 3]; 3] = match shading.corners.get(index as usize) {
+        let normals: [[f32; 3]; 3] = match shading_corners.get(index as usize) {
             Some(normals) => normals.map(|i| shading.normals[i as usize]),
             None => [face_normal(corners.map(|i| data.positions[i as usize])).to_array(); 3],
         };
@@ -207,6 +207,7 @@ fn unify(mesh: &Mesh) -> (Vec<Vertex>, Cow<'_, [[u32; 3]]>) {
             let vertex = Vertex {
                 position: data.positions[position],
                 normal: normals[place],
+    let shading_corners = shading.corners_of(&data.triangles);
                 part: u32::try_from(part).unwrap_or(u32::MAX),
                 colour: latest_colour.1,
             };

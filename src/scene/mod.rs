@@ -25,7 +25,10 @@ pub use in_file::{FaceInFile, InFile, VertexInFile};
 pub use object::{Object, Shape};
 pub use section::{FlatFaces, NoSection};
 
-use crate::geometry::{Aabb, Mesh, Placement, Pyramid, WorldRay};
+use crate::geometry::{
+    Aabb, Mesh, Placement, Pyramid, WorldRay,
+    shares::{ALWAYS, GoOn, share},
+};
 use changes::Changes;
 use std::{
     borrow::Cow,
@@ -45,6 +48,9 @@ pub struct NoSuchObject {
     /// How many objects there are.
     pub objects: usize,
 }
+
+/// Objects whose boxes are found at a time: a millisecond, unless they are large meshes that are turned.
+const PIECE: usize = 1 << 12;
 
 /// Identifies a scene and its clones until they are changed. Holds only a weak reference.
 #[doc(hidden)] // public for tests
@@ -90,9 +96,21 @@ impl Scene {
     /// A scene of these objects, in this order.
     #[must_use]
     pub fn new(objects: Vec<Object>) -> Self {
-        let bounds: Vec<Aabb> = objects.iter().map(Object::bounds_world).collect();
+        let Ok(scene) = Self::new_while(objects, ALWAYS);
+        scene
+    }
+
+    /// [`Scene::new`] for as long as `go_on` lets it.
+    pub(crate) fn new_while<E>(objects: Vec<Object>, go_on: &GoOn<E>) -> Result<Self, E> {
+        let mut bounds = Vec::with_capacity(objects.len());
+        for some in objects.chunks(PIECE) {
+            go_on(0.5 * share(some.len(), objects.len()))?;
+            bounds.extend(some.iter().map(Object::bounds_world));
+        }
         let batches = batches(&objects);
+        go_on(0.0)?;
         let meshes = meshes(&objects);
+        go_on(0.0)?;
         let sums = Sums::of(&objects, &bounds);
         let mut scene = Self {
             objects: Arc::new(objects),
@@ -103,8 +121,9 @@ impl Scene {
             sums: Arc::new(sums),
             changes: Changes::default(),
         };
-        scene.tree = Arc::new(SceneTree::new(&scene));
-        scene
+        let tree = SceneTree::new_while(&scene, &|share| go_on(0.5 * share))?;
+        scene.tree = Arc::new(tree);
+        Ok(scene)
     }
 
     /// The key that identifies this scene until it is changed.
@@ -218,7 +237,8 @@ impl Scene {
             Arc::make_mut(&mut self.tree).renew(batch, first, bounds);
         } else {
             self.batches = Arc::new(batches(&self.objects));
-            self.tree = Arc::new(SceneTree::new(self));
+            let Ok(tree) = SceneTree::new_while(self, ALWAYS);
+            self.tree = Arc::new(tree);
             self.changes.everything();
         }
     }

@@ -18,12 +18,19 @@
 //! distance to the box. Boxes grow by twice that when they are tested.
 
 use super::{Object, Scene};
-use crate::geometry::{Aabb, Pyramid, RayError, WorldRay, binary::power_of_two, entry};
+use crate::geometry::{
+    Aabb, Pyramid, RayError, WorldRay,
+    binary::power_of_two,
+    entry,
+    shares::{GoOn, share},
+};
 use glam::{DMat3, DVec3};
 use std::ops::ControlFlow;
 
 /// Scenes of fewer batches have no tree: each batch is tested.
 const WORTH_A_TREE: usize = 8;
+/// A part of the tree over so few leaves is made at once, in about a millisecond.
+const FEW: usize = 1 << 12;
 /// The most nodes that a box query visits before it gives up.
 const MOST_ASKED: usize = 512;
 /// The size of the traversal stack: one node per level, and halving by count makes at most 64 levels.
@@ -60,8 +67,8 @@ enum Content {
 }
 
 impl SceneTree {
-    /// A tree over the batches of a scene; empty when there are few.
-    pub fn new(scene: &Scene) -> Self {
+    /// A tree over the batches of a scene, made for as long as `go_on` lets it; empty when there are few.
+    pub fn new_while<E>(scene: &Scene, go_on: &GoOn<E>) -> Result<Self, E> {
         let batches = scene.batches().iter().enumerate();
         let mut leaves: Vec<Node> = batches
             .filter_map(|(index, batch)| {
@@ -70,13 +77,14 @@ impl SceneTree {
             })
             .collect();
         let mut tree = Self::default();
-        if leaves.len() >= WORTH_A_TREE {
-            tree.nodes.reserve_exact(2 * leaves.len() - 1);
-            tree.above.reserve_exact(2 * leaves.len() - 1);
+        let count = leaves.len();
+        if count >= WORTH_A_TREE {
+            tree.nodes.reserve_exact(2 * count - 1);
+            tree.above.reserve_exact(2 * count - 1);
             tree.places = vec![None; scene.batches().len()];
-            tree.grow(0, &mut leaves);
+            tree.grow_while(0, &mut leaves, &|done| go_on(share(done, count)))?;
         }
-        tree
+        Ok(tree)
     }
 
     /// Whether the scene has too few batches to be worth a tree.
@@ -101,15 +109,47 @@ impl SceneTree {
         }
     }
 
+    /// Makes the tree over some leaves. `go_on` is told how many leaves more are done.
+    fn grow_while<E>(
+        &mut self,
+        above: usize,
+        leaves: &mut [Node],
+        go_on: &dyn Fn(usize) -> Result<(), E>,
+    ) -> Result<(), E> {
+        if leaves.len() <= FEW {
+            go_on(leaves.len())?;
+            self.grow(above, leaves);
+            return Ok(());
+        }
+        go_on(0)?;
+        let (place, first, second) = self.split(above, leaves);
+        self.grow_while(place, first, go_on)?;
+        self.nodes[place].content = Content::Second(self.nodes.len());
+        self.grow_while(place, second, go_on)
+    }
+
     fn grow(&mut self, above: usize, leaves: &mut [Node]) {
-        self.above.push(above);
         if let [leaf] = leaves {
             if let Content::Batch(batch) = leaf.content {
                 self.places[batch] = Some(self.nodes.len());
             }
+            self.above.push(above);
             self.nodes.push(*leaf);
             return;
         }
+        let (place, first, second) = self.split(above, leaves);
+        self.grow(place, first);
+        self.nodes[place].content = Content::Second(self.nodes.len());
+        self.grow(place, second);
+    }
+
+    /// Adds the node over two leaves or more. Returns its place, and the leaves below each of its children.
+    fn split<'a>(
+        &mut self,
+        above: usize,
+        leaves: &'a mut [Node],
+    ) -> (usize, &'a mut [Node], &'a mut [Node]) {
+        self.above.push(above);
         let empty = (Aabb::EMPTY, Aabb::EMPTY, 0.0_f64);
         let (bounds, centers, room) = leaves.iter().fold(empty, |(bounds, centers, room), leaf| {
             let centers = centers.including(leaf.bounds.center());
@@ -129,9 +169,7 @@ impl SceneTree {
             content: Content::Second(0),
         });
         let (first, second) = leaves.split_at_mut(middle);
-        self.grow(place, first);
-        self.nodes[place].content = Content::Second(self.nodes.len());
-        self.grow(place, second);
+        (place, first, second)
     }
 
     /// Calls `visit` with every batch that may be inside a world-space pyramid, until `visit` breaks.

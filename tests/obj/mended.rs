@@ -86,7 +86,8 @@ fn normals_that_cannot_be_read_keep_their_numbers() {
     let told = ["some.obj:15: a normal needs three numbers; it is computed (more such lines: 1)"];
     assert_eq!(folder.warnings(&file), told);
     let normals = file.mesh.normals();
-    let of = |triangle: usize| normals.corners[triangle].map(|i| normals.normals[i as usize]);
+    let corners = normals.corners_of(&file.mesh.data().triangles);
+    let of = |triangle: usize| corners[triangle].map(|i| normals.normals[i as usize]);
     assert_eq!(of(12), [[0.0, 0.0, 1.0]; 3]);
 }
 

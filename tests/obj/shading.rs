@@ -8,7 +8,8 @@ use std::fmt::Write;
 
 fn corner_normals(mesh: &Mesh, triangle: usize) -> [Vec3; 3] {
     let normals = mesh.normals();
-    normals.corners[triangle].map(|i| Vec3::from_array(normals.normals[i as usize]))
+    let corners = normals.corners_of(&mesh.data().triangles);
+    corners[triangle].map(|i| Vec3::from_array(normals.normals[i as usize]))
 }
 
 fn assert_flat(mesh: &Mesh, triangle: usize) {

@@ -314,7 +314,8 @@ fn assert_reads(mesh: &Mesh, model: &Model) {
                 );
                 if let Some(normals) = &face.normals {
                     let shading = mesh.normals();
-                    let normal = shading.corners[triangle as usize][place] as usize;
+                    let corners = shading.corners_of(&data.triangles);
+                    let normal = corners[triangle as usize][place] as usize;
                     let normal = Vec3::from_array(shading.normals[normal]);
                     assert!(normal.distance(model.normals[normals[corner]]) < 1e-6);
                 }

@@ -57,6 +57,12 @@ pub struct Bvh {
 }
 
 impl Bvh {
+    /// The bytes that it takes.
+    #[cfg(test)]
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(&*self.lines)
+    }
+
     /// Builds the tree over `triangles`, index triples into `positions`, on all processors. All coordinates must be
     /// finite. `simd` names the instructions that build the tree and walk it: one of [`Simd::available`].
     ///

@@ -1,14 +1,17 @@
 //! Triangle meshes: what one file holds.
 
+mod check;
 mod rays;
 
 use super::{
-    Aabb, Bvh, CornerNormals, OnTriangle, crease_normals::crease_normals_while, shares::in_shares,
+    Aabb, Bvh, CornerNormals, OnTriangle,
+    crease_normals::crease_normals_while,
+    shares::{ALWAYS, GoOn, in_pieces, in_shares},
 };
 use crate::colour::Srgb;
+use check::check;
 use glam::{DVec3, Vec3};
 use std::{
-    convert::Infallible,
     ops::Range,
     sync::{Arc, OnceLock},
 };
@@ -102,10 +105,13 @@ pub enum MeshError {
 /// A valid mesh: finite vertices, indices in range, each triangle in one part and of one colour.
 ///
 /// # Memory
-/// A vertex takes 12 bytes, and 3 more where the file has colours; a triangle takes 12. Lists and single picks need no
-/// more. Drawing adds 12 bytes per normal, mostly one per vertex, and 12 per triangle to index them; these are kept,
-/// since saving and shading by rays need them again. A tree is added for many rays, and 48 bytes per 256 triangles where
-/// an object may be moved. Neither the file's text nor its numbers in `f64` are kept.
+/// `data.positions` take 12 bytes a vertex, `data.vertex_colours` 3 where the file has colours, and `data.triangles` 12
+/// bytes a triangle. Lists and single picks need no more. A part takes 80 bytes and its name, a run of one colour 12.
+/// Normals take 12 bytes each. Where each vertex has one, as on a smooth surface, nothing indexes them; elsewhere 12 bytes
+/// a triangle do. They are kept, since saving and shading by rays need them again; where the file gives only some, those
+/// are kept twice. A tree for many rays takes at most 64 bytes a triangle of a surface, and `blocks`, for objects that may
+/// be moved, 48 bytes for 256 triangles. Neither the file's text nor its numbers in `f64` are kept. Where its faces are in
+/// it takes 48 bytes for 256 KiB of the file (`scene::obj::Contents`).
 pub struct Mesh {
     data: Arc<MeshData>,
     bounds: Arc<[Aabb]>,
@@ -141,16 +147,27 @@ impl Mesh {
     /// # Errors
     /// When it is not a mesh; see [`MeshError`].
     pub fn new(data: MeshData) -> Result<Self, MeshError> {
-        check(&data)?;
-        let bounds = bounds_of_parts(&data).into();
-        Ok(Self {
+        let Ok(mesh) = Self::new_while(data, ALWAYS);
+        mesh
+    }
+
+    /// [`Mesh::new`] for as long as `go_on` lets it.
+    pub(crate) fn new_while<E: Send>(
+        data: MeshData,
+        go_on: &GoOn<E>,
+    ) -> Result<Result<Self, MeshError>, E> {
+        if let Err(error) = check(&data, go_on)? {
+            return Ok(Err(error));
+        }
+        let bounds = bounds_of_parts(&data, go_on)?.into();
+        Ok(Ok(Self {
             data: Arc::new(data),
             bounds,
             tree: OnceLock::new(),
             normals: OnceLock::new(),
             blocks: OnceLock::new(),
             few: None,
-        })
+        }))
     }
 
     /// What it is made of.
@@ -220,16 +237,12 @@ impl Mesh {
     /// never ask.
     #[must_use]
     pub fn normals(&self) -> &CornerNormals {
-        let Ok(normals) = self.normals_while(|_| Ok::<(), Infallible>(()));
+        let Ok(normals) = self.normals_while(ALWAYS);
         normals
     }
 
-    /// [`Mesh::normals`], computed for as long as `go_on` lets it. Each call is told the share done since the last.
-    /// Shares add up to 1; there are none if nothing has to be computed.
-    pub(crate) fn normals_while<E: Send>(
-        &self,
-        go_on: impl Fn(f64) -> Result<(), E> + Sync,
-    ) -> Result<&CornerNormals, E> {
+    /// [`Mesh::normals`], computed for as long as `go_on` lets it. It is not asked if nothing has to be computed.
+    pub(crate) fn normals_while<E: Send>(&self, go_on: &GoOn<E>) -> Result<&CornerNormals, E> {
         let MeshData {
             positions,
             triangles,
@@ -237,26 +250,28 @@ impl Mesh {
             crease,
             ..
         } = &*self.data;
-        let Some(crease) = *crease else {
+        let Some(crease) = crease.filter(|_| !given.is_by_vertex()) else {
             return Ok(given);
         };
         if let Some(known) = self.normals.get() {
             return Ok(known);
         }
         let computed = crease_normals_while(positions, triangles, crease, go_on)?;
-        Ok(self.normals.get_or_init(|| given.completed_by(computed)))
+        Ok(self
+            .normals
+            .get_or_init(|| given.completed_by(computed, triangles)))
     }
 
     /// The interpolated shading normal at a point of a triangle, in object space and of any length; `None` where
     /// the mesh has none or they cancel.
     #[must_use]
     pub fn shading_normal(&self, at: &OnTriangle) -> Option<DVec3> {
-        let CornerNormals { normals, corners } = self.normals();
-        let corners = corners
-            .get(at.triangle as usize)?
-            .iter()
-            .zip(at.barycentric);
-        let normal: DVec3 = corners.map(|(&i, s)| s * wide(normals[i as usize])).sum();
+        let shading = self.normals();
+        let corners = shading.corners_of(&self.data.triangles);
+        let corners = corners.get(at.triangle as usize)?.iter();
+        let corners = corners.zip(at.barycentric);
+        let normal = |(&i, s): (&u32, f64)| s * wide(shading.normals[i as usize]);
+        let normal: DVec3 = corners.map(normal).sum();
         (normal != DVec3::ZERO).then_some(normal)
     }
 
@@ -312,75 +327,31 @@ fn wide(v: [f32; 3]) -> DVec3 {
     DVec3::from_array(v.map(f64::from))
 }
 
+/// The share of the boxes in the work of [`Mesh::new_while`].
+const BOXES: f64 = 0.6;
+
 /// The box about the triangles of each part.
-fn bounds_of_parts(data: &MeshData) -> Vec<Aabb> {
-    let of_shares = in_shares(data.triangles.len(), |share| {
+fn bounds_of_parts<E: Send>(data: &MeshData, go_on: &GoOn<E>) -> Result<Vec<Aabb>, E> {
+    let of_pieces = in_pieces(data.triangles.len(), BOXES, go_on, |piece| {
         let first = data
             .parts
-            .partition_point(|part| part.triangles.end as usize <= share.start);
+            .partition_point(|part| part.triangles.end as usize <= piece.start);
         let parts = data.parts[first..]
             .iter()
-            .take_while(|part| (part.triangles.start as usize) < share.end);
+            .take_while(|part| (part.triangles.start as usize) < piece.end);
         let bounds = parts.map(|part| {
-            let from = share.start.max(part.triangles.start as usize);
-            let to = share.end.min(part.triangles.end as usize);
+            let from = piece.start.max(part.triangles.start as usize);
+            let to = piece.end.min(part.triangles.end as usize);
             let used = data.triangles[from..to].as_flattened().iter();
             Aabb::around(used.map(|&i| data.origin + wide(data.positions[i as usize])))
         });
         (first, bounds.collect::<Vec<_>>())
-    });
+    })?;
     let mut all = vec![Aabb::EMPTY; data.parts.len()];
-    for (first, bounds) in of_shares {
+    for (first, bounds) in of_pieces {
         for (part, bounds) in all[first..].iter_mut().zip(bounds) {
             *part = part.union(bounds);
         }
     }
-    all
-}
-
-/// The first of `count` items for which `is_right` is false.
-fn first_without(count: usize, is_right: impl Fn(usize) -> bool + Sync) -> Option<usize> {
-    let found = in_shares(count, |mut share| share.find(|&i| !is_right(i)));
-    found.into_iter().flatten().next()
-}
-
-fn check(data: &MeshData) -> Result<(), MeshError> {
-    if !data.origin.is_finite() {
-        return Err(MeshError::NotFinite(0));
-    }
-    let is_finite = |i: usize| data.positions[i].iter().all(|c| c.is_finite());
-    if let Some(bad) = first_without(data.positions.len(), is_finite) {
-        return Err(MeshError::NotFinite(bad));
-    }
-    let vertices = data.positions.len();
-    let in_range = |corners: &[u32; 3], limit: usize| corners.iter().all(|&i| (i as usize) < limit);
-    let are_there = |i: usize| in_range(&data.triangles[i], vertices);
-    if let Some(bad) = first_without(data.triangles.len(), are_there) {
-        return Err(MeshError::NoSuchVertex(bad));
-    }
-    let triangles = data.triangles.len();
-    if !covers(data.parts.iter().map(|part| &part.triangles), triangles) {
-        return Err(MeshError::Uncovered("objects"));
-    }
-    if !covers(data.colours.iter().map(|run| &run.triangles), triangles) {
-        return Err(MeshError::Uncovered("colours"));
-    }
-    if !(data.vertex_colours.is_empty() || data.vertex_colours.len() == vertices) {
-        return Err(MeshError::Uncovered("vertex colours"));
-    }
-    let CornerNormals { normals, corners } = &data.normals;
-    let is_missing = |c: &[u32; 3]| data.crease.is_some() && *c == CornerNormals::NONE;
-    let usable = (corners.iter()).all(|c| is_missing(c) || in_range(c, normals.len()))
-        && normals.iter().flatten().all(|c| c.is_finite());
-    if !(usable && (corners.is_empty() || corners.len() == triangles)) {
-        return Err(MeshError::Uncovered("normals"));
-    }
-    Ok(())
-}
-
-/// Whether the ranges follow each other without a gap from 0 to `end`.
-fn covers<'a>(mut ranges: impl Iterator<Item = &'a Range<u32>>, end: usize) -> bool {
-    ranges.try_fold(0, |at, range| {
-        (range.start == at && range.end >= at).then_some(range.end)
-    }) == u32::try_from(end).ok()
+    Ok(all)
 }

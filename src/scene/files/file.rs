@@ -41,6 +41,12 @@ pub enum FileError {
         /// The size that was found on opening.
         bytes: u64,
     },
+    /// Changed by another program while it was read. What was read may be cut off inside a number.
+    #[error("{}: changed while it was read: open it again once it is complete", file.display())]
+    Changed {
+        /// The file.
+        file: PathBuf,
+    },
     /// Not text in UTF-8.
     #[error("{}: is not text in UTF-8: save it in that encoding", file.display())]
     NotUtf8 {

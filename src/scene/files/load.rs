@@ -79,7 +79,7 @@ pub fn load_with(
     let (camera, camera_from) = camera.unzip();
     let (meshes, materials) = meshes.into_files();
     Ok(Loaded {
-        scene: Scene::new(objects),
+        scene: progress.in_shares(0, |go_on| Scene::new_while(objects, go_on))?,
         camera: camera.unwrap_or_default(),
         camera_from,
         warnings,

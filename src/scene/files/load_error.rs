@@ -28,6 +28,21 @@ pub enum LoadError {
     Obj(ObjError),
 }
 
+impl LoadError {
+    /// Whether a mesh file changed while it was read: once it is complete, it can be read.
+    pub(crate) fn is_of_change(&self) -> bool {
+        let error = match self {
+            Self::Obj(error) => error,
+            Self::Scene(DescriptionError { problem, .. }) => match &**problem {
+                Problem::Mesh(error) => error,
+                _ => return false,
+            },
+            _ => return false,
+        };
+        matches!(error, ObjError::File(FileError::Changed { .. }))
+    }
+}
+
 impl From<ObjError> for LoadError {
     fn from(error: ObjError) -> Self {
         match error {

@@ -87,11 +87,28 @@ pub enum Detail {
     All,
     /// Also the normals that the file lacks, computed now so that drawing need not wait for them.
     Drawn,
-    /// No material colours: MTL files are not read, and there are no warnings about them.
+    /// What picks need: no normals and no vertex colours. Shading would take the normals that the vertices suggest.
+    Picked,
+    /// The same without material colours: MTL files are not read, and there are no warnings about them.
     Shapes,
 }
 
+impl Detail {
+    /// Whether normals and vertex colours are loaded.
+    pub(super) fn is_shaded(self) -> bool {
+        matches!(self, Self::All | Self::Drawn)
+    }
+}
+
 impl MeshFiles {
+    /// None yet; they are loaded with this detail.
+    pub(super) fn new(detail: Detail) -> Self {
+        Self {
+            detail,
+            ..Self::default()
+        }
+    }
+
     /// Uses `mesh` as the mesh of a file. The file is then not read.
     pub(super) fn insert(&mut self, path: &Path, mesh: Arc<Mesh>) {
         self.add(MeshFile {
@@ -101,12 +118,10 @@ impl MeshFiles {
         });
     }
 
-    /// None yet; they are loaded with this detail.
-    pub(super) fn new(detail: Detail) -> Self {
-        Self {
-            detail,
-            ..Self::default()
-        }
+    fn add(&mut self, file: MeshFile) {
+        let place = self.places.entry(file.path.clone());
+        place.or_insert(self.loaded.len());
+        self.loaded.push(file);
     }
 
     /// The files that were loaded.
@@ -114,26 +129,20 @@ impl MeshFiles {
         &self.loaded
     }
 
-    /// The mesh of a file.
-    ///
-    /// # Errors
-    /// As [`obj::load`].
-    fn add(&mut self, file: MeshFile) {
-        let place = self.places.entry(file.path.clone());
-        place.or_insert(self.loaded.len());
-        self.loaded.push(file);
-    }
-
-    pub fn load(
-        &mut self,
-        as_named: &Path,
-        progress: &Progress,
-        warnings: &mut Vec<Warning>,
     /// The files that were loaded, and the MTL files that they name.
     pub(super) fn into_files(self) -> (Vec<MeshFile>, Vec<PathBuf>) {
         (self.loaded, self.materials)
     }
 
+    /// The mesh of a file.
+    ///
+    /// # Errors
+    /// As [`obj::load`].
+    pub fn load(
+        &mut self,
+        as_named: &Path,
+        progress: &Progress,
+        warnings: &mut Vec<Warning>,
     ) -> Result<Arc<Mesh>, ObjError> {
         let path = absolute(as_named);
         if let Some(&known) = self.places.get(&path) {

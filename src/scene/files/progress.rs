@@ -1,7 +1,10 @@
-//! The progress of a load and its cancellation, shared by the loading thread and the window's.
+//! The progress of a load or an upload and its cancellation, shared by the working thread and the window's.
 
-use crate::geometry::shares::on_all_cores;
+use crate::geometry::shares::{GoOn, on_all_cores};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+
+/// Of steps that take less than a microsecond each, every 4096th reports.
+const STEPS: usize = 1 << 12;
 
 /// How far a load has come. Shared by reference; one side reports, the other reads or cancels.
 #[derive(Debug, Default)]
@@ -9,11 +12,11 @@ pub struct Progress {
     done: AtomicU64,
     total: AtomicU64,
     cancelled: AtomicBool,
-    /// For tests: how often a load has reported, and the report, from 1, with which it is cancelled.
+    /// For tests: how often a load has reported, and the only report, from 1, that is told to stop.
     #[cfg(test)]
-    pub(super) reports: AtomicU64,
+    pub(crate) reports: AtomicU64,
     #[cfg(test)]
-    pub(super) cancelled_with: AtomicU64,
+    pub(crate) stopped_at: AtomicU64,
 }
 
 /// Somebody called [`Progress::cancel`].
@@ -35,9 +38,9 @@ impl Progress {
         self.done.fetch_add(bytes, Ordering::Relaxed);
         #[cfg(test)]
         if self.reports.fetch_add(1, Ordering::Relaxed) + 1
-            == self.cancelled_with.load(Ordering::Relaxed)
+            == self.stopped_at.load(Ordering::Relaxed)
         {
-            self.cancel();
+            return Err(Cancelled);
         }
         if self.cancelled.load(Ordering::Relaxed) {
             Err(Cancelled)
@@ -58,6 +61,44 @@ impl Progress {
     ) -> Result<Vec<R>, Cancelled> {
         let done = on_all_cores(items, |item| self.advance(bytes).map(|()| work(item)));
         done.into_iter().collect()
+    }
+
+    /// Reports nothing done before some of many small steps, which are numbered from 0.
+    ///
+    /// # Errors
+    /// When the load was cancelled.
+    pub(super) fn go_on_at(&self, step: usize) -> Result<(), Cancelled> {
+        if step.is_multiple_of(STEPS) {
+            self.advance(0)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Does work that tells which share of it was done since it last told. All of it counts as `bytes`.
+    ///
+    /// # Errors
+    /// When the load was cancelled, or those of the work.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
+        reason = "a share of the bytes"
+    )]
+    pub(crate) fn in_shares<T, E: From<Cancelled>>(
+        &self,
+        bytes: u64,
+        work: impl FnOnce(&GoOn<Cancelled>) -> Result<T, E>,
+    ) -> Result<T, E> {
+        let told = AtomicU64::new(0);
+        let result = work(&|share| {
+            let more = (share * bytes as f64) as u64;
+            told.fetch_add(more, Ordering::Relaxed);
+            self.advance(more)
+        })?;
+        // Rounding leaves a rest.
+        self.advance(bytes.saturating_sub(told.into_inner()))?;
+        Ok(result)
     }
 
     /// Asks the load to stop at its next step.

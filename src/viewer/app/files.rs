@@ -78,8 +78,12 @@ impl App {
                 made: None,
                 uploaded: None,
             }),
+            // The change is still to be read.
+            Err(error) if errand.purpose == Purpose::Follow && error.is_of_change() => {}
             Err(error) => {
-                self.give_up_change(&errand);
+                if !error.is_of_change() {
+                    self.give_up_change(&errand);
+                }
                 self.forget_gone();
                 self.failed(Attempt::Open, error.to_string());
             }

@@ -28,12 +28,15 @@ pub(super) fn build(
     detail: Detail,
     (progress, bytes): (&Progress, u64),
 ) -> Result<ObjFile, ObjError> {
-    let names = Names::new(path, std::mem::take(&mut survey.said), survey.faces);
+    let said = std::mem::take(&mut survey.said);
+    let names = Names::new(path, said, survey.faces, progress)?;
     let materials = match detail {
-        Detail::All | Detail::Drawn => material::read_libraries(path, &names.libraries, progress)?,
         Detail::Shapes => Materials::default(),
+        _ => material::read_libraries(path, &names.libraries, progress)?,
     };
-    let steps = (Stored::STEPS + 1) * blocks.len().max(1) as u64;
+    let count = blocks.len().max(1) as u64;
+    // Besides the steps of the vertices: splitting, merging, and making the mesh.
+    let steps = (Stored::STEPS + 3) * count;
     progress.advance(bytes % steps)?;
     let bytes = bytes / steps;
     let mut contents = Contents::new(blocks.iter().map(|block| block.counts));
@@ -55,10 +58,14 @@ pub(super) fn build(
     let split = progress.on_all_cores(bytes, with_cuts.into_iter(), |(faces, cuts)| {
         Triangles::of(&faces, &cuts, &vertices, progress)
     })?;
+    let split = split.into_iter().collect::<Result<Vec<_>, _>>()?;
     let mut all = Triangles::default();
+    all.corners
+        .reserve_exact(split.iter().map(|piece| piece.corners.len()).sum());
     for (piece, next) in split.into_iter().enumerate() {
+        progress.advance(bytes)?;
         contents.begin(piece, all.count());
-        all.append(next?);
+        all.append(next);
     }
     contents.end(all.count());
     if all.corners.is_empty() {
@@ -69,7 +76,8 @@ pub(super) fn build(
     warnings.extend(notes::about_materials(path, &names, &materials.by_name));
     warnings.extend(materials.warnings);
 
-    let mesh = Mesh::new(all.mesh(vertices, names, &cuts, &materials.by_name));
+    let data = all.mesh(vertices, names, &cuts, &materials.by_name, progress)?;
+    let mesh = progress.in_shares(count * bytes, |go_on| Mesh::new_while(data, go_on))?;
     let mesh = mesh.map_err(|source| ObjError::NoMesh {
         file: path.to_owned(),
         source,
@@ -200,7 +208,8 @@ impl Triangles {
         names: Names,
         cuts: &[usize],
         materials: &HashMap<String, Material>,
-    ) -> MeshData {
+        progress: &Progress,
+    ) -> Result<MeshData, Cancelled> {
         let end = self.count();
         // A cut that no face follows starts after the last triangle.
         let start_of = |face: usize| {
@@ -208,7 +217,8 @@ impl Triangles {
             self.before_cuts.get(cut).copied().unwrap_or(end)
         };
         let mut parts: Vec<Part> = Vec::new();
-        for (face, name) in names.objects {
+        for (step, (face, name)) in names.objects.into_iter().enumerate() {
+            progress.go_on_at(step)?;
             let triangles = start_of(face)..end;
             if let Some(last) = parts.last_mut() {
                 last.triangles.end = triangles.start;
@@ -222,7 +232,8 @@ impl Triangles {
             triangles: 0..end,
             colour: None,
         }];
-        for (face, material) in names.uses {
+        for (step, (face, material)) in names.uses.into_iter().enumerate() {
+            progress.go_on_at(step)?;
             let (name, _) = &names.materials[material];
             let colour = materials.get(name).and_then(|known| known.colour);
             let triangles = start_of(face)..end;
@@ -237,14 +248,18 @@ impl Triangles {
         }
         colours.pop_if(|run| run.triangles.is_empty());
 
-        let corners = self.shading;
+        let mut corners = self.shading;
         let is_complete = !corners.is_empty() && !corners.contains(&CornerNormals::NONE);
         let normals = if corners.is_empty() {
             Vec::new()
         } else {
             vertices.normals
         };
-        MeshData {
+        if normals.len() == vertices.positions.len() && corners == self.corners {
+            // Each vertex has one normal, at its own index.
+            corners = Vec::new();
+        }
+        Ok(MeshData {
             origin: vertices.origin,
             positions: vertices.positions,
             triangles: self.corners,
@@ -253,6 +268,6 @@ impl Triangles {
             vertex_colours: vertices.colours,
             normals: CornerNormals { normals, corners },
             crease: (!is_complete).then_some(CREASE),
-        }
+        })
     }
 }

@@ -44,9 +44,13 @@ impl Faces {
 
 impl Block {
     /// Has `tobj` parse a piece. `known` is the number of vertices in the file, if it is known. Then faces that name a
-    /// higher vertex are left out.
-    pub fn read(piece: Piece, known: Option<usize>) -> Result<(Self, Survey), tobj::LoadError> {
-        let washed = wash(&piece, known);
+    /// higher vertex are left out. Normals and colours are left out unless `is_shaded`.
+    pub fn read(
+        piece: Piece,
+        known: Option<usize>,
+        is_shaded: bool,
+    ) -> Result<(Self, Survey), tobj::LoadError> {
+        let washed = wash(&piece, known, is_shaded);
         let counts = [piece.before, piece.after];
         drop(piece);
         let options = tobj::LoadOptions::default();

@@ -121,6 +121,12 @@ impl Contents {
         (next < self.starts.len()).then(|| next.checked_sub(1))?
     }
 
+    /// How many pieces the file was read in.
+    #[cfg(test)]
+    pub(super) fn pieces(&self) -> usize {
+        self.starts.len().saturating_sub(1)
+    }
+
     /// How many faces the file has. Every `f` line counts, valid or not.
     #[must_use]
     pub fn faces(&self) -> usize {

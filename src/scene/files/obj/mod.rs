@@ -58,10 +58,7 @@ use pieces::Pieces;
 use std::{
     io::{self, BufRead, BufReader, Cursor, Read},
     path::{Path, PathBuf},
-    sync::{
-        Arc,
-        atomic::{AtomicU64, Ordering::Relaxed},
-    },
+    sync::Arc,
     time::Instant,
 };
 use survey::Survey;
@@ -186,6 +183,11 @@ impl Stop {
     fn at(self, path: &Path) -> ObjError {
         match self {
             Self::Cancelled(cancelled) => cancelled.into(),
+            Self::Unreadable(source) if source.get_ref().is_some_and(|why| why.is::<Changed>()) => {
+                ObjError::File(FileError::Changed {
+                    file: path.to_owned(),
+                })
+            }
             Self::Unreadable(source) => ObjError::File(FileError::Unreadable {
                 file: path.to_owned(),
                 source,
@@ -216,9 +218,9 @@ pub(super) fn load_with(
     progress: &Progress,
     detail: Detail,
 ) -> Result<ObjFile, ObjError> {
-    let stamp = Stamp::of(path).ok();
-    let mut file = read(path, progress, (PIECE, detail), || open(path))?;
-    file.contents.stamp = stamp;
+    let stamp = Stamp::of(path)?;
+    let mut file = read(path, progress, (PIECE, detail), || open(path, &stamp))?;
+    file.contents.stamp = Some(stamp);
     Ok(file)
 }
 
@@ -258,7 +260,13 @@ fn read<R: BufRead + Send>(
         }
         let (blocks, survey) = decode(input)
             .map_err(Stop::Unreadable)
-            .and_then(|input| read_pieces(Pieces::new(input, piece, progress), known))
+            .and_then(|input| {
+                read_pieces(
+                    Pieces::new(input, piece, progress),
+                    (known, detail),
+                    progress,
+                )
+            })
             .map_err(|stop| stop.at(path))?;
         // The number of vertices is known only at the end. If a face names a vertex past the last one, the file is read
         // again with this number.
@@ -279,7 +287,7 @@ fn read<R: BufRead + Send>(
         (error, _) => error,
     })?;
     if detail == Detail::Drawn {
-        compute_normals(&built.mesh, progress, bytes)?;
+        progress.in_shares(bytes, |go_on| built.mesh.normals_while(go_on))?;
     }
     log::info!(
         "read {} in {read:.1?}, built in {:.1?}",
@@ -289,34 +297,22 @@ fn read<R: BufRead + Send>(
     Ok(built)
 }
 
-/// Computes the normals that a mesh does not have yet. In the progress, this counts as `bytes` bytes.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    clippy::cast_precision_loss,
-    reason = "a share of the bytes"
-)]
-fn compute_normals(mesh: &Mesh, progress: &Progress, bytes: u64) -> Result<(), Cancelled> {
-    let left = AtomicU64::new(bytes);
-    mesh.normals_while(|share| {
-        let done = (share * bytes as f64) as u64;
-        left.fetch_sub(done, Relaxed);
-        progress.advance(done)
-    })?;
-    progress.advance(left.into_inner())
-}
-
 /// Parses the pieces of a file on all cores. Returns the blocks from `tobj`, and the survey of all lines that `tobj`
 /// did not get.
-fn read_pieces(pieces: Pieces, known: Option<usize>) -> Result<(Vec<Block>, Survey), Stop> {
+fn read_pieces(
+    pieces: Pieces,
+    (known, detail): (Option<usize>, Detail),
+    progress: &Progress,
+) -> Result<(Vec<Block>, Survey), Stop> {
     let read = on_all_cores(pieces, |piece| {
-        let block = Block::read(piece?, known);
+        let block = Block::read(piece?, known, detail.is_shaded());
         block.map_err(|error| Stop::Unreadable(io::Error::other(error)))
     });
     let mut blocks = Vec::with_capacity(read.len());
     let mut survey = Survey::default();
     for piece in read {
         let (block, next) = piece?;
+        progress.advance(0).map_err(Stop::Cancelled)?;
         blocks.push(block);
         survey.append(next);
     }
@@ -324,13 +320,43 @@ fn read_pieces(pieces: Pieces, known: Option<usize>) -> Result<(Vec<Block>, Surv
 }
 
 /// Opens a file and returns its size. It must be a regular file and not empty. Bytes that are appended later are not
-/// read, because they may never end.
-fn open(path: &Path) -> Result<(impl BufRead + Send + use<>, u64), ObjError> {
+/// read, because they may never end. Reading its end fails if the file no longer has this stamp: its last line may have
+/// been cut inside a number.
+fn open<'a>(
+    path: &'a Path,
+    stamp: &'a Stamp,
+) -> Result<(impl BufRead + Send + use<'a>, u64), ObjError> {
     match file::open(path, MOST_BYTES)? {
         (_, 0) => Err(ObjError::Empty {
             file: path.to_owned(),
         }),
-        (opened, bytes) => Ok((BufReader::new(opened).take(bytes), bytes)),
+        (opened, bytes) => {
+            let input = opened.take(bytes);
+            Ok((BufReader::new(Unchanged { input, path, stamp }), bytes))
+        }
+    }
+}
+
+/// The file has another stamp than before it was read.
+#[derive(Debug, thiserror::Error)]
+#[error("it changed while it was read")]
+struct Changed;
+
+/// Reads a file that must not change meanwhile.
+struct Unchanged<'a, R> {
+    input: R,
+    path: &'a Path,
+    /// The file's stamp before it was read.
+    stamp: &'a Stamp,
+}
+
+impl<R: Read> Read for Unchanged<'_, R> {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        let read = self.input.read(into)?;
+        if read == 0 && Stamp::of(self.path).ok().as_ref() != Some(self.stamp) {
+            return Err(io::Error::other(Changed));
+        }
+        Ok(read)
     }
 }
 

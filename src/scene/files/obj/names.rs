@@ -1,5 +1,6 @@
 //! Finds the objects and materials of the faces from the lines that name objects, groups, materials and libraries.
 
+use crate::scene::{Cancelled, Progress};
 use std::{
     collections::{HashMap, HashSet},
     path::Path,
@@ -43,7 +44,12 @@ pub(super) struct Names {
 
 impl Names {
     /// The names of a file with `faces` faces. `said` has the lines in order, each with the face that comes next.
-    pub fn new(path: &Path, said: Vec<(usize, Said)>, faces: usize) -> Self {
+    pub fn new(
+        path: &Path,
+        said: Vec<(usize, Said)>,
+        faces: usize,
+        progress: &Progress,
+    ) -> Result<Self, Cancelled> {
         let mut names = Self::default();
         let mut objects: Vec<(usize, Name)> = Vec::new();
         let mut begin = |face: usize, name: &Name| {
@@ -54,7 +60,8 @@ impl Names {
         let (mut face, mut name) = (0, Name::default());
         let mut known_materials = HashMap::new();
         let mut known_libraries = HashSet::new();
-        for (next, said) in said {
+        for (step, (next, said)) in said.into_iter().enumerate() {
+            progress.go_on_at(step)?;
             // A name begins an object only if a face follows before the name changes.
             if next > face {
                 begin(face, &name);
@@ -86,8 +93,8 @@ impl Names {
         if faces > face {
             begin(face, &name);
         }
-        names.objects = called(path, objects);
-        names
+        names.objects = called(path, objects, progress)?;
+        Ok(names)
     }
 
     /// The faces before which an object or a material begins, in order.
@@ -95,16 +102,22 @@ impl Names {
         let objects = self.objects.iter().map(|&(face, _)| face);
         let uses = self.uses.iter().map(|&(face, _)| face);
         let mut cuts: Vec<usize> = objects.chain(uses).collect();
-        cuts.sort_unstable();
+        // Each of the two is in order. This sort merges them.
+        cuts.sort();
         cuts.dedup();
         cuts
     }
 }
 
 /// The final name of each object; see the rules in [`super`].
-fn called(path: &Path, objects: Vec<(usize, Name)>) -> Vec<(usize, String)> {
+fn called(
+    path: &Path,
+    objects: Vec<(usize, Name)>,
+    progress: &Progress,
+) -> Result<Vec<(usize, String)>, Cancelled> {
     let mut groups = HashMap::<usize, usize>::new();
-    for (_, name) in &objects {
+    for (step, (_, name)) in objects.iter().enumerate() {
+        progress.go_on_at(step)?;
         *groups.entry(name.object_number).or_default() += 1;
     }
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
@@ -115,6 +128,10 @@ fn called(path: &Path, objects: Vec<(usize, Name)>) -> Vec<(usize, String)> {
         _ if groups[&name.object_number] == 1 => name.object,
         (object, group) => format!("{object}/{group}"),
     };
-    let objects = objects.into_iter();
-    objects.map(|(face, name)| (face, call(name))).collect()
+    let objects = objects.into_iter().enumerate();
+    let called = objects.map(|(step, (face, name))| {
+        progress.go_on_at(step)?;
+        Ok((face, call(name)))
+    });
+    called.collect()
 }

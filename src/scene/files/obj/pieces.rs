@@ -36,7 +36,7 @@ pub(super) struct Pieces<'a> {
     /// The bytes that were read past the last piece: the beginning of the next one.
     rest: Vec<u8>,
     before: Counts,
-    has_failed: bool,
+    has_ended: bool,
 }
 
 impl<'a> Pieces<'a> {
@@ -48,7 +48,7 @@ impl<'a> Pieces<'a> {
             progress,
             rest: Vec::new(),
             before: Counts::default(),
-            has_failed: false,
+            has_ended: false,
         }
     }
 
@@ -98,13 +98,13 @@ impl<'a> Pieces<'a> {
 impl Iterator for Pieces<'_> {
     type Item = Result<Piece, Stop>;
 
-    /// Nothing comes after an error.
+    /// Nothing comes after an error, and nothing is read after the end.
     fn next(&mut self) -> Option<Self::Item> {
-        if self.has_failed {
+        if self.has_ended {
             return None;
         }
         let piece = self.read();
-        self.has_failed = piece.is_err();
+        self.has_ended = !matches!(piece, Ok(Some(_)));
         piece.transpose()
     }
 }

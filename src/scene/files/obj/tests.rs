@@ -4,14 +4,15 @@ mod again;
 #[path = "../../../../tests/common/real_files.rs"]
 mod real_files;
 
-use super::{ObjError, ObjFile, PIECE, decode, open, read};
+use super::{ObjError, ObjFile, PIECE, Stamp, decode, load, open, read};
 use crate::{
-    geometry::random::Random,
+    geometry::{CornerNormals, MeshData, random::Random},
     scene::{Detail, Progress},
 };
 use glam::{DVec3, Vec3};
 use real_files::real_files;
 use std::{
+    cell::Cell,
     fmt::Write as _,
     fs,
     io::{self, BufReader, Cursor, Read, Write as _},
@@ -331,9 +332,13 @@ fn a_file_in_pieces_is_what_tobj_reads_at_once() {
 
 /// A hilly terrain with this many squares along a side.
 fn terrain(side: usize) -> String {
+    terrain_of_height(side, |x, z| (x * z) % 7)
+}
+
+fn terrain_of_height(side: usize, height: impl Fn(usize, usize) -> usize) -> String {
     let mut text = String::new();
     for (z, x) in (0..=side).flat_map(|z| (0..=side).map(move |x| (z, x))) {
-        writeln!(text, "v {x} {} {z}", (x * z) % 7).expect("text");
+        writeln!(text, "v {x} {} {z}", height(x, z)).expect("text");
     }
     for a in (0..side).flat_map(|z| (1..=side).map(move |x| z * (side + 1) + x)) {
         let (b, c, d) = (a + 1, a + side + 1, a + side + 2);
@@ -342,13 +347,49 @@ fn terrain(side: usize) -> String {
     text
 }
 
-/// Each step of a load reports progress after every piece. A load can be cancelled at each report.
+/// The sizes that the docs of [`Mesh`](crate::geometry::Mesh) state.
+#[test]
+fn a_smooth_mesh_keeps_no_more_than_its_docs_say() {
+    let text = terrain_of_height(200, |_, _| 0);
+    // The same with a normal for each vertex, in the same order.
+    let with_normals = text.lines().map(|line| match line.split_once(' ') {
+        Some(("f", corners)) => {
+            let corners = corners.split(' ').map(|i| format!(" {i}//{i}"));
+            format!("f{}\n", corners.collect::<String>())
+        }
+        _ => format!("{line}\nvn 0 1 0\n"),
+    });
+    let with_normals = with_normals.collect();
+    for text in [text, with_normals] {
+        let file = read_in(PIECE, Path::new("some.obj"), text.as_bytes()).expect("it loads");
+        let (mesh, pieces) = (file.mesh, text.len().div_ceil(PIECE));
+        let (data, normals) = (mesh.data(), mesh.normals());
+        let [vertices, triangles] = [201 * 201, 2 * 200 * 200];
+        assert_eq!(data.positions.capacity(), vertices);
+        assert_eq!(data.triangles.capacity(), triangles);
+        assert_eq!(data.vertex_colours.capacity(), 0);
+        assert_eq!(normals.normals.capacity(), vertices);
+        assert_eq!(normals.corners.capacity(), 0);
+        let given = data.normals.normals.len();
+        assert!(given == 0 || std::ptr::eq(normals, &raw const data.normals));
+        assert_eq!((data.parts.len(), data.colours.len()), (1, 1));
+        assert_eq!(mesh.blocks().len(), triangles.div_ceil(256));
+        assert_eq!(size_of_val(mesh.blocks()), 48 * mesh.blocks().len());
+        mesh.build_tree();
+        let tree = mesh.tree().expect("a tree").bytes();
+        assert!(tree <= 64 * triangles, "{tree}");
+        assert!(file.contents.pieces() <= pieces + 1);
+    }
+}
+
+/// Each step of a load reports progress after every piece. If a single report is told to stop, the load ends: none of
+/// them ignores the answer.
 #[test]
 fn every_step_of_a_load_reports_and_can_be_the_last() {
-    let text = terrain(160);
-    let load = |cancelled_with: u64| {
+    let text = format!("g ground\nusemtl none\n{}", terrain(160));
+    let load = |stopped_at: u64| {
         let progress = Progress::default();
-        progress.cancelled_with.store(cancelled_with, Relaxed);
+        progress.stopped_at.store(stopped_at, Relaxed);
         let options = (PIECE, Detail::Drawn);
         let loaded = read(Path::new("some.obj"), &progress, options, || {
             Ok((Cursor::new(text.as_bytes()), text.len() as u64))
@@ -360,17 +401,59 @@ fn every_step_of_a_load_reports_and_can_be_the_last() {
     assert!((progress.fraction() - 1.0).abs() < f32::EPSILON);
     let reports = progress.reports.into_inner();
     let pieces = text.len().div_ceil(PIECE);
-    let of_normals = |count: usize| count.div_ceil(1 << 15);
-    let [triangles, vertices] = [mesh.data().triangles.len(), mesh.data().positions.len()];
-    // Each piece reports once when it is read and once in each of four steps of building. Computing normals has more
-    // steps.
-    let least = 5 * pieces + 3 * of_normals(triangles) + 2 * of_normals(vertices);
-    assert!(reports >= least as u64, "{reports} of {least}");
+    let [triangles, vertices] = [mesh.data().triangles.len(), mesh.data().positions.len()]
+        .map(|count| count.div_ceil(1 << 15));
+    // Each piece reports when it is read, when all are counted, in each of the four steps of the vertices, when it is split
+    // into triangles and when these are merged. The end of the file is reported twice. Lines that name something are gone
+    // through five times. A mesh is checked and measured in three steps, and its normals take five. Three steps report what
+    // rounding left of their shares.
+    let read = pieces + 2;
+    let built = 7 * pieces + 5 + vertices + 2 * triangles;
+    let normals = 3 * triangles + vertices + mesh.data().positions.len().div_ceil(1 << 15);
+    assert_eq!(reports, (read + built + normals + 3) as u64);
     for last in 1..=reports {
         let (stopped, progress) = load(last);
         assert!(matches!(stopped, Err(ObjError::Cancelled(_))), "at {last}");
         assert!(progress.fraction() <= 1.0);
     }
+}
+
+/// Picks need no normals and no colours. Without them, everything else is the same.
+#[test]
+fn what_shades_is_left_out_where_nothing_is_shaded() {
+    let path = Path::new("any.obj");
+    let (mut shaded, mut coloured) = (0, 0);
+    for seed in 0..200 {
+        let text = any_file(seed);
+        let read_as = |detail| {
+            read(path, &Progress::default(), (99, detail), || {
+                Ok((Cursor::new(text.as_bytes()), text.len() as u64))
+            })
+        };
+        let outcome = |file: &Result<ObjFile, ObjError>| match file {
+            Ok(file) => {
+                let MeshData {
+                    positions,
+                    triangles,
+                    parts,
+                    ..
+                } = file.mesh.data();
+                format!("{positions:?}{triangles:?}{parts:?}{:?}", file.warnings)
+            }
+            Err(error) => error.to_string(),
+        };
+        let [all, picked] = [Detail::All, Detail::Picked].map(read_as);
+        assert_eq!(outcome(&all), outcome(&picked), "{seed}");
+        let (Ok(all), Ok(picked)) = (all, picked) else {
+            continue;
+        };
+        let [all, picked] = [&all, &picked].map(|file| file.mesh.data());
+        shaded += all.normals.normals.len();
+        coloured += all.vertex_colours.len();
+        assert_eq!(picked.normals, CornerNormals::default());
+        assert!(picked.vertex_colours.is_empty());
+    }
+    assert!(shaded > 100 && coloured > 100, "{shaded}, {coloured}");
 }
 
 /// A file with any part missing is read, or refused with a message of one line.
@@ -397,9 +480,51 @@ fn a_file_that_ends_anywhere_is_read_or_refused() {
 fn what_is_added_to_a_file_while_it_is_read_is_not() {
     let mut file = tempfile::NamedTempFile::new().expect("a file");
     file.write_all(b"v 0 0 0\n").expect("written");
-    let (mut input, bytes) = open(file.path()).expect("a file");
+    let path = file.path().to_owned();
+    let stamp = Stamp::of(&path).expect("a file");
+    let (mut input, bytes) = open(&path, &stamp).expect("a file");
     file.write_all(b"v 1 1 1\n").expect("written");
     let mut text = String::new();
-    input.read_to_string(&mut text).expect("read");
+    input.read_to_string(&mut text).expect_err("it has changed");
     assert_eq!((&*text, bytes), ("v 0 0 0\n", 8));
+}
+
+/// Its last line could be cut inside a number, and so be another valid line.
+#[test]
+fn a_file_that_changes_while_it_is_read_is_refused_in_one_line() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("some.obj");
+    let start = "v 0 0 0\nv 1 0 0\nv 0 10 0\nv 5 5 0\n";
+    // The second file is read twice: a face names a vertex past the last one.
+    for faces in ["f 1 2 3\nf 1 2 ", "f 1 2 3\nf 1 2 99\nf 1 2 "] {
+        let text = format!("{start}{faces}");
+        type Change = fn(&Path, &str);
+        let changes: [Change; 3] = [
+            |path, text| fs::write(path, format!("{text}4\n")).expect("writable"),
+            |path, text| fs::write(path, &text[..text.len() - 6]).expect("writable"),
+            |path, _| fs::remove_file(path).expect("removable"),
+        ];
+        for change in changes {
+            // It changes whenever the first bytes, then the second ones, have been read.
+            let passes = if faces.contains("99") { 2 } else { 1 };
+            for at in 1..=passes {
+                fs::write(&path, format!("{text}3")).expect("writable");
+                let stamp = Stamp::of(&path).expect("a file");
+                let opened = Cell::new(0);
+                let refused = read(&path, &Progress::default(), (PIECE, Detail::All), || {
+                    opened.set(opened.get() + 1);
+                    let input = open(&path, &stamp)?;
+                    if opened.get() == at {
+                        change(&path, &text);
+                    }
+                    Ok(input)
+                });
+                let message = refused.expect_err("it is refused").to_string();
+                let expected = "changed while it was read: open it again once it is complete";
+                assert_eq!(message, format!("{}: {expected}", path.display()));
+            }
+        }
+        fs::write(&path, format!("{text}3")).expect("writable");
+        load(&path, &Progress::default()).expect("it loads while nobody changes it");
+    }
 }

@@ -37,7 +37,7 @@ type Block<'a> = (Vertices, &'a [bool]);
 
 impl Stored {
     /// How many times [`Self::new`] goes through all blocks and reports progress for each.
-    pub const STEPS: u64 = 3;
+    pub const STEPS: u64 = 4;
 
     /// Stores the vertices that faces use. In the progress, each block counts as `bytes` bytes in each step.
     pub fn new(
@@ -77,7 +77,15 @@ impl Stored {
             places: (!all_used).then(|| places(&used)),
             ..Self::default()
         };
+        let count = |of: fn(&Self) -> usize| stored.iter().map(of).sum();
+        all.positions
+            .reserve_exact(count(|block| block.positions.len()));
+        all.colours
+            .reserve_exact(count(|block| block.colours.len()));
+        all.normals
+            .reserve_exact(count(|block| block.normals.len()));
         for block in stored {
+            progress.advance(bytes)?;
             all.append(block);
         }
         Ok(all)

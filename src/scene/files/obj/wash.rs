@@ -41,18 +41,20 @@ pub(super) struct Washed {
 }
 
 /// Cleans the lines of a piece. `known` is the number of vertices in the file, if it is known. Then faces that name a
-/// higher vertex are left out.
-pub(super) fn wash(piece: &Piece, known: Option<usize>) -> Washed {
+/// higher vertex are left out. Normals and colours are checked, but they are written only if `is_shaded`.
+pub(super) fn wash(piece: &Piece, known: Option<usize>, is_shaded: bool) -> Washed {
     let Piece { before, after, .. } = piece;
+    let normals_after = if is_shaded { after } else { before }.normals;
     let mut washer = Washer {
         before: *before,
         known,
+        is_shaded,
         coloured: false,
         washed: Washed {
             text: Vec::with_capacity(piece.text.len() + piece.text.len() / 2),
             naming_corners: 0,
             vertices: Places::new(1, before.vertices, after.vertices),
-            normals: Places::new(0, before.normals, after.normals),
+            normals: Places::new(0, before.normals, normals_after),
             with_normals: Vec::new(),
             survey: Survey::default(),
         },
@@ -76,6 +78,8 @@ struct Washer {
     before: Counts,
     /// The number of vertices in the file, if it is known.
     known: Option<usize>,
+    /// Whether normals and colours are written.
+    is_shaded: bool,
     /// Whether vertices have colours. In the text, all have one or none has. Vertices without a colour in the file are
     /// white.
     coloured: bool,
@@ -177,7 +181,7 @@ impl Washer {
         } else if !are(&words[..3], Number::Finite) {
             self.note(BadLine::NotFinite);
             self.write_vertex(NOWHERE, false);
-        } else if count == 6 && are(&words[3..], Number::Endless) {
+        } else if self.is_shaded && count == 6 && are(&words[3..], Number::Endless) {
             self.write_vertex(&values[..words[5].end], true);
         } else {
             self.write_vertex(&values[..words[2].end], false);
@@ -214,6 +218,9 @@ impl Washer {
     }
 
     fn write_normal(&mut self, values: &[u8]) {
+        if !self.is_shaded {
+            return;
+        }
         let text = &mut self.washed.text;
         text.extend_from_slice(b"vn");
         text.extend_from_slice(values);
@@ -243,7 +250,9 @@ impl Washer {
             survey.oversized += 1;
             return;
         }
-        let all_there = (self.corners.iter()).all(|(_, normal)| matches!(normal, Normal::There(_)));
+        let mut normals_named = self.corners.iter().map(|(_, normal)| normal);
+        let all_there =
+            self.is_shaded && normals_named.all(|normal| matches!(normal, Normal::There(_)));
         let bad_normals = self.corners.iter().any(|(_, n)| *n == Normal::Nowhere);
         survey.bad_normals += usize::from(bad_normals);
         text.push(b'f');

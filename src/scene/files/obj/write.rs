@@ -1,9 +1,6 @@
 //! Writes a mesh as the text of an OBJ file, and of an MTL file if the mesh has colours.
 
-use crate::{
-    colour::Srgb,
-    geometry::{CornerNormals, Mesh},
-};
+use crate::{colour::Srgb, geometry::Mesh};
 use glam::Vec3;
 use std::{collections::BTreeSet, fmt::Write};
 
@@ -43,7 +40,7 @@ pub(in crate::scene::files) fn text(mesh: &Mesh, library: Option<&str>) -> Strin
             let at = triangle as usize;
             let corners = data.triangles[at].map(|corner| corner + 1);
             text.push('f');
-            match normals.corners.get(at) {
+            match normals.corners_of(&data.triangles).get(at) {
                 Some(of) => (corners.iter().zip(of)).for_each(|(corner, normal)| {
                     let _ = write!(text, " {corner}//{}", normal + 1);
                 }),
@@ -110,9 +107,10 @@ pub(in crate::scene::files) fn same(a: &Mesh, b: &Mesh) -> bool {
         })
     };
     let shading = |mesh: &Mesh, triangle: u32| {
-        let CornerNormals { normals, corners } = mesh.normals();
+        let shading = mesh.normals();
+        let corners = shading.corners_of(&mesh.data().triangles);
         let corners = corners.get(triangle as usize)?;
-        Some(corners.map(|corner| Vec3::from_array(normals[corner as usize])))
+        Some(corners.map(|corner| Vec3::from_array(shading.normals[corner as usize])))
     };
     let alike = |triangle| match (shading(a, triangle), shading(b, triangle)) {
         (Some(a), Some(b)) => {
