@@ -1,7 +1,10 @@
 //! A graphics device: what it can do, its memory, and its errors.
 
 use super::{abilities::Numbers, rasteriser::Rasteriser};
-use crate::camera::Viewport;
+use crate::{
+    camera::Viewport,
+    geometry::shares::{GoOn, share},
+};
 use std::sync::{
     Arc, Mutex, PoisonError,
     atomic::{AtomicBool, AtomicU64, Ordering},
@@ -149,6 +152,17 @@ impl Gpu {
         usage: wgpu::BufferUsages,
         elements: &[T],
     ) -> Result<wgpu::Buffer, GpuError> {
+        self.buffer_while(what, usage, elements, &|_| Ok(()))
+    }
+
+    /// [`Gpu::buffer`], filled for as long as `go_on` lets it.
+    pub(super) fn buffer_while<T: bytemuck::Pod, E: From<GpuError>>(
+        &self,
+        what: &'static str,
+        usage: wgpu::BufferUsages,
+        elements: &[T],
+        go_on: &GoOn<E>,
+    ) -> Result<wgpu::Buffer, E> {
         let size = (elements.len().max(1) * size_of::<T>()) as u64;
         let limits = self.device.limits();
         let limit = if usage.contains(wgpu::BufferUsages::STORAGE) {
@@ -157,12 +171,13 @@ impl Gpu {
             limits.max_buffer_size
         };
         if size > limit {
-            return Err(GpuError::SceneTooLarge {
-                adapter: self.info.name.clone(),
+            let adapter = self.info.name.clone();
+            return Err(E::from(GpuError::SceneTooLarge {
+                adapter,
                 what,
                 bytes: size,
                 limit,
-            });
+            }));
         }
         let buffer = self.within_memory(|| {
             self.device.create_buffer(&wgpu::BufferDescriptor {
@@ -174,7 +189,9 @@ impl Gpu {
         })?;
         // In pieces, so that drawing can come between them.
         let mut at = 0;
-        for piece in bytemuck::cast_slice::<T, u8>(elements).chunks(PIECE_BYTES) {
+        let bytes = bytemuck::cast_slice::<T, u8>(elements);
+        for piece in bytes.chunks(PIECE_BYTES) {
+            go_on(share(piece.len(), bytes.len()))?;
             if at > 0 {
                 self.submit([]);
             }

@@ -4,7 +4,7 @@ use super::{
     gpu::{Gpu, GpuError},
     mesh_buffers::MeshBuffers,
 };
-use crate::geometry::Mesh;
+use crate::geometry::{Mesh, shares::GoOn};
 use std::{
     collections::HashMap,
     sync::{Arc, Weak},
@@ -15,17 +15,27 @@ use std::{
 pub struct MeshStore(Arc<HashMap<usize, (Weak<Mesh>, MeshBuffers)>>);
 
 impl MeshStore {
-    /// The buffers of a mesh, uploaded if there are none.
-    pub(super) fn buffers(&mut self, gpu: &Gpu, mesh: &Arc<Mesh>) -> Result<MeshBuffers, GpuError> {
-        let address = Arc::as_ptr(mesh).addr();
+    /// The buffers of a mesh; `None` if it is not uploaded yet.
+    pub(super) fn known(&self, mesh: &Arc<Mesh>) -> Option<&MeshBuffers> {
         // A new mesh may have the address of one that was dropped.
         let is_it = |of: &Weak<Mesh>| of.upgrade().is_some_and(|of| Arc::ptr_eq(&of, mesh));
-        if let Some((_, buffers)) = self.0.get(&address).filter(|(of, _)| is_it(of)) {
+        let (of, buffers) = self.0.get(&Arc::as_ptr(mesh).addr())?;
+        is_it(of).then_some(buffers)
+    }
+
+    /// The buffers of a mesh, uploaded if there are none, for as long as `go_on` lets it.
+    pub(super) fn buffers<E: From<GpuError> + Send>(
+        &mut self,
+        gpu: &Gpu,
+        mesh: &Arc<Mesh>,
+        go_on: &GoOn<E>,
+    ) -> Result<MeshBuffers, E> {
+        if let Some(buffers) = self.known(mesh) {
             return Ok(buffers.clone());
         }
-        let buffers = MeshBuffers::upload(gpu, mesh)?;
+        let buffers = MeshBuffers::upload(gpu, mesh, go_on)?;
         let entry = (Arc::downgrade(mesh), buffers.clone());
-        Arc::make_mut(&mut self.0).insert(address, entry);
+        Arc::make_mut(&mut self.0).insert(Arc::as_ptr(mesh).addr(), entry);
         Ok(buffers)
     }
 

@@ -17,7 +17,10 @@ use super::{
 use crate::{
     camera::View,
     colour::Srgb,
-    geometry::{Aabb, Mesh},
+    geometry::{
+        Aabb, Mesh,
+        shares::{GoOn, share},
+    },
     scene::{Change, Object, Scene, Shape},
 };
 use std::{
@@ -88,6 +91,23 @@ impl SceneBuffers {
         scene: &Scene,
         meshes: &mut MeshStore,
     ) -> Result<Self, GpuError> {
+        Self::upload_while(gpu, scene, meshes, &|_| Ok(()))
+    }
+
+    /// [`SceneBuffers::upload_beside`] for as long as `go_on` lets it.
+    pub(crate) fn upload_while<E: From<GpuError> + Send>(
+        gpu: &Gpu,
+        scene: &Scene,
+        meshes: &mut MeshStore,
+        go_on: &GoOn<E>,
+    ) -> Result<Self, E> {
+        let triangles_of = |mesh: &Mesh| mesh.data().triangles.len();
+        let new = scene
+            .meshes()
+            .iter()
+            .filter(|mesh| meshes.known(mesh).is_none());
+        let objects = scene.objects().len();
+        let all = objects + new.map(|mesh| triangles_of(mesh)).sum::<usize>();
         let (cube, square) = (MeshBuffers::cube(gpu)?, MeshBuffers::square(gpu)?);
         let names_triangles = gpu.numbers() != Numbers::Objects;
         let states: Vec<ObjectState> = scene.objects().iter().map(object_state).collect();
@@ -95,7 +115,12 @@ impl SceneBuffers {
         let mut batches = Vec::with_capacity(scene.batches().len());
         let mut places = Vec::with_capacity(states.len());
         let (mut rows, mut whole) = ([0, 0], Piece::default());
+        let mut told = 0;
         for batch in scene.batches() {
+            if batch.start == 0 || batch.start - told >= SHARE {
+                go_on(share(batch.start - told, all))?;
+                told = batch.start;
+            }
             let object = &scene.objects()[batch.start];
             // A mesh is known by its address, which is never as low as the numbers of the other shapes.
             let (address, triangles) = match &object.shape {
@@ -117,7 +142,10 @@ impl SceneBuffers {
                     Shape::Sphere => None,
                     Shape::Cube => Some(cube.clone()),
                     Shape::Square => Some(square.clone()),
-                    Shape::Mesh { mesh, .. } => Some(meshes.buffers(gpu, mesh)?),
+                    Shape::Mesh { mesh, .. } => {
+                        let part = share(triangles_of(mesh), all);
+                        Some(meshes.buffers(gpu, mesh, &|share| go_on(part * share))?)
+                    }
                 };
                 let triangles = triangles.clone();
                 let shape = buffers.map_or(DrawnShape::Spheres, |buffers| DrawnShape::Triangles {
