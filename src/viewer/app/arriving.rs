@@ -139,9 +139,9 @@ impl App {
             fraction: Some(load.fraction()),
             can_stop: true,
         });
-        let arriving = self.arriving.as_ref().map(|_| Underway {
+        let arriving = self.arriving.as_ref().map(|(upload, _)| Underway {
             what: "getting ready",
-            fraction: None,
+            fraction: Some(upload.fraction()),
             can_stop: true,
         });
         loading.or(arriving)

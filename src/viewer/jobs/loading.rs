@@ -56,3 +56,26 @@ impl Drop for Loading {
         self.progress.cancel();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::{fmt::Write, fs, sync::mpsc::channel};
+
+    #[test]
+    fn a_load_that_is_dropped_ends_before_all_is_read() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("some.obj");
+        let mut text = String::from("v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+        for i in 0..200_000 {
+            writeln!(text, "v {i} 1 2\nf 1 2 3").expect("text");
+        }
+        fs::write(&path, text).expect("writable");
+        let (sender, ended) = channel();
+        let load = Loading::start(vec![path], move || sender.send(()).unwrap_or_default());
+        let progress = Arc::clone(&load.progress);
+        drop(load);
+        ended.recv().expect("an end");
+        assert!(progress.fraction() < 1.0);
+    }
+}

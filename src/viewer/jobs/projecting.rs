@@ -33,8 +33,7 @@ impl Projecting {
             made.build_trees();
             // Dropped early: only a sole owner can change a scene in place.
             drop(scene);
-            let uploaded =
-                on.and_then(|(gpu, meshes)| Uploaded::new(&gpu, &made, meshes, None).ok());
+            let uploaded = on.and_then(|(gpu, meshes)| Uploaded::new(&gpu, &made, meshes).ok());
             InNdc {
                 scene: made,
                 of,
