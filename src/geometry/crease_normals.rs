@@ -100,7 +100,9 @@ pub(super) fn crease_normals_while<E: Send>(
     })?;
     let mut faces = Vec::with_capacity(triangles.len());
     // Each piece is freed as soon as it is copied.
-    of_faces.into_iter().for_each(|piece| faces.extend(piece));
+    for piece in of_faces {
+        faces.extend(piece);
+    }
     let told = |done: usize, of: usize| go_on(0.25 * share(done, of));
     let around = corners_by_vertex(positions.len(), triangles, told)?;
     let fans = Fans {

@@ -178,12 +178,12 @@ fn renumbered(vertices: &[Vertex], triangles: &[[u32; 3]]) -> (Vec<Vertex>, Vec<
     (own, triangles)
 }
 
+/// Vertices, and triangles as indices into them.
+type Indexed<'a> = (Vec<Vertex>, Cow<'a, [[u32; 3]]>);
+
 /// One vertex for each distinct (position, normal, part, colour) that a corner has, and the corners as indices into
 /// them; made for as long as `go_on` lets it.
-fn unify<'a, E: Send>(
-    mesh: &'a Mesh,
-    go_on: &GoOn<E>,
-) -> Result<(Vec<Vertex>, Cow<'a, [[u32; 3]]>), E> {
+fn unify<'a, E: Send>(mesh: &'a Mesh, go_on: &GoOn<E>) -> Result<Indexed<'a>, E> {
     const NONE: u32 = u32::MAX;
     let (data, shading) = (mesh.data(), mesh.normals_while(&|_| go_on(0.0))?);
     // In a smooth surface of one part and colour, such as a scan, each position is one vertex already.

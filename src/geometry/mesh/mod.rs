@@ -1,7 +1,7 @@
 //! Triangle meshes: what one file holds.
 
-mod check;
 mod rays;
+mod validity;
 
 use super::{
     Aabb, Bvh, CornerNormals, OnTriangle,
@@ -9,12 +9,12 @@ use super::{
     shares::{ALWAYS, GoOn, in_pieces, in_shares},
 };
 use crate::colour::Srgb;
-use check::check;
 use glam::{DVec3, Vec3};
 use std::{
     ops::Range,
     sync::{Arc, OnceLock},
 };
+use validity::check;
 
 /// Triangles in a block. Each block has a box, to tell where an object reaches.
 pub(crate) const BLOCK: usize = 256;

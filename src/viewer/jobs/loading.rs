@@ -72,7 +72,9 @@ mod tests {
         }
         fs::write(&path, text).expect("writable");
         let (sender, ended) = channel();
-        let load = Loading::start(vec![path], move || sender.send(()).unwrap_or_default());
+        let load = Loading::start(vec![path], Vec::new(), move || {
+            sender.send(()).unwrap_or_default();
+        });
         let progress = Arc::clone(&load.progress);
         drop(load);
         ended.recv().expect("an end");

@@ -158,9 +158,10 @@ mod tests {
     const TRIANGLES: u32 = 400_000;
 
     /// A ribbon, and the same in two colours.
+    #[expect(clippy::cast_precision_loss, reason = "an f32 holds these numbers")]
     fn scene() -> Scene {
         let count = TRIANGLES;
-        let place = |i: u32| [f64::from(i) as f32, f64::from(i % 2) as f32, 0.0];
+        let place = |i: u32| [i as f32, (i % 2) as f32, 0.0];
         let positions: Vec<_> = (0..count + 2).map(place).collect();
         let triangles: Vec<_> = (0..count).map(|i| [i, i + 1, i + 2]).collect();
         let one = MeshData {

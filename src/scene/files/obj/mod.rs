@@ -179,11 +179,16 @@ enum Stop {
     Binary,
 }
 
+/// Whether a file could not be read on because it changed.
+fn is_of_change(error: &io::Error) -> bool {
+    matches!(error.get_ref(), Some(why) if why.is::<Changed>())
+}
+
 impl Stop {
     fn at(self, path: &Path) -> ObjError {
         match self {
             Self::Cancelled(cancelled) => cancelled.into(),
-            Self::Unreadable(source) if source.get_ref().is_some_and(|why| why.is::<Changed>()) => {
+            Self::Unreadable(source) if is_of_change(&source) => {
                 ObjError::File(FileError::Changed {
                     file: path.to_owned(),
                 })

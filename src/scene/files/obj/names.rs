@@ -98,11 +98,14 @@ impl Names {
     }
 
     /// The faces before which an object or a material begins, in order.
+    #[expect(
+        clippy::stable_sort_primitive,
+        reason = "each of the two is in order, and only the stable sort merges runs"
+    )]
     pub fn cuts(&self) -> Vec<usize> {
         let objects = self.objects.iter().map(|&(face, _)| face);
         let uses = self.uses.iter().map(|&(face, _)| face);
         let mut cuts: Vec<usize> = objects.chain(uses).collect();
-        // Each of the two is in order. This sort merges them.
         cuts.sort();
         cuts.dedup();
         cuts

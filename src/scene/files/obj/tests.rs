@@ -492,13 +492,13 @@ fn what_is_added_to_a_file_while_it_is_read_is_not() {
 /// Its last line could be cut inside a number, and so be another valid line.
 #[test]
 fn a_file_that_changes_while_it_is_read_is_refused_in_one_line() {
+    type Change = fn(&Path, &str);
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("some.obj");
     let start = "v 0 0 0\nv 1 0 0\nv 0 10 0\nv 5 5 0\n";
     // The second file is read twice: a face names a vertex past the last one.
     for faces in ["f 1 2 3\nf 1 2 ", "f 1 2 3\nf 1 2 99\nf 1 2 "] {
         let text = format!("{start}{faces}");
-        type Change = fn(&Path, &str);
         let changes: [Change; 3] = [
             |path, text| fs::write(path, format!("{text}4\n")).expect("writable"),
             |path, text| fs::write(path, &text[..text.len() - 6]).expect("writable"),

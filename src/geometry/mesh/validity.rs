@@ -1,4 +1,4 @@
-//! Checks what a mesh is made of.
+//! What makes mesh data valid.
 
 use super::{BOXES, MeshData, MeshError};
 use crate::geometry::{
