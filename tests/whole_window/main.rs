@@ -33,6 +33,7 @@ mod remembering;
 mod rest;
 mod saving;
 mod section;
+mod sides;
 mod stalls;
 mod tour;
 mod typed;

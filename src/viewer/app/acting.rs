@@ -63,6 +63,9 @@ impl App {
         if was == Views::Picture && views != Views::Picture {
             floating.pipeline_was = mem::replace(&mut floating.pipeline, true);
         } else if was != Views::Picture && views == Views::Picture {
+            if floating.pipeline && !floating.pipeline_was {
+                self.docks.leave_matrices();
+            }
             floating.pipeline &= floating.pipeline_was;
         }
         self.act(Action::Views(views));

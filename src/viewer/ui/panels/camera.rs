@@ -15,7 +15,7 @@ use crate::{
         ui::command::Command,
     },
 };
-use egui::{Grid, Slider, Ui};
+use egui::{Align, Grid, Layout, Sense, Slider, Ui, UiBuilder, vec2};
 use std::ops::RangeInclusive;
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
@@ -196,7 +196,7 @@ fn depth(ui: &mut Ui, next: &mut LensControls) {
 }
 
 /// Room in points for the longest name in [`POSE`].
-const NAME: f32 = 42.0;
+const NAME: f32 = 40.0;
 const POSE: [(&str, &str); 3] = [
     ("eye", "where the camera stands, in the world"),
     ("target", "the point that the camera looks at"),
@@ -209,14 +209,17 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let is_level = Orbit::is_upright(camera, state.up_axis());
     // In a small window the fields share the width beside the names.
     let width = ((ui.available_width() - NAME) / 3.0 - ui.spacing().item_spacing.x).min(WIDTH);
-    Grid::new("pose").num_columns(4).show(ui, |ui| {
-        ui.label("");
+    // Not a grid, whose columns keep the width that they had in a wider panel.
+    ui.horizontal(|ui| {
+        cell(ui, NAME, |_| {});
         for axis in AXES {
-            ui.weak(axis).hint(format!("along the world's {axis} axis"));
+            let hint = format!("along the world's {axis} axis");
+            cell(ui, width, |ui| ui.weak(axis).hint(hint));
         }
-        ui.end_row();
-        for (row, (name, hint)) in POSE.into_iter().enumerate() {
-            ui.label(name).hint(hint);
+    });
+    for (row, (name, hint)) in POSE.into_iter().enumerate() {
+        ui.horizontal_top(|ui| {
+            cell(ui, NAME, |ui| ui.label(name).hint(hint));
             for axis in 0..3 {
                 let with = |number| {
                     let mut next = pose;
@@ -247,11 +250,21 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                     commands.push(Command::Act(with(number)));
                 }
             }
-            ui.end_row();
-        }
-    });
+        });
+    }
     if let Projection::Orthographic { height } = camera.lens().projection {
         ui.label(format!("height {} units", short(height)))
             .hint("how much of the world the picture spans from bottom to top");
     }
+}
+
+/// A part of a row, of this width in points.
+fn cell<R>(ui: &mut Ui, width: f32, contents: impl FnOnce(&mut Ui) -> R) {
+    let size = vec2(width, ui.spacing().interact_size.y);
+    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+    let inside = UiBuilder::new()
+        .max_rect(rect)
+        .layout(Layout::left_to_right(Align::Center));
+    // A child of its own: what it holds does not move the next part.
+    contents(&mut ui.new_child(inside));
 }

@@ -55,20 +55,41 @@ impl Section {
         }
     }
 
-    /// The least width in points that shows the whole panel.
+    /// The least width in points of a side that shows the whole panel.
     fn least_width(self) -> f32 {
-        match self {
-            Self::Objects => 140.0,
+        let panel = match self {
+            Self::Objects => 120.0,
             Self::Pipeline => MATRIX,
-            Self::Gallery | Self::Camera | Self::Pick | Self::Measure => FIELDS,
+            Self::Pick => RECORD,
+            Self::Gallery | Self::Camera | Self::Measure => FIELDS,
+        };
+        panel + AROUND
+    }
+
+    /// The least height in points of what is below the heading, while the panel is open. What is longer scrolls.
+    pub(super) fn least_height(self) -> f32 {
+        match self {
+            Self::Objects => 135.0,
+            Self::Camera | Self::Pick | Self::Gallery | Self::Pipeline => 120.0,
+            Self::Measure => 80.0,
         }
     }
 }
 
-/// The least width in points for three numbers in a row beside their name.
-pub(super) const FIELDS: f32 = 272.0;
-/// The same for four numbers.
-const MATRIX: f32 = 316.0;
+/// From a panel to the window's border, in points.
+pub(super) const TO_BORDER: i8 = 8;
+/// From a panel's gutter, or the panel, to the picture, in points.
+pub(super) const TO_PICTURE: i8 = 4;
+/// The width in points beside panels in which their scroll bars lie: they cover nothing.
+pub(super) const GUTTER: f32 = 7.0;
+/// All that a side is wider than its panels, in points: a line of one point ends it.
+const AROUND: f32 = TO_BORDER as f32 + TO_PICTURE as f32 + GUTTER + 1.0;
+/// The least width of a panel in points for three numbers in a row beside their name. A window of 640 x 400 has room for it.
+pub(super) const FIELDS: f32 = 250.0;
+/// The same for three numbers with all their digits, beside a longer name.
+const RECORD: f32 = 280.0;
+/// The same for the four numbers of a matrix's row. A window of 1280 x 720 has room for it beside [`RECORD`].
+pub(super) const MATRIX: f32 = 267.0;
 /// Narrower than this, in points, a side is folded.
 const NARROWEST: f32 = 100.0;
 
@@ -95,6 +116,9 @@ pub(in crate::viewer) struct Docks {
     wings: [Wing; 2],
     /// The side that was opened last. It shows where there is no room for both.
     first: Side,
+    /// The matrices' side before they were made visible, and which side was opened last then.
+    #[serde(skip)]
+    before_matrices: Option<(Wing, Side)>,
     /// Which sides showed in the last pass.
     #[serde(skip)]
     pub showing: [bool; 2],
@@ -116,6 +140,7 @@ impl Default for Docks {
             places: Section::ALL.map(place),
             wings: [wing(210.0), wing(310.0)],
             first: Side::Right,
+            before_matrices: None,
             showing: [true; 2],
         }
     }
@@ -139,12 +164,14 @@ impl Docks {
     pub fn open(&mut self, side: Side) {
         self.wings[side as usize].open = true;
         self.first = side;
+        self.before_matrices = None;
     }
 
     /// Folds a side that shows; opens a side that does not.
     pub fn toggle(&mut self, side: Side) {
         if self.showing[side as usize] {
             self.wings[side as usize].open = false;
+            self.before_matrices = None;
         } else {
             self.open(side);
         }
@@ -154,11 +181,24 @@ impl Docks {
     /// whether they are wanted.
     pub fn toggle_matrices(&mut self, are_wanted: bool) -> bool {
         let Place { side, folded } = self[Section::Pipeline];
-        let show = are_wanted && !folded && self.showing[side as usize];
-        if !show {
+        let are_visible = are_wanted && !folded && self.showing[side as usize];
+        if are_visible {
+            self.leave_matrices();
+        } else {
+            let before = (self.wings[side as usize], self.first);
+            let before = self.before_matrices.unwrap_or(before);
             self.show(Section::Pipeline);
+            self.before_matrices = Some(before);
         }
-        !show
+        !are_visible
+    }
+
+    /// The matrices are no longer wanted. Unless the user has arranged the sides since, they are as they were before.
+    pub fn leave_matrices(&mut self) {
+        if let Some((wing, first)) = self.before_matrices.take() {
+            self.wings[self[Section::Pipeline].side as usize] = wing;
+            self.first = first;
+        }
     }
 
     /// Those of `sections` that stand at a side.
@@ -203,6 +243,7 @@ impl Docks {
 
     /// The edge of a side was dragged: the side is `width` points wide now, or folded if that is very little.
     pub fn drag(&mut self, side: Side, width: f32) {
+        self.before_matrices = None;
         self.wings[side as usize] = Wing {
             width: width.max(NARROWEST),
             open: width >= 0.5 * NARROWEST,

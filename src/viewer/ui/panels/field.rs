@@ -199,18 +199,27 @@ pub(super) fn value_text(text: impl Into<String>) -> RichText {
 }
 
 /// The most characters of a number as [`short`] writes it.
-const DIGITS: usize = 9;
+pub(super) const DIGITS: usize = 9;
 
 /// Up to six significant digits, as many as fit in [`DIGITS`] characters: enough to read, and a changing number moves
 /// nothing. The field keeps all digits.
 pub(super) fn short(value: f64) -> String {
-    let tries = (1..=6).rev().map(|digits| rounded(value, digits));
-    let mut tries = tries.skip_while(|text| text.len() > DIGITS);
-    tries.next().unwrap_or_else(|| rounded(value, 1))
+    short_in(value, DIGITS)
 }
 
-/// The number, rounded to this many significant digits.
-fn rounded(value: f64, digits: usize) -> String {
+/// The same, but in this many characters: at least 6.
+pub(super) fn short_in(value: f64, most: usize) -> String {
+    let mut tries = (1..=6).rev().map(|digits| rounded(value, digits, most));
+    let fits = tries.find(|text| text.len() <= most);
+    fits.unwrap_or_else(|| match value.abs() {
+        // Its exponent has three digits.
+        ..1.0 => "0".into(),
+        _ => format!("{value:.0e}"),
+    })
+}
+
+/// The number, rounded to this many significant digits; as a power of ten if it would be longer than `most` otherwise.
+fn rounded(value: f64, digits: usize, most: usize) -> String {
     if value == 0.0 {
         return "0".into();
     }
@@ -218,7 +227,9 @@ fn rounded(value: f64, digits: usize) -> String {
         return value.to_string();
     }
     let exponent = value.abs().log10().floor();
-    if !(-4.0..8.0).contains(&exponent) {
+    let room = u8::try_from(most).map_or(f64::INFINITY, f64::from);
+    let plain = (3.0 - room).max(-4.0)..room.min(9.0) - 1.0;
+    if !plain.contains(&exponent) {
         let text = format!("{value:.*e}", digits - 1);
         let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
         return format!("{}e{exponent}", trimmed(mantissa));

@@ -1,8 +1,10 @@
 //! A matrix in words and numbers: what it is, what each row makes, what its determinant means.
 
 use super::{
-    field::{short, value_text},
+    docks::MATRIX,
+    field::{DIGITS, short, short_in, value_text},
     hints::{Hint, bounded, described, named},
+    visual_order::visual_order,
 };
 use crate::{
     camera::{DepthMapping, Projection},
@@ -12,8 +14,11 @@ use crate::{
         ui::command::Command,
     },
 };
-use egui::{Response, Sense, Shape, Ui};
+use egui::{FontId, Response, Sense, Shape, Ui};
 use glam::DMat4;
+
+/// The fewest characters that show a number's size and sign.
+const LEAST: usize = 6;
 
 /// A matrix's title, and what it does.
 pub(super) fn title(matrix: Matrix, object: Option<&Object>) -> (String, String) {
@@ -29,7 +34,7 @@ pub(super) fn title(matrix: Matrix, object: Option<&Object>) -> (String, String)
         Matrix::Model => object.map_or_else(
             || ("model: no object, so the identity".into(), "click an object or point at one to see its matrix".into()),
             |object| {
-                let text = format!("model: object to world, {}", object.name);
+                let text = format!("model: object to world, {}", visual_order(&object.name));
                 (text, "puts the object into its place in the world".into())
             },
         ),
@@ -184,16 +189,70 @@ pub(super) fn rows(
 
 /// A row of numbers in columns of one width, after the name of the coordinate that it makes. Tooltips have all digits.
 pub(super) fn numbers(ui: &mut Ui, values: &[f64], makes: Option<(&str, &str)>) -> Response {
+    const GAP: f32 = 5.0;
+    let one = char_width(ui);
+    let room = ui.available_width().min(MATRIX);
+    let chars = columns(room - one, 4, GAP, one);
     let row = ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
+        ui.spacing_mut().item_spacing.x = GAP;
         if let Some((makes, hint)) = makes {
             ui.label(value_text(makes).weak()).hint(hint);
         }
         for value in values {
-            let text = format!("{:>10}", short(*value));
+            let text = format!("{:>chars$}", short_in(*value, chars));
             let hint = makes.map_or(String::new(), |(_, does)| format!(". {does}"));
             ui.label(value_text(text)).hint(format!("{value}{hint}"));
         }
     });
     row.response
+}
+
+/// How many characters each of `count` numbers side by side may have, each after a gap, in `room` points. A character is `one`
+/// wide. Columns stay where they are in a wider panel: `room` is that of the least one, [`MATRIX`], or less.
+pub(super) fn columns(room: f32, count: u8, gap: f32, one: f32) -> usize {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between LEAST and DIGITS"
+    )]
+    let chars = ((room / f32::from(count) - gap) / one).max(0.0) as usize;
+    chars.clamp(LEAST, DIGITS)
+}
+
+/// Width in points of each character of a [`value_text`].
+pub(super) fn char_width(ui: &Ui) -> f32 {
+    ui.fonts_mut(|fonts| fonts.glyph_width(&FontId::monospace(11.0), '0'))
+}
+
+/// The number as [`short`] writes it where there is room for that. Where not, with three decimals, or as many as there is room
+/// for; as a power of ten if it has no room otherwise.
+pub(super) fn fitted(value: f64, room: usize) -> String {
+    if room >= DIGITS {
+        return short(value);
+    }
+    let fixed = (0..=3).rev().map(|decimals| format!("{value:.decimals$}"));
+    let powers = (1..=3).rev().map(|decimals| format!("{value:.decimals$e}"));
+    let mut all = fixed.chain(powers);
+    let fits = all.find(|text| text.len() <= room);
+    fits.unwrap_or_else(|| format!("{value:.0e}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn four_numbers_of_any_size_have_room_in_a_row() {
+        for (value, text) in [
+            (-7.5, "-7.500"),
+            (1e-300, "0.000"),
+            (12_345.678, "12345.7"),
+            (-1_234_567.0, "-1.23e6"),
+            (3.5e6, "3500000"),
+            (-1e300, "-1e300"),
+            (f64::INFINITY, "inf"),
+        ] {
+            assert_eq!(fitted(value, 7), text);
+        }
+    }
 }

@@ -56,8 +56,13 @@ const PARTS: [(Part, &str, &str); 3] = [
     ),
 ];
 
+/// Room in points for the longest name in [`PARTS`].
+const NAME: f32 = 50.0;
+/// The same for a letter and the gap after it.
+const LETTER: f32 = 12.0;
+
 pub(super) fn show(ui: &mut Ui, state: &State, object: usize, commands: &mut Vec<Command>) {
-    let header = CollapsingHeader::new("Model matrix").show(ui, |ui| {
+    let header = CollapsingHeader::new("Model matrix").show_unindented(ui, |ui| {
         let model = state.scene().objects()[object].placement.model();
         edit(ui, state, object, model, commands);
     });
@@ -86,6 +91,9 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
         Action::Place(object, model)
     };
     let size = state.scene().bounds_of(object).radius();
+    // In a small window the fields share the width beside names and letters.
+    let share = (ui.available_width() - NAME) / 3.0;
+    let width = (share - LETTER - ui.spacing().item_spacing.x).min(WIDTH - LETTER);
     let (mut asked, mut gesture) = (None, Gesture::default());
     Grid::new("parts").num_columns(4).show(ui, |ui| {
         for (part, name, hint) in PARTS {
@@ -114,7 +122,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
                         hint,
                         of: state.scene_revision() ^ (object as u64).rotate_left(32),
                         value,
-                        width: WIDTH - 12.0,
+                        width,
                         step,
                     };
                     if let Some(number) = field.show(ui, check) {

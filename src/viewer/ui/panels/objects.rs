@@ -1,9 +1,11 @@
 //! The list of objects: visibility and selection.
 
 use super::{
+    docks::GUTTER,
     elided::elided,
     hints::{Hint, named},
     menu,
+    visual_order::visual_order,
 };
 use crate::viewer::{
     model::{Action, State},
@@ -75,15 +77,18 @@ pub(super) fn show(
     reveal_selection: bool,
     commands: &mut Vec<Command>,
 ) {
-    above(ui, state, commands);
-    let search = egui::TextEdit::singleline(&mut filter.text)
-        .hint_text("search")
-        .desired_width(f32::INFINITY);
-    let search = ui.add(search);
-    named(&search, "search");
-    search.hint("list only objects whose name contains this");
+    ui.scope(|ui| {
+        ui.set_max_width(ui.available_width() - GUTTER);
+        above(ui, state, commands);
+        let search = egui::TextEdit::singleline(&mut filter.text)
+            .hint_text("search")
+            .desired_width(f32::INFINITY);
+        let search = ui.add(search);
+        named(&search, "search");
+        search.hint("list only objects whose name contains this");
+        ui.separator();
+    });
     filter.apply(state);
-    ui.separator();
     let objects = state.scene().objects();
     let height = (ui.text_style_height(&TextStyle::Body)).max(ui.spacing().interact_size.y);
     let mut area = ScrollArea::vertical().id_salt("list").auto_shrink(false);
@@ -148,7 +153,8 @@ fn above(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
     let object = &state.scene().objects()[index];
     let is_selected = state.selected() == Some(index);
-    let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    let width = ui.available_width() - GUTTER;
+    let size = vec2(width, ui.spacing().interact_size.y);
     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
     let is_lit = ui.rect_contains_pointer(rect);
     let visuals = ui.visuals();
@@ -198,7 +204,7 @@ fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
     let hint = format!(
         "{} {}: {}{}",
         index + 1,
-        object.name,
+        visual_order(&object.name),
         object.shape.kind(),
         triangles.unwrap_or_default()
     );

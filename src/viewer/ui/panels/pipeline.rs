@@ -2,11 +2,13 @@
 
 use super::{
     camera::FOV_RANGE,
-    field::{short, value_text},
+    docks::MATRIX,
+    field::{short_in, value_text},
     gesture::Gesture,
     hints::{Hint, named},
-    matrix_rows::{determinant, rows, title},
+    matrix_rows::{char_width, columns, determinant, fitted, rows, title},
     plane_slider,
+    visual_order::visual_order,
 };
 use crate::{
     camera::View,
@@ -67,7 +69,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             } else {
                 "Under the cursor"
             };
-            let title = format!("{title}: {}", object.name);
+            let title = format!("{title}: {}", visual_order(&object.name));
             match Steps::follow(view, object, followed.point_object) {
                 Some(steps) => (title, self::followed(&steps)),
                 None => (
@@ -98,8 +100,9 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 /// What the window shows: the camera's picture, the four views, or one of them.
 fn views(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 2.0;
-        ui.spacing_mut().button_padding.x = 5.0;
+        // In one row in the smallest window.
+        ui.spacing_mut().item_spacing.x = 1.0;
+        ui.spacing_mut().button_padding.x = 4.0;
         let stages = Stage::ALL.map(|(stage, name)| (Views::One(stage), name, about(stage)));
         let all = [
             (Views::Picture, "picture", "what the camera sees"),
@@ -244,63 +247,38 @@ fn background(view: &View, px: DVec2) -> Values {
 
 /// The rows. They are as high without numbers as with them, so that the panel does not jump while it follows the cursor.
 fn table(ui: &mut Ui, values: &Values) {
+    const GAP: f32 = 2.5;
     let colour = if ui.visuals().dark_mode {
         color32(look::SELECTION)
     } else {
         ON_LIGHT
     };
+    let one = char_width(ui);
+    // A wider panel moves no column.
+    let spare = (ui.available_width() - MATRIX).max(0.0);
     for ((name, how, hint), values) in ROWS.into_iter().zip(values) {
         ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = GAP;
             let (_, dot) = ui.allocate_space(vec2(7.0, 7.0));
             if !values.is_empty() {
                 ui.painter()
                     .circle_filled(dot.center(), 3.0, color32(look::SELECTION));
             }
-            ui.spacing_mut().item_spacing.x = 6.0;
             ui.label(value_text(format!("{name:<9}")))
                 .hint(format!("{how}: {hint}"));
+            // Four numbers must each be narrower than three. Fewer stand in the columns of three.
+            let count = if values.len() > 3 { 4 } else { 3 };
+            let chars = columns(ui.available_width() - spare + GAP, count, GAP, one);
             for value in values {
-                // Four numbers must each be narrower than three.
                 let text = if values.len() > 3 {
-                    format!("{:>ROOM$}", fitted(*value))
+                    fitted(*value, chars)
                 } else {
-                    format!("{:>9}", short(*value))
+                    short_in(*value, chars)
                 };
+                let text = format!("{text:>chars$}");
                 ui.label(value_text(text).color(colour))
                     .hint(value.to_string());
             }
         });
-    }
-}
-
-/// The most characters of a number where four stand beside their name.
-const ROOM: usize = 7;
-
-/// A number with three decimals, or as many as there is room for; as a power of ten if it has no room otherwise.
-fn fitted(value: f64) -> String {
-    let fixed = (0..=3).rev().map(|decimals| format!("{value:.decimals$}"));
-    let powers = (1..=3).rev().map(|decimals| format!("{value:.decimals$e}"));
-    let mut all = fixed.chain(powers);
-    let fits = all.find(|text| text.len() <= ROOM);
-    fits.unwrap_or_else(|| format!("{value:.0e}"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn four_numbers_of_any_size_have_room_in_a_row() {
-        for (value, text) in [
-            (-7.5, "-7.500"),
-            (1e-300, "0.000"),
-            (12_345.678, "12345.7"),
-            (-1_234_567.0, "-1.23e6"),
-            (3.5e6, "3500000"),
-            (-1e300, "-1e300"),
-            (f64::INFINITY, "inf"),
-        ] {
-            assert_eq!(fitted(value), text);
-        }
     }
 }

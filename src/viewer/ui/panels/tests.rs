@@ -2,7 +2,7 @@
 
 use super::{
     docks::Docks,
-    field::short,
+    field::{short, short_in},
     layout::show,
     objects::Filter,
     shown::{Floating, Shown},
@@ -237,6 +237,39 @@ fn short_numbers_read_as_the_number() {
     ];
     for (number, text) in numbers {
         assert_eq!(short(number), text);
+    }
+}
+
+/// Numbers in columns never need more room than their column has.
+#[test]
+fn a_number_has_room_in_its_column() {
+    let mantissas = [1.0, 1.234_567_89, 5.5, 9.999_999_9];
+    for most in 6..=9 {
+        for exponent in -320..=308 {
+            for mantissa in mantissas.into_iter().flat_map(|m| [m, -m]) {
+                let value: f64 = format!("{mantissa}e{exponent}").parse().expect("a number");
+                let text = short_in(value, most);
+                assert!(text.len() <= most, "{value:e} in {most}: {text}");
+                let read: f64 = text.parse().expect("a number");
+                let off = (read - value).abs() / value.abs().max(1e-99);
+                assert!(
+                    off < 0.5 || !value.is_finite(),
+                    "{value:e} in {most}: {text}"
+                );
+            }
+        }
+    }
+    for (value, most, text) in [
+        (-0.001_234, 6, "-0.001"),
+        (0.001_234, 7, "0.00123"),
+        (-0.000_952_597, 8, "-0.00095"),
+        (-1_234_567.0, 8, "-1234567"),
+        (-1_234_567.0, 7, "-1.23e6"),
+        (1e-300, 6, "1e-300"),
+        (-1e-300, 6, "0"),
+        (f64::NEG_INFINITY, 6, "-inf"),
+    ] {
+        assert_eq!(short_in(value, most), text);
     }
 }
 

@@ -1,15 +1,12 @@
 //! Tables with a name and a value in each row, and how their numbers are written.
 
-use super::{field::value_text, hints::Hint};
+use super::{field::value_text, hints::Hint, matrix_rows::char_width};
 use crate::geometry::Aabb;
-use egui::{Grid, Label, Ui};
+use egui::{Color32, Grid, Label, TextStyle, Ui};
 use glam::DVec3;
 
 /// Decimal places of numbers that have no unit.
 pub(super) const PLACES: usize = 6;
-
-/// The most characters of three numbers that fit beside their name.
-const LINE: usize = 29;
 
 /// How numbers of one kind are written: all equally wide, so that columns align.
 #[derive(Clone, Copy)]
@@ -48,22 +45,49 @@ impl Digits {
         }
     }
 
-    /// Components side by side, or one below the other if numbers of this width would not fit.
+    /// Components side by side.
     pub fn vector(self, v: DVec3) -> String {
         let Self { places, width } = self;
         let components = v
             .to_array()
             .map(|component| format!("{component:>width$.places$}"));
-        let fits = 3 * width + 2 <= LINE;
-        components.join(if fits { " " } else { "\n" })
+        components.join(" ")
     }
 }
 
-/// A table of names, values and what they mean.
+/// A value of three numbers with each number on a line of its own, or any other value as it is.
+fn stacked(value: &str) -> String {
+    let numbers: Vec<_> = value.split_whitespace().collect();
+    if numbers.len() != 3 || numbers.iter().any(|number| number.parse::<f64>().is_err()) {
+        return value.to_owned();
+    }
+    let width = numbers.iter().map(|number| number.len()).max().unwrap_or(0);
+    let lines: Vec<_> = numbers
+        .iter()
+        .map(|number| format!("{number:>width$}"))
+        .collect();
+    lines.join("\n")
+}
+
+/// A table of names, values and what they mean. The components of a vector stand one below the other where they have no room
+/// side by side.
 pub(super) fn rows(ui: &mut Ui, salt: &str, rows: &[(&str, String, &str)]) {
+    let font = TextStyle::Body.resolve(ui.style());
+    let width = |name: &str| {
+        let galley = (ui.painter()).layout_no_wrap(name.to_owned(), font.clone(), Color32::WHITE);
+        galley.size().x
+    };
+    let names = rows.iter().map(|(name, ..)| width(name));
+    // A column of a grid is at least as wide as a button.
+    let names = names.fold(ui.spacing().interact_size.x, f32::max);
+    let room = ui.available_width() - names - ui.spacing().item_spacing.x;
+    let one = char_width(ui);
     Grid::new(salt).num_columns(2).striped(true).show(ui, |ui| {
         for (name, value, hint) in rows {
             ui.weak(*name).hint(hint);
+            #[expect(clippy::cast_precision_loss, reason = "a few characters")]
+            let fits = one * value.chars().count() as f32 <= room;
+            let value = if fits { value.clone() } else { stacked(value) };
             ui.add(Label::new(value_text(value)).wrap()).hint(hint);
             ui.end_row();
         }

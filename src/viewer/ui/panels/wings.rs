@@ -2,7 +2,7 @@
 
 use super::{
     camera,
-    docks::{FIELDS, Section, Side},
+    docks::{Docks, FIELDS, GUTTER, Section, Side, TO_BORDER, TO_PICTURE},
     exhibit,
     hints::{Hint, bounded, named},
     measure, objects, pick, pipeline,
@@ -10,11 +10,12 @@ use super::{
 };
 use crate::viewer::ui::command::Command;
 use egui::{
-    Align, Button, CursorIcon, Layout, Panel, Rangef, Rect, RichText, ScrollArea, Sense, Stroke, Ui,
+    Align, Button, CursorIcon, Frame, Layout, Panel, Rangef, Rect, RichText, ScrollArea, Sense,
+    Stroke, Ui, style::ScrollStyle,
 };
 
-/// The least height of the list of objects in points, whatever stands above it.
-const LEAST_LIST: f32 = 165.0;
+/// Height of a panel's heading in points, with the line above it.
+const HEADING: f32 = 36.0;
 
 /// Shows a side, `width` points wide; with `None`, nothing shows. Returns the strip around its edge to the picture.
 pub(super) fn show(
@@ -30,7 +31,13 @@ pub(super) fn show(
         Side::Right => Panel::right("right side"),
     };
     let here = shown.docks.at(side, sections);
-    let panel = panel.exact_size(width?).resizable(false);
+    let mut frame = Frame::side_top_panel(ui.style());
+    let (left, right) = match side {
+        Side::Left => (TO_BORDER, TO_PICTURE),
+        Side::Right => (TO_PICTURE, TO_BORDER),
+    };
+    (frame.inner_margin.left, frame.inner_margin.right) = (left, right);
+    let panel = panel.exact_size(width?).resizable(false).frame(frame);
     let response = panel
         .show(ui, |ui| wing(ui, &here, shown, commands))
         .response;
@@ -42,52 +49,80 @@ pub(super) fn show(
     Some(Rect::from_x_y_ranges(across, response.rect.y_range()))
 }
 
-/// A side's panels. The list of objects stands last, and scrolls by itself.
+/// A side's panels. All headings are in view: an open panel is as high as what it holds, but leaves the panels below it their
+/// least heights, and scrolls by itself. The side scrolls only where not even these have room.
 fn wing(ui: &mut Ui, here: &[Section], shown: &mut Shown, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.x = 5.0;
     ui.spacing_mut().slider_width = 72.0;
-    let has_list = here.contains(&Section::Objects);
-    let is_open = has_list && !shown.docks[Section::Objects].folded;
-    let above: Vec<_> = here
-        .iter()
-        .copied()
-        .filter(|section| *section != Section::Objects)
-        .collect();
-    if !above.is_empty() {
-        let below = match (has_list, is_open) {
-            (false, _) => 0.0,
-            (true, false) => 30.0,
-            (true, true) => LEAST_LIST,
-        };
-        let height = (ui.available_height() - below).max(60.0);
-        // Folded panels need no least width.
-        let is_any_open = above.iter().any(|section| !shown.docks[*section].folded);
-        let least = if is_any_open { FIELDS - 16.0 } else { 0.0 };
-        let width = ui.available_width().max(least);
-        ScrollArea::both()
-            .id_salt("above")
-            .auto_shrink([false, has_list])
-            .max_height(height)
-            .show(ui, |ui| {
-                ui.set_max_width(width);
-                for (at, section) in above.into_iter().enumerate() {
+    ui.spacing_mut().scroll = ScrollStyle {
+        bar_width: 6.0,
+        floating_width: 4.0,
+        dormant_handle_opacity: 0.5,
+        bar_outer_margin: 0.5,
+        ..ScrollStyle::floating()
+    };
+    let room = ui.available_height();
+    ScrollArea::vertical()
+        .id_salt("side")
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            let height = room.max(least_height(here, shown.docks));
+            ui.set_max_height(height);
+            let bottom = ui.cursor().top() + height;
+            let width = ui.available_width() - GUTTER;
+            for (at, section) in here.iter().copied().enumerate() {
+                let heading = ui.scope(|ui| {
+                    ui.set_max_width(width);
                     if at > 0 {
                         ui.separator();
                     }
-                    if header(ui, section, shown, commands) {
-                        contents(ui, section, shown, commands);
-                    }
+                    header(ui, section, shown, commands)
+                });
+                if heading.inner {
+                    let below = least_height(&here[at + 1..], shown.docks);
+                    let room = bottom - ui.cursor().top() - below;
+                    let height = room.max(section.least_height());
+                    body(ui, section, width, height, shown, commands);
                 }
-            });
+            }
+        });
+}
+
+/// The least height of panels, one below the other, in points.
+fn least_height(sections: &[Section], docks: &Docks) -> f32 {
+    let each = sections.iter().map(|section| {
+        let open = !docks[*section].folded;
+        HEADING + if open { section.least_height() } else { 0.0 }
+    });
+    each.sum()
+}
+
+/// What a panel holds, at most `height` points high. The list of objects takes all of it, and scrolls its rows.
+fn body(
+    ui: &mut Ui,
+    section: Section,
+    width: f32,
+    height: f32,
+    shown: &mut Shown,
+    commands: &mut Vec<Command>,
+) {
+    if section == Section::Objects {
+        ui.scope(|ui| {
+            ui.set_max_height(height);
+            contents(ui, section, shown, commands);
+        });
+        return;
     }
-    if has_list {
-        if here.len() > 1 {
-            ui.separator();
-        }
-        if header(ui, Section::Objects, shown, commands) {
-            contents(ui, Section::Objects, shown, commands);
-        }
-    }
+    let least = width.max(FIELDS);
+    ScrollArea::both()
+        .id_salt(section.name())
+        .auto_shrink([false, true])
+        .min_scrolled_height(0.0)
+        .max_height(height)
+        .show(ui, |ui| {
+            ui.set_max_width(least);
+            contents(ui, section, shown, commands);
+        });
 }
 
 /// A panel's heading: it folds the panel and moves it to the other side. Returns whether the panel is open.

@@ -1,0 +1,223 @@
+//! The panels of a side can all be reached, nothing in them is cut off, and the matrices give back the room that they took.
+
+use super::*;
+
+fn sides(window: &Offscreen) -> [bool; 2] {
+    ["left side", "right side"].map(|side| control(window, side).is_on)
+}
+
+fn demo(points: [u32; 2]) -> Offscreen {
+    Offscreen::open(Options::default(), px(points, 1.0), 1.0)
+}
+
+/// With all panels at one side, every heading is in view, and what is selected can be read beside the matrices.
+#[test]
+fn the_pick_can_be_read_beside_the_matrices() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    click_on(&mut window, "move Pick to the left");
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    let headings = ["Matrices", "Pick", "Measure", "Objects"];
+    let tops = headings.map(|name| control(&window, name).rect.top());
+    assert!(tops.is_sorted(), "{tops:?}");
+    for name in ["front", "object 1"] {
+        // The list of objects has a button with the same name.
+        let texts = window.controls().iter();
+        let texts = texts.filter(|text| text.role == Role::Label && text.name == name);
+        let rows: Vec<_> = texts.map(|text| text.rect).collect();
+        let is_in_view = |row: &Rect| row.top() > tops[1] && row.bottom() < tops[2];
+        assert!(
+            !rows.is_empty() && rows.iter().all(is_in_view),
+            "{name}: {rows:?}"
+        );
+    }
+    // The matrices keep enough to read, and the list as well.
+    let z = control(&window, "P, row z").rect;
+    assert!(z.top() > tops[0] && z.bottom() < tops[1], "{z}");
+    assert!(tops[3] < 690.0 - 100.0, "{tops:?}");
+}
+
+/// In a window that the matrices make narrow, controls end within their side, and the numbers of a vector stand in a line.
+#[test]
+fn nothing_is_cut_off_beside_the_matrices() {
+    let mut window = demo(SIZE);
+    click(&mut window, MIDDLE);
+    let number = window.state().selected().expect("an object") + 1;
+    for key in [Key::P, Key::Num4] {
+        press_key(&mut window, Modifiers::NONE, key);
+        for name in ["up z", "move Pick to the left", &format!("object {number}")] {
+            let rect = control(&window, name).rect;
+            assert!(rect.right() <= 1280.0 - 8.0, "{name}: {rect}");
+        }
+        let vectors = window.controls().iter().filter(|control| {
+            let words: Vec<_> = control.name.split_whitespace().collect();
+            control.rect.left() > MIDDLE.x
+                && words.len() == 3
+                && words.iter().all(|word| word.parse::<f64>().is_ok())
+        });
+        let heights: Vec<_> = vectors.map(|control| control.rect.height()).collect();
+        assert!(heights.len() >= 2, "{heights:?}");
+        assert!(heights.iter().all(|height| *height < 20.0), "{heights:?}");
+    }
+}
+
+/// The smallest window shows matrices whole.
+#[test]
+fn matrices_have_all_their_columns_in_a_small_window() {
+    let mut window = demo([640, 400]);
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    let edge = control(&window, "edge of the left side").rect.center().x;
+    let numbers = window.controls().iter().filter(|control| {
+        control.role == Role::Label
+            && control.name.trim().parse::<f64>().is_ok()
+            && control.rect.left() < edge
+    });
+    let rights: Vec<_> = numbers.map(|number| number.rect.right()).collect();
+    assert!(rights.len() >= 48, "{}", rights.len());
+    assert!(
+        rights.iter().all(|right| *right <= edge - 8.0),
+        "{edge}: {rights:?}"
+    );
+    let tabs = ["show picture", "show NDC"].map(|tab| control(&window, tab).rect.center().y);
+    assert!((tabs[0] - tabs[1]).abs() < 1.0, "{tabs:?}");
+}
+
+/// What the matrices took the place of comes back as they go.
+#[test]
+fn matrices_give_back_the_room_that_they_took() {
+    for points in [[640, 400], [800, 600], SIZE] {
+        for keys in [vec![Key::P, Key::P], vec![Key::Num4, Key::P, Key::Num4]] {
+            let mut window = demo(points);
+            let before = sides(&window);
+            for key in &keys {
+                press_key(&mut window, Modifiers::NONE, *key);
+            }
+            assert_eq!(sides(&window), before, "{points:?} after {keys:?}");
+        }
+    }
+    // A side that the user opened meanwhile stays.
+    let mut window = demo([640, 400]);
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    click_on(&mut window, "right side");
+    click_on(&mut window, "left side");
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    assert_eq!(sides(&window), [true, false]);
+}
+
+/// Opens the side on which this control is, and clicks it.
+fn reach(window: &mut Offscreen, name: &str) {
+    for side in ["left side", "right side"] {
+        if !has_control(window, name) && control(window, side).is_enabled {
+            click_on(window, side);
+        }
+    }
+    click_on(window, name);
+}
+
+/// No panel is wider than its side, at the left or the right: so none scrolls sideways, and nothing is cut off.
+#[test]
+fn no_panel_scrolls_sideways() {
+    let windows = [640, 660, 680, 700].map(|width| [width, 400]);
+    for (points, side) in windows
+        .into_iter()
+        .chain([[800, 600], SIZE])
+        .flat_map(|points| [(points, "left"), (points, "right")])
+    {
+        let mut window = demo(points);
+        let width = f32::from(u16::try_from(points[0]).expect("small"));
+        for panel in ["Camera", "Pick", "Objects", "Measure"] {
+            let there = format!("move {panel} to the {side}");
+            let is_there = match panel {
+                "Camera" | "Pick" => side == "right",
+                _ => side == "left",
+            };
+            if !is_there {
+                reach(&mut window, &there);
+            }
+        }
+        reach(&mut window, "Measure");
+        press_key(&mut window, Modifiers::NONE, Key::P);
+        if side == "right" {
+            click_on(&mut window, "move Matrices to the right");
+        }
+        let edge = control(&window, &format!("edge of the {side} side")).rect;
+        let [from, to] = match side {
+            "left" => [0.0, edge.center().x],
+            _ => [edge.center().x, width],
+        };
+        // The other side has no panels.
+        let picture = match side {
+            "left" => [to, width],
+            _ => [0.0, from],
+        };
+        click(
+            &mut window,
+            pos2(0.5 * (picture[0] + picture[1]), edge.center().y),
+        );
+        assert!(picked_px(&window).is_some());
+        let here = window.controls().iter().filter(|control| {
+            let at = control.rect.center();
+            (from + 4.0..to - 4.0).contains(&at.x) && edge.y_range().contains(at.y)
+        });
+        let (bars, others): (Vec<_>, Vec<_>) =
+            here.partition(|control| control.role == Role::ScrollBar);
+        let (lying, standing): (Vec<&Control>, Vec<&Control>) =
+            (bars.into_iter()).partition(|bar| bar.rect.width() > bar.rect.height());
+        let right = standing.iter().map(|bar| bar.rect.left());
+        let right = right.fold(to - 4.0, f32::min);
+        let is_wide =
+            |control: &&&Control| control.rect.left() < from + 4.0 || control.rect.right() > right;
+        let wide = others.iter().filter(is_wide);
+        let wide: Vec<_> = wide.map(|control| (&control.name, control.rect)).collect();
+        assert!(
+            wide.is_empty() && lying.is_empty(),
+            "{points:?} {side}, {from} to {right}: {wide:?} {lying:?}"
+        );
+    }
+}
+
+/// The smallest window has room for all fields of the selected object's matrix.
+#[test]
+fn a_small_window_shows_the_fields_of_a_matrix() {
+    let mut window = demo([640, 400]);
+    click(&mut window, pos2(200.0, 180.0));
+    assert!(picked_px(&window).is_some());
+    click_on(&mut window, "Camera");
+    click_on(&mut window, "Model matrix");
+    for part in ["position", "rotation", "scale"] {
+        let mut before = control(&window, part).rect;
+        for axis in ["x", "y", "z"] {
+            let field = control(&window, &format!("{part} {axis}")).rect;
+            assert!(
+                field.left() > before.right() && field.width() > 45.0,
+                "{part} {axis}: {field}"
+            );
+            before = field;
+        }
+        assert!(before.right() < 640.0 - 15.0, "{part}: {before}");
+    }
+}
+
+/// The letters of the axes stand above the fields of the camera's place, which are in columns.
+#[test]
+fn fields_of_the_camera_stand_in_columns() {
+    for points in [[640, 400], SIZE] {
+        let window = demo(points);
+        for axis in ["x", "y", "z"] {
+            let left = |name: &str| control(&window, &format!("{name} {axis}")).rect.left();
+            let eye = left("eye");
+            assert!(
+                [left("target"), left("up")] == [eye; 2],
+                "{axis} at {points:?}"
+            );
+            let mut texts = window.controls().iter();
+            let letter = texts.find(|text| {
+                text.name == axis
+                    && text.role == Role::Label
+                    && text.rect.bottom() <= control(&window, "eye x").rect.top()
+                    && (text.rect.left() - eye).abs() < 1.0
+            });
+            assert!(letter.is_some(), "{axis} at {points:?}");
+        }
+    }
+}
