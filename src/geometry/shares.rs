@@ -6,7 +6,7 @@ use std::{
     num::NonZero,
     ops::Range,
     panic::resume_unwind,
-    sync::{Mutex, PoisonError},
+    sync::{Mutex, OnceLock, PoisonError},
     thread,
 };
 
@@ -79,7 +79,8 @@ pub(crate) fn in_shares<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T 
     on_all_cores(shares.map(|first| first..(first + share).min(count)), work)
 }
 
-/// Threads that run at once; 1 where the system does not tell.
+/// Threads that run at once; 1 where the system does not tell. It is asked once: on Linux, the answer takes reading files.
 pub(crate) fn cores() -> usize {
-    thread::available_parallelism().map_or(1, NonZero::get)
+    static CORES: OnceLock<usize> = OnceLock::new();
+    *CORES.get_or_init(|| thread::available_parallelism().map_or(1, NonZero::get))
 }

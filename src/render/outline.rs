@@ -184,6 +184,35 @@ impl Renderer {
         gpu.submit([encoder.finish()]);
     }
 
+    /// Makes a pipeline that pictures of a view use, with their marks, on textures of a format, and that is not made
+    /// yet. Returns whether there was one. Else each is made at first use, and a frame waits for it.
+    pub(crate) fn make_ahead(
+        &mut self,
+        gpu: &Gpu,
+        view: &View,
+        format: wgpu::TextureFormat,
+    ) -> bool {
+        let post = (self.post).get_or_insert_with(|| PostPasses::new(gpu));
+        let srgb = format.add_srgb_suffix();
+        let mut passes = [
+            ("copy", srgb.remove_srgb_suffix()),
+            ("hover", srgb),
+            ("selection", srgb),
+            ("outline", MARKS),
+        ]
+        .into_iter();
+        let missing = passes.find(|pass| !post.made.contains_key(pass));
+        if let Some((entry, format)) = missing {
+            post.pipeline(gpu, entry, format);
+        }
+        missing.is_some() || self.pipelines.make_ahead(gpu, view)
+    }
+
+    #[cfg(test)]
+    pub(super) fn made_for_marks(&self) -> usize {
+        self.post.as_ref().map_or(0, |post| post.made.len())
+    }
+
     /// Half the outline's width in pixels: at least 1, since a thinner one would vanish from a coarse picture.
     #[expect(clippy::cast_precision_loss, reason = "a few pixels")]
     fn outline_px(&self) -> f32 {

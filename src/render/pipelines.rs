@@ -9,7 +9,10 @@ use super::{
     shader_structs::{Batch, LineVertex, Vertex},
     shaders::shader_module,
 };
-use crate::camera::{DepthMapping, View};
+use crate::{
+    camera::{DepthMapping, View},
+    geometry::Sides,
+};
 use std::{collections::HashMap, mem::offset_of};
 use wgpu::{VertexAttribute, VertexFormat};
 
@@ -157,15 +160,44 @@ impl Pipelines {
         drawn: Drawn,
         view: &View,
     ) -> wgpu::RenderPipeline {
-        let is_uncut = matches!(drawn, Drawn::Lines | Drawn::Background | Drawn::Depths);
-        let is_cut = view.section.is_some() && !is_uncut;
-        let key = (pass, drawn, view.camera.lens().depth, is_cut);
+        let key = key(pass, drawn, view);
         if let Some(pipeline) = self.made.get(&key) {
             return pipeline.clone();
         }
         let pipeline = self.make(gpu, key);
         self.made.insert(key, pipeline.clone());
         pipeline
+    }
+
+    /// Makes a pipeline that pictures of a view and their selection use, and that is not made yet. Returns whether
+    /// there was one.
+    pub fn make_ahead(&mut self, gpu: &Gpu, view: &View) -> bool {
+        let culled: &[_] = match view.sides {
+            Sides::Both => &[None],
+            Sides::Front => &[Some(false), Some(true)],
+        };
+        let culled = culled.iter().copied();
+        let triangles = culled.map(|culled_mirrored| Drawn::Triangles { culled_mirrored });
+        let surfaces = triangles.chain([Drawn::Spheres]);
+        let passes: &[_] = match self.samples {
+            1 => &[Pass::ColourAndIds, Pass::Mask],
+            _ => &[Pass::ColourAndIds, Pass::Colour, Pass::Ids, Pass::Mask],
+        };
+        let mut keys = passes.iter().flat_map(|&pass| {
+            let others: &[_] = if pass.has_colours() {
+                &[Drawn::Background, Drawn::Lines]
+            } else {
+                &[]
+            };
+            let drawn = surfaces.clone().chain(others.iter().copied());
+            drawn.map(move |drawn| key(pass, drawn, view))
+        });
+        let Some(missing) = keys.find(|key| !self.made.contains_key(key)) else {
+            return false;
+        };
+        let pipeline = self.make(gpu, missing);
+        self.made.insert(missing, pipeline);
+        true
     }
 
     fn make(&mut self, gpu: &Gpu, (pass, drawn, depth, is_cut): Key) -> wgpu::RenderPipeline {
@@ -258,6 +290,12 @@ impl Pipelines {
     }
 }
 
+fn key(pass: Pass, drawn: Drawn, view: &View) -> Key {
+    let is_uncut = matches!(drawn, Drawn::Lines | Drawn::Background | Drawn::Depths);
+    let is_cut = view.section.is_some() && !is_uncut;
+    (pass, drawn, view.camera.lens().depth, is_cut)
+}
+
 /// Counter-clockwise in the world is counter-clockwise in the picture, unless the model matrix mirrors: then the
 /// winding is reversed, and the other side is culled. (That view space is left-handed does not matter: its x runs right
 /// and its y up, as in NDC.)
@@ -331,5 +369,78 @@ fn towards_the_eye(depth: DepthMapping) -> wgpu::DepthBiasState {
         constant: 4 * nearer,
         slope_scale: if nearer > 0 { 1.5 } else { -1.5 },
         clamp: 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{
+        camera::{CameraChoice, View, Viewport},
+        colour::Srgb,
+        geometry::{Placement, Sides},
+        render::{
+            Destination, Drawing, Gpu, Line, Marks, Piece, Renderer, SceneBuffers, Targets,
+            without_depth,
+        },
+        scene::{Object, Scene, Shape},
+    };
+    use glam::DVec3;
+
+    /// Of a scene with triangles and a sphere, selected and lit, smooth and not.
+    #[test]
+    fn a_picture_makes_no_pipeline_once_all_are_made_ahead() {
+        let gpu = Gpu::headless().unwrap_or_else(|error| panic!("{error}"));
+        let shapes = [Shape::Cube, Shape::Sphere];
+        let object = |shape| Object::new("", shape, Placement::IDENTITY);
+        let scene: Scene = shapes.map(object).into_iter().collect();
+        let buffers = SceneBuffers::upload(&gpu, &scene).expect("it fits");
+        let format = wgpu::TextureFormat::Bgra8Unorm;
+        let formats = [format.add_srgb_suffix()];
+        let usage = wgpu::TextureUsages::TEXTURE_BINDING;
+        let page = without_depth::texture(&gpu, "page", [64, 64], format, 1, usage, &formats);
+        let size = Viewport::new(64, 64).expect("a size");
+        let camera = CameraChoice::default().resolve(&scene.bounds(), size);
+        let view = View::new(camera.expect("it is framed"), size);
+        for samples in [1, gpu.smooth_samples()] {
+            for sides in [Sides::Both, Sides::Front] {
+                let view = View { sides, ..view };
+                let mut renderer = Renderer::new(&gpu, samples);
+                let mut count = 0;
+                while renderer.make_ahead(&gpu, &view, format) {
+                    count += 1;
+                }
+                let line = Line {
+                    from: DVec3::ZERO,
+                    to: DVec3::X,
+                    colour: Srgb::NEUTRAL,
+                };
+                let targets = Targets::new(&gpu, view.viewport, samples).expect("it fits");
+                for samples in [1, samples] {
+                    let mut drawing = Drawing::of_scene(samples, &view, vec![line]);
+                    while !renderer
+                        .advance(&gpu, &buffers, &targets, &mut drawing, Piece::WHOLE)
+                        .expect("it fits")
+                    {}
+                }
+                for object in 0..2 {
+                    (renderer.draw_selection(&gpu, &buffers, &targets, &view, object))
+                        .expect("it fits");
+                    let marks = Marks {
+                        selection: Some(object),
+                        hover: Some(1 - object),
+                    };
+                    let onto = Destination {
+                        texture: &page,
+                        origin_px: [0, 0],
+                        room_px: [64, 64],
+                        coarseness: 1,
+                    };
+                    renderer.composite(&gpu, &buffers, &targets, &view, &marks, &onto);
+                }
+                let made = renderer.pipelines.made.len() + renderer.made_for_marks();
+                assert_eq!(made, count, "{samples} {sides:?}");
+                assert!(count > 8);
+            }
+        }
     }
 }

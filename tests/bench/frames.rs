@@ -129,8 +129,8 @@ fn scene(file: Option<PathBuf>) {
     };
     let drawn = bench.window.draw();
     drawn.unwrap_or_else(|error| panic!("{error}"));
-    // A window draws its letters in its first seconds. No assistive program asks for its controls.
-    bench.window.draw_letters();
+    // A window does this in its first seconds. No assistive program asks for its controls.
+    bench.window.prepare_all();
     bench.window.tell_controls(false);
     if let Some(file) = file {
         bench.window.begin_to_drop(file);

@@ -72,6 +72,46 @@ fn what_moves_is_coarse_and_what_rests_is_exact() {
 }
 
 #[test]
+fn a_drag_lays_the_panels_out_once_and_they_show_what_it_did() {
+    let (mut window, _folder) = row(1.0);
+    window.picture().expect("a picture");
+    // In the four views, the world's camera is dragged, which the panels tell nothing about.
+    for (views, at) in [
+        (None, MIDDLE),
+        (Some(Key::Num4), MIDDLE + vec2(150.0, -150.0)),
+    ] {
+        if let Some(key) = views {
+            press_key(&mut window, Modifiers::NONE, key);
+            window.picture().expect("a picture");
+        }
+        for modifiers in [Modifiers::NONE, Modifiers::SHIFT, Modifiers::COMMAND] {
+            let button = |at, pressed| Event::PointerButton {
+                pos: at,
+                button: PointerButton::Primary,
+                pressed,
+                modifiers,
+            };
+            window.send([Event::PointerMoved(at), button(at, true)]);
+            let to = |x: f32| at + vec2(x, 0.5 * x);
+            window.send([Event::PointerMoved(to(10.0))]);
+            for x in [20.0, 30.0] {
+                let drawn = window.drawn().expect("a picture");
+                let (view, passes) = (*window.state().view(), window.passes());
+                window.frame(Event::PointerMoved(to(x))).expect("a frame");
+                assert_eq!(window.passes(), passes + 1, "{views:?} {modifiers:?} {x}");
+                assert_ne!(window.drawn().expect("a picture"), drawn);
+                let camera = &window.state().view().camera;
+                assert_eq!(views.is_none(), *camera != view.camera);
+                let shown = control(&window, "eye x").value.parse::<f64>();
+                let difference = shown.expect("a number") - camera.eye().x;
+                assert!(difference.abs() <= 1e-3 * camera.eye().length());
+            }
+            window.send([button(to(30.0), false)]);
+        }
+    }
+}
+
+#[test]
 fn a_leap_is_exact_at_once_and_steps_in_a_row_move() {
     let (mut window, _folder) = row(1.0);
     window.picture().expect("a picture");

@@ -65,7 +65,7 @@ fn a_pick_is_always_what_its_own_view_finds() {
 
 #[test]
 fn what_a_view_leaves_out_is_not_in_it() {
-    use PickView::{Earlier, LeftOut, Own};
+    use PickView::{Earlier, LeftOut, Own, Resized};
     let view_of = |at: usize, change: &dyn Fn(&mut State)| {
         let mut state = front_view();
         state.apply(Action::Click(MIDDLE, 0.0));
@@ -97,6 +97,13 @@ fn what_a_view_leaves_out_is_not_in_it() {
         LeftOut,
         "far does not"
     );
+    let resize = |state: &mut State| {
+        let size = Viewport::new(300, 700).expect("a size");
+        state.apply(Action::Resize(size));
+    };
+    assert_eq!(view_of(0, &resize), Resized);
+    let and_turn = |state: &mut State| (resize(state), turn(state)).1;
+    assert_eq!(view_of(0, &and_turn), Earlier);
     assert_eq!(view_of(0, &cull), Earlier);
     assert_eq!(view_of(1, &cull), LeftOut);
     let both = |state: &mut State| (ortho(state), cull(state)).1;

@@ -21,8 +21,8 @@ use std::{
     time::{Duration, Instant},
 };
 
-/// While the program is idle, it rasterises a few glyphs ahead this often.
-const LETTERS_EVERY: Duration = Duration::from_millis(16);
+/// While the program is idle, it prepares something this often.
+const PREPARE_EVERY: Duration = Duration::from_millis(16);
 
 /// The outcome of a frame.
 pub(in crate::viewer) struct Frame {
@@ -69,7 +69,9 @@ impl App {
             self.context.request_repaint();
         }
         let (place, pixels_per_point) = (pass.place, pass.pixels_per_point);
-        let primitives = self.context.tessellate(pass.shapes, pixels_per_point);
+        let primitives = (self.context)
+            .tessellate(pass.shapes, pixels_per_point)
+            .into();
         let (now_s, is_held) = (self.context).input(|input| (input.time, input.pointer.any_down()));
         let laid = Laid {
             place,
@@ -92,11 +94,8 @@ impl App {
             };
             (self.context).request_repaint_after(Duration::from_secs_f64(wait_s));
         }
-        if self.host == Host::Window
-            && self.rest.is_settled
-            && self.letters.draw_some(&self.context)
-        {
-            (self.context).request_repaint_after(LETTERS_EVERY);
+        if self.host == Host::Window && self.rest.is_settled && self.prepare(screen) {
+            (self.context).request_repaint_after(PREPARE_EVERY);
         }
         match &drawn {
             Ok(true) if self.host == Host::Window => {
@@ -109,6 +108,13 @@ impl App {
             platform: pass.platform,
             drawn,
         }
+    }
+
+    /// Rasterises a few glyphs or makes a pipeline, which no frame then has to wait for. Returns whether any are left.
+    pub fn prepare(&mut self, screen: &mut impl Screen) -> bool {
+        let view = self.state.view();
+        let makes = |canvas: &mut Canvas| canvas.make_ahead(view);
+        self.letters.draw_some(&self.context) || screen.canvas().is_some_and(makes)
     }
 
     /// Runs a pass without drawing. A press, the moves after it and the release each get a pass of their own, however
@@ -166,6 +172,9 @@ impl App {
         self.notice_step(None);
         let now_s = input.time.unwrap_or_default();
         self.forget_said(now_s);
+        for action in ui::moves_ahead(&mut self.drag, &input) {
+            self.obey(Command::Act(action));
+        }
         let underway = self.underway().or_else(|| self.drawing(now_s));
         let docks = self.docks;
         // A screenshot without panels shows no passing messages either.
@@ -220,23 +229,13 @@ impl App {
             self.late.extend(commands.extract_if(.., waits));
         }
         commands.extend(due);
-        let idle = |command: &Command| {
-            use Action::{Enter, Hover, Light, LightRow, Resize};
-            matches!(
-                command,
-                Command::ShowsDepthSteps
-                    | Command::Act(Enter(_) | Hover(_) | Light(_) | LightRow(_) | Resize(_))
-            )
-        };
-        let acted = !commands.iter().all(idle) || !self.late.is_empty();
+        let acted = !commands.iter().all(is_idle) || !self.late.is_empty();
         let before = (self.state.hover(), self.state.row());
         let cursor = self.state.cursor();
         // A row lights its object only while the cursor is on it.
         self.state.apply(Action::Light(None));
         for command in commands {
-            let done = self.tour.map(|_| command.clone());
-            self.run_command(command);
-            self.notice_step(done.as_ref());
+            self.obey(command);
         }
         let follows_cursor = self.floating.pipeline || !self.state.stages().is_empty();
         let is_outdated = acted
@@ -260,6 +259,13 @@ impl App {
                 .min()
                 .unwrap_or(Duration::MAX),
         }
+    }
+
+    /// Executes a command, and notices whether it was the step that the tour waits for.
+    fn obey(&mut self, command: Command) {
+        let done = self.tour.map(|_| command.clone());
+        self.run_command(command);
+        self.notice_step(done.as_ref());
     }
 
     /// Draws a pass, on a new device if the old one is lost. Then does what waited for the frame.
@@ -351,4 +357,14 @@ impl App {
             Err(text) => self.failed(Attempt::Screenshot, text),
         }
     }
+}
+
+/// Whether a command comes with each pass, or only follows the cursor: what the panels show of it is compared apart.
+fn is_idle(command: &Command) -> bool {
+    use Action::{Enter, Hover, Light, LightRow, Resize};
+    matches!(
+        command,
+        Command::ShowsDepthSteps
+            | Command::Act(Enter(_) | Hover(_) | Light(_) | LightRow(_) | Resize(_))
+    )
 }

@@ -231,9 +231,15 @@ impl Offscreen {
         self.draw_after(vec![event])
     }
 
-    /// Rasterises all glyphs ahead, as an idle window does a few at a time.
-    pub fn draw_letters(&mut self) {
-        while self.app.letters.draw_some(&self.app.context) {}
+    /// How often the panels were laid out so far: once a frame, or twice where the first time changes what they show.
+    #[must_use]
+    pub fn passes(&self) -> u64 {
+        self.app.context.cumulative_pass_nr()
+    }
+
+    /// Rasterises all glyphs and makes all pipelines ahead, as an idle window does a few at a time.
+    pub fn prepare_all(&mut self) {
+        while self.app.prepare(&mut self.picture) {}
     }
 
     /// What the adapter calls itself, once something was drawn.

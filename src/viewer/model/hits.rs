@@ -31,6 +31,8 @@ pub struct RayHits {
 pub enum PickView {
     /// It was made in this view.
     Own,
+    /// It was made in this view, in a picture of another size.
+    Resized,
     /// It was made in an earlier view. The view on screen may show something else at its pixel, or in front of its point.
     Earlier,
     /// It was made in an earlier view. In the view on screen, near, far, culling or the section leaves its point out.
@@ -86,11 +88,31 @@ impl RayHits {
         let is_culled = view.sides == Sides::Front && sight.dot(pick.normal_world) >= 0.0;
         let is_between = (lens.near..lens.far).contains(&camera.to_view(pick.point_world).z);
         let is_cut = (view.section).is_some_and(|section| section.side(pick.point_world) < 0.0);
-        Some(if is_between && !is_culled && !is_cut {
-            PickView::Earlier
-        } else {
+        Some(if !is_between || is_culled || is_cut {
             PickView::LeftOut
+        } else if self.is_resized(view) {
+            PickView::Resized
+        } else {
+            PickView::Earlier
         })
+    }
+
+    /// Whether another view is this one in a picture of another size, which fitted planes follow.
+    fn is_resized(&self, view: &View) -> bool {
+        let Lens { near, far, .. } = *self.view.camera.lens();
+        let lens = Lens {
+            near,
+            far,
+            ..*view.camera.lens()
+        };
+        let viewport = self.view.viewport;
+        let alike = |camera| View {
+            camera,
+            viewport,
+            ..*view
+        };
+        let camera = view.camera.with_lens(lens);
+        viewport != view.viewport && camera.is_ok_and(|camera| alike(camera) == self.view)
     }
 
     /// The record of what is picked.

@@ -18,7 +18,7 @@ use crate::{
     },
 };
 use egui_wgpu::ScreenDescriptor;
-use std::time::Instant;
+use std::{sync::Arc, time::Instant};
 use wgpu::TextureFormat;
 
 /// Everything that one device draws, and what it has drawn already.
@@ -49,7 +49,7 @@ pub(in crate::viewer) struct Laid {
     /// Where each stage goes within it; empty while the camera's picture is shown.
     pub panes: Vec<(Stage, SceneRect)>,
     /// The panels' triangles.
-    pub primitives: Vec<egui::ClippedPrimitive>,
+    pub primitives: Arc<[egui::ClippedPrimitive]>,
     /// Physical pixels for a point.
     pub pixels_per_point: f32,
     /// How the scene moves.
@@ -89,6 +89,11 @@ impl Canvas {
             gpu,
             format,
         }
+    }
+
+    /// Makes a pipeline that pictures of a view will need. Returns whether any was missing.
+    pub fn make_ahead(&mut self, view: &View) -> bool {
+        self.renderer.make_ahead(&self.gpu, view, self.format)
     }
 
     /// The ids on screen, when they are those of `wanted`.
@@ -262,7 +267,7 @@ impl Canvas {
         let bare = Laid {
             place: Some(SceneRect { origin_px, ..place }),
             panes: Vec::new(),
-            primitives: Vec::new(),
+            primitives: Arc::default(),
             pixels_per_point: place.pixels_per_point,
             motion: Motion::Rests,
         };

@@ -50,6 +50,9 @@ fn of_primitive(before: &ClippedPrimitive, now: &ClippedPrimitive) -> Rect {
             .map(|(primitive, mesh)| primitive.clip_rect.intersect(mesh.calc_bounds()));
         return was.union(is);
     }
+    if was == is {
+        return Rect::NOTHING;
+    }
     let [was, is] = [was, is].map(|mesh| mesh.indices.chunks_exact(3).map(|t| triangle(mesh, t)));
     let differs = if was.len() == is.len() {
         let pairs = was.zip(is).filter(|(was, is)| was != is);

@@ -10,6 +10,8 @@ const SIDE: u32 = 32;
 /// Which tiles of a window have anything painted in them.
 #[derive(Default)]
 pub(super) struct PanelTiles {
+    /// Width and height of the window.
+    size_px: [u32; 2],
     columns: usize,
     /// Row by row.
     painted: Vec<bool>,
@@ -20,6 +22,7 @@ impl PanelTiles {
     pub fn under(primitives: &[ClippedPrimitive], screen: &ScreenDescriptor) -> Self {
         let [columns, rows] = screen.size_in_pixels.map(|px| px.div_ceil(SIDE) as usize);
         let mut tiles = Self {
+            size_px: screen.size_in_pixels,
             columns,
             painted: vec![false; columns * rows],
         };
@@ -66,10 +69,12 @@ impl PanelTiles {
         }
     }
 
-    /// The painted tiles of a place in horizontal runs: left, top, width and height in pixels.
+    /// The painted tiles of a place in horizontal runs: left, top, width and height in pixels. While a window changes
+    /// its size, a place may reach beyond it: runs do not.
     pub fn runs(&self, place: SceneRect) -> Vec<[u32; 4]> {
         let [left, top] = place.origin_px;
-        let [right, bottom] = [left + place.viewport.width(), top + place.viewport.height()];
+        let right = (left + place.viewport.width()).min(self.size_px[0]);
+        let bottom = (top + place.viewport.height()).min(self.size_px[1]);
         let mut runs = Vec::new();
         for row in top / SIDE..bottom.div_ceil(SIDE) {
             let (y0, y1) = ((row * SIDE).max(top), ((row + 1) * SIDE).min(bottom));
@@ -140,6 +145,11 @@ mod tests {
             [[30, 3, 66, 29], [192, 96, 338, 32]],
             "in pixels"
         );
+        let beyond = SceneRect {
+            origin_px: [580, 40],
+            ..place
+        };
+        assert_eq!(tiles.runs(beyond), [[580, 96, 20, 32]], "within the window");
         assert!(PanelTiles::default().runs(place).is_empty());
     }
 }

@@ -12,7 +12,7 @@ use egui::{
     epaint::{ImageDelta, Primitive},
 };
 use egui_wgpu::{Renderer, RendererOptions, ScreenDescriptor};
-use std::mem;
+use std::{mem, sync::Arc};
 use wgpu::{BlendState, RenderPipeline, TextureFormat, TextureViewDescriptor};
 
 /// egui's renderer and what it has painted.
@@ -33,7 +33,7 @@ struct Kept {
     bindings: wgpu::BindGroup,
     size_px: [u32; 2],
     pixels_per_point: f32,
-    primitives: Vec<ClippedPrimitive>,
+    primitives: Arc<[ClippedPrimitive]>,
     /// Where the picture is not empty.
     tiles: PanelTiles,
 }
@@ -83,7 +83,7 @@ impl PanelsPicture {
     pub fn update(
         &mut self,
         gpu: &Gpu,
-        primitives: &[ClippedPrimitive],
+        primitives: &Arc<[ClippedPrimitive]>,
         screen: &ScreenDescriptor,
     ) -> Vec<PixelRect> {
         let ScreenDescriptor {
@@ -131,7 +131,7 @@ impl PanelsPicture {
             self.renderer.render(&mut pass, &painted, screen);
         }
         gpu.submit([encoder.finish()]);
-        kept.primitives = primitives.to_vec();
+        kept.primitives = primitives.clone();
         kept.tiles = PanelTiles::under(primitives, screen);
         rects
     }
@@ -207,7 +207,7 @@ impl Kept {
             texture,
             size_px,
             pixels_per_point: screen.pixels_per_point,
-            primitives: Vec::new(),
+            primitives: Arc::default(),
             tiles: PanelTiles::default(),
         }
     }

@@ -208,7 +208,7 @@ mod tests {
             let laid = Laid {
                 place: None,
                 panes: Vec::new(),
-                primitives: Vec::new(),
+                primitives: Arc::default(),
                 pixels_per_point: 1.0,
                 motion: Motion::Rests,
             };

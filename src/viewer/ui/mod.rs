@@ -13,7 +13,7 @@ mod tour;
 pub(super) use command::{Command, GoTo, Intent, Reply, TourMove};
 pub(super) use focus::leave_text;
 pub(super) use letters::Letters;
-pub(super) use mouse::Drag;
+pub(super) use mouse::{Drag, moves_ahead};
 pub(super) use notice::{Attempt, Kind, Notice, Notices};
 pub(super) use panels::{Docks, Filter, Floating, Shown, Statistics, Underway, show};
 pub(super) use theme::{Look, color32, context, note_missing};

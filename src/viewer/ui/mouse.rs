@@ -2,11 +2,12 @@
 //! began on a panel never reaches the scene.
 
 use crate::viewer::{
-    model::{Action, DOUBLE_CLICK_S},
+    model::{Action, DOUBLE_CLICK_S, Stage},
     screen::SceneRect,
 };
-use egui::{Event, Id, MouseWheelUnit, PointerButton, Pos2, Rect, Response, Sense, Ui};
+use egui::{Event, MouseWheelUnit, PointerButton, Pos2, RawInput, Rect, Response, Sense, Ui};
 use glam::DVec2;
+use std::mem;
 
 /// A press that travels further than this, in points, is a drag.
 const CLICK_TRAVEL: f32 = 3.0;
@@ -24,12 +25,15 @@ pub(in crate::viewer) fn options(ctx: &egui::Context) {
     });
 }
 
-/// The drag that is under way on the scene: what it does and where the cursor was.
+/// The drag that is under way on the scene, or on one of its four views: what it does and where the cursor was.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::viewer) struct Drag {
-    of: Id,
+    of: Option<Stage>,
+    place: SceneRect,
     does: Does,
     at: DVec2,
+    /// Whether the last pass showed what is dragged.
+    is_shown: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,15 +43,52 @@ enum Does {
     Steer,
 }
 
+impl Drag {
+    fn moves_to(&mut self, pointer: Pos2) -> Option<Action> {
+        let to = self.place.to_px(pointer);
+        let by = to - mem::replace(&mut self.at, to);
+        (by != DVec2::ZERO).then_some(match self.does {
+            Does::Turn => Action::Turn(by),
+            Does::Pan => Action::Pan(by),
+            Does::Steer => Action::Steer(by),
+        })
+    }
+}
+
+/// What a drag under way does by an input that only moves the mouse. Where this is done before the panels are laid out,
+/// they show its outcome at once.
+pub(in crate::viewer) fn moves_ahead(drag: &mut Option<Drag>, input: &RawInput) -> Vec<Action> {
+    let mut to = None;
+    for event in &input.events {
+        match event {
+            Event::PointerMoved(at) => to = Some(*at),
+            Event::MouseMoved(_) => {}
+            _ => return Vec::new(),
+        }
+    }
+    let (Some(drag), Some(to)) = (drag, to) else {
+        return Vec::new();
+    };
+    if !mem::take(&mut drag.is_shown) {
+        return Vec::new();
+    }
+    let moved = drag.moves_to(to);
+    let moved = moved.map(|action| [Action::Enter(drag.of), action, Action::Enter(None)]);
+    moved.into_iter().flatten().collect()
+}
+
 /// What the mouse did on the scene, or on one of its four views, with the response of that widget.
 pub(in crate::viewer) fn scene(
     ui: &mut Ui,
-    id: Id,
+    of: Option<Stage>,
     rect: Rect,
     place: SceneRect,
     drag: &mut Option<Drag>,
 ) -> (Response, Vec<Action>) {
     // Tab does not stop here: there is nothing to type.
+    let id = ui
+        .scope_id()
+        .with(("scene", of.map(|stage| stage as usize)));
     let response = ui.interact(rect, id, Sense::CLICK | Sense::DRAG);
     let mut actions = vec![Action::Resize(place.viewport)];
     let (modifiers, time_s) = ui.input(|input| (input.modifiers, input.time));
@@ -70,23 +111,21 @@ pub(in crate::viewer) fn scene(
             Does::Pan => actions.push(Action::BeginPan(at)),
             Does::Steer => {}
         }
-        *drag = Some(Drag { of: id, does, at });
+        *drag = Some(Drag {
+            of,
+            place,
+            does,
+            at,
+            is_shown: true,
+        });
     }
-    let own = drag.as_mut().filter(|drag| drag.of == id);
+    let own = drag.as_mut().filter(|drag| drag.of == of);
     if let (Some(moving), Some(pointer)) = (own, response.interact_pointer_pos()) {
-        let to = place.to_px(pointer);
-        let by = to - moving.at;
-        if by != DVec2::ZERO {
-            actions.push(match moving.does {
-                Does::Turn => Action::Turn(by),
-                Does::Pan => Action::Pan(by),
-                Does::Steer => Action::Steer(by),
-            });
-            moving.at = to;
-        }
+        (moving.place, moving.is_shown) = (place, true);
+        actions.extend(moving.moves_to(pointer));
     }
     if !response.dragged() {
-        drag.take_if(|drag| drag.of == id);
+        drag.take_if(|drag| drag.of == of);
     }
     if response.clicked()
         && let Some(at) = released_at(ui).and_then(within)

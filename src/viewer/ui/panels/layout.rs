@@ -61,8 +61,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         let rect = picture_rect(ui, shown);
         let place = SceneRect::new(rect, ui.ctx().pixels_per_point())?;
         let panes = if shown.state.stages().is_empty() {
-            let id = ui.scope_id().with("scene");
-            let (response, actions) = mouse::scene(ui, id, rect, place, drag);
+            let (response, actions) = mouse::scene(ui, None, rect, place, drag);
             let px = response.interact_pointer_pos().map(|at| place.to_px(at));
             menu::of_picture(&response, shown.state, px, &mut commands);
             commands.extend(actions.into_iter().map(Command::Act));

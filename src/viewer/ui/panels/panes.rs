@@ -95,8 +95,7 @@ fn pane(
     drag: &mut Option<Drag>,
     commands: &mut Vec<Command>,
 ) -> bool {
-    let id = ui.scope_id().with(("stage", stage as usize));
-    let (response, actions) = mouse::scene(ui, id, rect, place, drag);
+    let (response, actions) = mouse::scene(ui, Some(stage), rect, place, drag);
     named(&response, &format!("stage {}", stage.name()));
     bounded(&response);
     let px = response.interact_pointer_pos().map(|at| place.to_px(at));
