@@ -104,6 +104,37 @@ fn matrices_give_back_the_room_that_they_took() {
     assert_eq!(sides(&window), [true, false]);
 }
 
+/// The gallery shows its panel in every window. What it took the place of comes back as it is left.
+#[test]
+fn the_gallery_shows_its_panel_and_gives_back_the_room() {
+    const METHOD: &str = "Sightline's own, the default";
+    for points in [[640, 400], [800, 600], SIZE] {
+        let mut window = demo(points);
+        let before = sides(&window);
+        for (keys, after) in [
+            (vec![Key::E, Key::E], Key::Escape),
+            (vec![Key::P, Key::E, Key::P], Key::Escape),
+            (vec![Key::E, Key::P, Key::Escape], Key::P),
+        ] {
+            for key in &keys {
+                press_key(&mut window, Modifiers::NONE, *key);
+                let shows = has_control(&window, METHOD);
+                let in_gallery = window.state().showing().is_some();
+                assert_eq!(shows, in_gallery, "{points:?}, {key:?} of {keys:?}");
+            }
+            press_key(&mut window, Modifiers::NONE, after);
+            assert!(window.state().showing().is_none());
+            assert_eq!(sides(&window), before, "{points:?} after {keys:?}");
+        }
+        let options = Options {
+            paths: vec!["gallery:needles".into()],
+            ..Options::default()
+        };
+        let window = Offscreen::open(options, px(points, 1.0), 1.0);
+        assert!(has_control(&window, METHOD), "{points:?}");
+    }
+}
+
 /// Opens the side on which this control is, and clicks it.
 fn reach(window: &mut Offscreen, name: &str) {
     for side in ["left side", "right side"] {

@@ -1,7 +1,10 @@
 //! Where panels stand beside the picture, and how much of the window they leave to it.
 
 use serde::{Deserialize, Serialize};
-use std::ops::{Index, IndexMut};
+use std::{
+    mem,
+    ops::{Index, IndexMut},
+};
 
 /// A side of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -109,6 +112,16 @@ pub(in crate::viewer) struct Wing {
     pub width: f32,
 }
 
+/// How the sides were before panels that come and go took their room.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Before {
+    wings: [Wing; 2],
+    /// The side that was opened last.
+    first: Side,
+    /// Which panels took room since, and are still there.
+    takers: [bool; Section::ALL.len()],
+}
+
 /// Where all panels stand.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(in crate::viewer) struct Docks {
@@ -116,9 +129,12 @@ pub(in crate::viewer) struct Docks {
     wings: [Wing; 2],
     /// The side that was opened last. It shows where there is no room for both.
     first: Side,
-    /// The matrices' side before they were made visible, and which side was opened last then.
+    /// How the sides were before panels that come and go took their room.
     #[serde(skip)]
-    before_matrices: Option<(Wing, Side)>,
+    before: Option<Before>,
+    /// Whether the gallery showed in the last pass.
+    #[serde(skip)]
+    in_gallery: bool,
     /// Which sides showed in the last pass.
     #[serde(skip)]
     pub showing: [bool; 2],
@@ -140,7 +156,8 @@ impl Default for Docks {
             places: Section::ALL.map(place),
             wings: [wing(210.0), wing(310.0)],
             first: Side::Right,
-            before_matrices: None,
+            before: None,
+            in_gallery: false,
             showing: [true; 2],
         }
     }
@@ -164,14 +181,14 @@ impl Docks {
     pub fn open(&mut self, side: Side) {
         self.wings[side as usize].open = true;
         self.first = side;
-        self.before_matrices = None;
+        self.before = None;
     }
 
     /// Folds a side that shows; opens a side that does not.
     pub fn toggle(&mut self, side: Side) {
         if self.showing[side as usize] {
             self.wings[side as usize].open = false;
-            self.before_matrices = None;
+            self.before = None;
         } else {
             self.open(side);
         }
@@ -180,24 +197,74 @@ impl Docks {
     /// Makes the matrices visible, wherever their panel stands. If they are visible already, they are no longer wanted. Returns
     /// whether they are wanted.
     pub fn toggle_matrices(&mut self, are_wanted: bool) -> bool {
-        let Place { side, folded } = self[Section::Pipeline];
-        let are_visible = are_wanted && !folded && self.showing[side as usize];
+        let are_visible = are_wanted && self.is_visible(Section::Pipeline);
         if are_visible {
             self.leave_matrices();
         } else {
-            let before = (self.wings[side as usize], self.first);
-            let before = self.before_matrices.unwrap_or(before);
-            self.show(Section::Pipeline);
-            self.before_matrices = Some(before);
+            self.take_room(Section::Pipeline);
         }
         !are_visible
     }
 
     /// The matrices are no longer wanted. Unless the user has arranged the sides since, they are as they were before.
     pub fn leave_matrices(&mut self) {
-        if let Some((wing, first)) = self.before_matrices.take() {
-            self.wings[self[Section::Pipeline].side as usize] = wing;
-            self.first = first;
+        self.give_back(Section::Pipeline);
+    }
+
+    /// How wide each side is, as [`Self::widths`] says. As the gallery is entered, its panel becomes visible, wherever it
+    /// stands. As it is left, the sides are as they were before, unless the user has arranged them since.
+    pub(super) fn lay_out(
+        &mut self,
+        sections: &[Section],
+        room: f32,
+        in_gallery: bool,
+    ) -> [Option<f32>; 2] {
+        let was = mem::replace(&mut self.in_gallery, in_gallery);
+        if was && !in_gallery {
+            self.give_back(Section::Gallery);
+        }
+        let mut widths = self.widths(sections, room);
+        self.showing = widths.map(|width| width.is_some());
+        // What took room before might give it back.
+        let is_safe = self.is_visible(Section::Gallery) && self.before.is_none();
+        if in_gallery && !was && !is_safe {
+            self.take_room(Section::Gallery);
+            widths = self.widths(sections, room);
+            self.showing = widths.map(|width| width.is_some());
+        }
+        widths
+    }
+
+    fn is_visible(&self, section: Section) -> bool {
+        let Place { side, folded } = self[section];
+        !folded && self.showing[side as usize]
+    }
+
+    /// Makes a panel visible that comes and goes.
+    fn take_room(&mut self, section: Section) {
+        let mut before = self.before.unwrap_or(Before {
+            wings: self.wings,
+            first: self.first,
+            takers: [false; Section::ALL.len()],
+        });
+        before.takers[section as usize] = true;
+        self.show(section);
+        self.before = Some(before);
+    }
+
+    /// A panel that comes and goes is gone: if it was the last one that had taken room, the sides are as before.
+    fn give_back(&mut self, section: Section) {
+        let Some(before) = &mut self.before else {
+            return;
+        };
+        before.takers[section as usize] = false;
+        let Before {
+            wings,
+            first,
+            takers,
+        } = *before;
+        if !takers.contains(&true) {
+            (self.wings, self.first, self.before) = (wings, first, None);
         }
     }
 
@@ -243,7 +310,7 @@ impl Docks {
 
     /// The edge of a side was dragged: the side is `width` points wide now, or folded if that is very little.
     pub fn drag(&mut self, side: Side, width: f32) {
-        self.before_matrices = None;
+        self.before = None;
         self.wings[side as usize] = Wing {
             width: width.max(NARROWEST),
             open: width >= 0.5 * NARROWEST,

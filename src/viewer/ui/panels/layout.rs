@@ -45,8 +45,8 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         tour_card::strip(ui, tour, shown.state, &mut commands);
     }
     let room = room(window, ui.available_size());
-    let widths = shown.docks.widths(&wanted, room);
-    shown.docks.showing = widths.map(|width| width.is_some());
+    let in_gallery = shown.state.showing().is_some();
+    let widths = shown.docks.lay_out(&wanted, room, in_gallery);
     let edges = Side::BOTH.map(|side| {
         wings::show(
             ui,
