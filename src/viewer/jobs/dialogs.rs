@@ -1,8 +1,9 @@
-//! File dialogs.
+//! File dialogs. On Linux a portal shows them, or `zenity` where there is no portal.
 
 use std::{
     panic::{self, AssertUnwindSafe},
     path::{Path, PathBuf},
+    process::{Command, Stdio},
     thread,
     time::Instant,
 };
@@ -34,9 +35,12 @@ pub(in crate::viewer) fn open_dialog(answered: impl FnOnce(Answer) + Send + 'sta
         .add_filter("All files", &["*"])
         .pick_files();
     let none = [Answer::OpenNone, Answer::NoneToOpen];
-    answer(dialog, answered, none, |files| {
-        Answer::Open(files.iter().map(|file| file.path().to_path_buf()).collect())
-    });
+    answer(
+        || dialog,
+        answered,
+        none,
+        |files| Answer::Open(files.iter().map(|file| file.path().to_path_buf()).collect()),
+    );
 }
 
 /// Asks for a file to save the scene to, and suggests one; calls `answered` in any case.
@@ -44,35 +48,86 @@ pub(in crate::viewer) fn save_dialog(
     suggested: &Path,
     answered: impl FnOnce(Answer) + Send + 'static,
 ) {
-    let name = suggested.file_name().unwrap_or_default();
+    // Portals want an absolute path.
+    let suggested = std::path::absolute(suggested).unwrap_or_else(|_| suggested.to_path_buf());
     let mut dialog = rfd::AsyncFileDialog::new()
         .set_title("Save scene")
         .add_filter("Scenes", &["toml"])
-        .set_file_name(name.to_string_lossy());
-    // Portals want an absolute path.
-    if let Some(folder) = std::path::absolute(suggested)
-        .ok()
-        .as_deref()
-        .and_then(Path::parent)
-    {
+        .set_file_name(file_name(&suggested, true));
+    if let Some(folder) = suggested.parent() {
         dialog = dialog.set_directory(folder);
     }
     let none = [Answer::SaveNone, Answer::NoneToSave];
-    answer(dialog.save_file(), answered, none, |file| {
-        Answer::Save(file.path().to_path_buf())
-    });
+    let meaning = |file: rfd::FileHandle| Answer::Save(file.path().to_path_buf());
+    if cfg!(target_os = "linux") {
+        let asked = move || {
+            let name = file_name(&suggested, has_portal());
+            dialog.set_file_name(name).save_file()
+        };
+        answer(asked, answered, none, meaning);
+    } else {
+        // Elsewhere the system wants to be asked by the main thread.
+        let asked = dialog.save_file();
+        answer(|| asked, answered, none, meaning);
+    }
+}
+
+/// What a dialog is given as the name of the file. `zenity` is told no folder: its name must have it.
+fn file_name(suggested: &Path, is_told_folder: bool) -> String {
+    let name = suggested.file_name().filter(|_| is_told_folder);
+    let name = name.unwrap_or(suggested.as_os_str());
+    name.to_string_lossy().into_owned()
+}
+
+/// Programs that ask a portal about its file dialogs; a desktop with the portal has one of them.
+const ASKERS: [&[&str]; 2] = [
+    &[
+        "busctl",
+        "--user",
+        "--timeout=2",
+        "get-property",
+        "org.freedesktop.portal.Desktop",
+        "/org/freedesktop/portal/desktop",
+        "org.freedesktop.portal.FileChooser",
+        "version",
+    ],
+    &[
+        "gdbus",
+        "call",
+        "--session",
+        "--timeout=2",
+        "--dest=org.freedesktop.portal.Desktop",
+        "--object-path=/org/freedesktop/portal/desktop",
+        "--method=org.freedesktop.DBus.Properties.Get",
+        "org.freedesktop.portal.FileChooser",
+        "version",
+    ],
+];
+
+/// Whether a portal shows file dialogs here.
+fn has_portal() -> bool {
+    ASKERS.into_iter().any(|asker| {
+        let Some((program, arguments)) = asker.split_first() else {
+            return false;
+        };
+        let mut command = Command::new(program);
+        let command = command.args(arguments).stdin(Stdio::null());
+        let command = command.stdout(Stdio::null()).stderr(Stdio::null());
+        command.status().is_ok_and(|status| status.success())
+    })
 }
 
 /// Waits for the answer in the background. Without one, the answer is the first of `none`, or the second if no dialog was
 /// shown.
-fn answer<T: Send + 'static>(
-    dialog: impl Future<Output = Option<T>> + Send + 'static,
+fn answer<T: Send + 'static, D: Future<Output = Option<T>>>(
+    dialog: impl FnOnce() -> D + Send + 'static,
     answered: impl FnOnce(Answer) + Send + 'static,
     [cancelled, not_shown]: [Answer; 2],
     meaning: fn(T) -> Answer,
 ) {
-    let asked = Instant::now();
     thread::spawn(move || {
+        let dialog = dialog();
+        let asked = Instant::now();
         // A dialog that fails counts as cancelled: the next one may then open.
         let chosen = panic::catch_unwind(AssertUnwindSafe(|| pollster::block_on(dialog)));
         answered(match chosen {
@@ -81,4 +136,17 @@ fn answer<T: Send + 'static>(
             Ok(None) | Err(_) => cancelled,
         });
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where no portal takes the folder, the name has it.
+    #[test]
+    fn a_dialog_begins_in_the_folder_of_the_scene() {
+        let scene = Path::new("/models/car/scene.toml");
+        assert_eq!(file_name(scene, true), "scene.toml");
+        assert_eq!(file_name(scene, false), "/models/car/scene.toml");
+    }
 }
