@@ -176,3 +176,85 @@ fn the_dialog_suggests_the_folder_of_the_scene() {
         assert_eq!(window.state().file_to_save(), Path::new(suggested));
     }
 }
+
+/// Where the desktop shows no dialog, the path is typed in the window. No file is replaced without a word.
+#[test]
+fn without_a_dialog_the_path_is_typed() {
+    let (mut window, folder) = row(1.0);
+    let own = folder.path().join("row.toml");
+    let before = fs::read_to_string(&own).expect("a file");
+    let read = |path: &Path| fs::read_to_string(path).expect("a file");
+    let asks = |window: &mut Offscreen| {
+        press_key(window, CTRL, Key::S);
+        window.save_without_dialog();
+        assert_eq!(control(window, "path").value, own.display().to_string());
+        assert!(control(window, "path").has_focus);
+        let mut all = window.controls().iter();
+        let told = all.find(|control| control.name.contains("no file dialog"));
+        let told = &told.expect("why").name;
+        assert!(told.contains("portal") && told.contains("zenity"), "{told}");
+    };
+    edit(&mut window);
+    // Esc saves nothing, and does nothing else.
+    asks(&mut window);
+    let chosen = selected(&window).map(str::to_owned);
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(!has_control(&window, "path") && is_marked(&window));
+    assert_eq!(selected(&window).map(str::to_owned), chosen);
+    // A file that is there is replaced by the second Enter.
+    asks(&mut window);
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    let exists = format!(
+        "{} exists already. Enter once more replaces it.",
+        own.display()
+    );
+    control(&window, &exists);
+    assert_eq!(read(&own), before);
+    // Another name is not agreed on.
+    let [other, free] = ["other.toml", "free"].map(|name| folder.path().join(name));
+    fs::write(&other, "other").expect("writable");
+    type_into(&mut window, "path", &other.display().to_string());
+    assert!(!has_control(&window, &exists) && !has_control(&window, "replace"));
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(read(&other), "other");
+    type_into(&mut window, "path", &own.display().to_string());
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(read(&own), before);
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_ne!(read(&own), before);
+    assert!(!has_control(&window, "path") && !is_marked(&window));
+    // A button does the same. A name without an ending gets one.
+    press_key(&mut window, CTRL, Key::Z);
+    asks(&mut window);
+    type_into(&mut window, "path", &free.display().to_string());
+    click_on(&mut window, "save");
+    assert_eq!(window.state().name(), "free.toml");
+    asks_about(&mut window, &folder);
+}
+
+/// The question before the window closes waits for the typed path, and so does a file that is opened.
+fn asks_about(window: &mut Offscreen, folder: &TempDir) {
+    edit(window);
+    window.close();
+    click_on(window, "Save first\u{2026}");
+    window.save_without_dialog();
+    click_on(window, "Cancel");
+    assert!(!window.has_quit() && is_marked(window));
+    press_key(window, CTRL, Key::O);
+    window.open_without_dialog();
+    let [none, row] = ["none.toml", "row.toml"].map(|name| folder.path().join(name));
+    type_into(window, "path", &none.display().to_string());
+    press_key(window, Modifiers::NONE, Key::Enter);
+    control(window, &format!("{} does not exist.", none.display()));
+    type_into(window, "path", &row.display().to_string());
+    click_on(window, "open");
+    assert!(is_asked(window));
+    click_on(window, "Cancel");
+    window.close();
+    click_on(window, "Save first\u{2026}");
+    window.save_without_dialog();
+    click_on(window, "save");
+    assert!(!window.has_quit());
+    click_on(window, "replace");
+    assert!(window.has_quit());
+}

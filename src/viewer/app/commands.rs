@@ -12,9 +12,10 @@ use crate::{
     viewer::{
         jobs::{self, Answer, Checking},
         model::{Action, MeasureAction, RayHits, Views, view_command},
-        ui::{Attempt, Command, Intent, Reply},
+        ui::{Attempt, Command, Intent, PathFor, PathQuestion, Reply, TypedPath},
     },
 };
+use std::path::Path;
 
 /// The part of a clipboard's text that is used; the rest may be objects.
 #[derive(serde::Deserialize)]
@@ -45,6 +46,7 @@ impl App {
             Command::Add(paths) => self.load(paths, Purpose::Add),
             Command::Reload => self.intend(Intent::Reload),
             Command::Reply(reply) => self.reply(reply),
+            Command::TypedPath(answer) => self.take_typed_path(answer),
             Command::CopyCommandLine => {
                 let command = view_command(&self.state);
                 let done = match self.state.pick_ray() {
@@ -171,16 +173,47 @@ impl App {
             Answer::Save(path) => self.save(path),
             Answer::OpenNone => {}
             Answer::SaveNone => self.save_nothing(),
-            Answer::NoneToOpen => self.failed(
-                Attempt::Open,
-                "this desktop shows no file dialog: drop files on the window, or name them on the command line".into(),
-            ),
+            Answer::NoneToOpen => self.ask_path(PathFor::Open, Path::new("")),
             Answer::NoneToSave => {
-                self.save_nothing();
-                self.failed(
-                    Attempt::Save,
-                    "nothing is saved: this desktop shows no file dialog; it needs an XDG desktop portal".into(),
-                );
+                let asked = self.to_save.as_ref();
+                let scene = asked.and_then(|(asked, _)| self.state.opened(asked.document));
+                let file = scene.unwrap_or(&self.state).file_to_save();
+                let file = std::path::absolute(&file).unwrap_or(file);
+                self.ask_path(PathFor::Save, &file);
+            }
+        }
+    }
+
+    /// Asks for a path in the window. One path is asked for at a time: the question for another one stays.
+    fn ask_path(&mut self, what: PathFor, path: &Path) {
+        let new = PathQuestion::new(what, path);
+        let before = self.path_question.replace(new);
+        if before.is_some_and(|before| before.what == PathFor::Save && what == PathFor::Open) {
+            self.save_nothing();
+        }
+        self.context.request_repaint();
+    }
+
+    /// Takes the path that was typed in place of a file dialog, or gives it up.
+    fn take_typed_path(&mut self, answer: TypedPath) {
+        let Some(question) = &mut self.path_question else {
+            return;
+        };
+        let what = question.what;
+        match answer {
+            TypedPath::Take => {
+                let Some(path) = question.take() else { return };
+                self.path_question = None;
+                match what {
+                    PathFor::Open => self.intend(Intent::Open(vec![path])),
+                    PathFor::Save => self.save(path),
+                }
+            }
+            TypedPath::None => {
+                self.path_question = None;
+                if what == PathFor::Save {
+                    self.save_nothing();
+                }
             }
         }
     }

@@ -21,7 +21,7 @@ use crate::{
         screen::{PictureProgress, Textures},
         ui::{
             self, Attempt, Command, Docks, Drag, Filter, Floating, Kind, Letters, Notice, Notices,
-            Statistics, Tour,
+            PathQuestion, Statistics, Tour,
         },
     },
 };
@@ -99,6 +99,8 @@ pub(in crate::viewer) struct App {
     pub(super) saving: Vec<(Saving, Option<Pending>)>,
     /// What would drop edits, and waits for the user's answer.
     pub(super) question: Option<Pending>,
+    /// The question for a path, where the desktop shows no file dialog.
+    pub(super) path_question: Option<PathQuestion>,
     /// Commands that wait for the next pass: first the number that is being typed is entered.
     pub(super) late: Vec<Command>,
     /// The build of trees for the scene on screen.
@@ -174,6 +176,7 @@ impl App {
             save_dialogs: 0,
             saving: Vec::new(),
             question: None,
+            path_question: None,
             late: Vec::new(),
             trees: None,
             first: true,
@@ -335,30 +338,5 @@ impl App {
                 scene.triangle_count()
             );
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{App, Host};
-    use crate::viewer::{jobs::Answer, options::Options};
-    use std::sync::Arc;
-
-    #[test]
-    fn where_no_dialog_can_be_shown_the_advice_is_about_what_was_asked() {
-        let mut app = App::start(Options::default(), Arc::new(drop), Host::Picture);
-        app.answered(Answer::NoneToOpen);
-        app.answered(Answer::NoneToSave);
-        let told: Vec<_> = app
-            .notices
-            .iter()
-            .map(|notice| notice.text.as_str())
-            .collect();
-        assert_eq!(told.len(), 2, "{told:?}");
-        assert!(told[0].contains("drop files"), "{told:?}");
-        assert!(
-            told[1].starts_with("nothing is saved") && !told[1].contains("drop files"),
-            "{told:?}"
-        );
     }
 }

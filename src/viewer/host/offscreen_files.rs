@@ -52,6 +52,18 @@ impl Offscreen {
         self.settle();
     }
 
+    /// No dialog to open files can be shown.
+    pub fn open_without_dialog(&mut self) {
+        self.app.answered(Answer::NoneToOpen);
+        self.settle();
+    }
+
+    /// No dialog to save can be shown.
+    pub fn save_without_dialog(&mut self) {
+        self.app.answered(Answer::NoneToSave);
+        self.settle();
+    }
+
     /// How many save dialogs were opened so far.
     #[must_use]
     pub fn save_dialogs(&self) -> usize {

@@ -60,6 +60,8 @@ pub(in crate::viewer) enum Command {
     LeaveGallery,
     /// An answer to the question about unsaved edits and measures.
     Reply(Reply),
+    /// An answer to the question for a path.
+    TypedPath(TypedPath),
     /// The first of these that applies: keep the edits that are asked about, stop waiting for picks of a section or of
     /// measures, stop loading, close the help, close the latest warning or error, pick by Sightline's own method again, close
     /// the comparison, select nothing, close the four views, leave the gallery.
@@ -88,6 +90,15 @@ impl Command {
             Self::OpenDialog | Self::SaveDialog | Self::Open(_) | Self::Reload | Self::Quit
         )
     }
+}
+
+/// An answer to the question for a path, which stands in for a file dialog.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::viewer) enum TypedPath {
+    /// Take the path that is in the field.
+    Take,
+    /// Take none.
+    None,
 }
 
 /// Where to go, by a number from 1.

@@ -25,6 +25,7 @@ mod objects;
 mod pane_labels;
 mod pane_page;
 mod panes;
+mod path_field;
 mod pick;
 mod pipeline;
 mod plane_slider;

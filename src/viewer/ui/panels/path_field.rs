@@ -1,0 +1,59 @@
+//! Asks for a path where the desktop shows no file dialog.
+
+use super::hints::{Hint, named};
+use crate::viewer::ui::{
+    command::{Command, TypedPath},
+    path_question::{PathFor, PathQuestion},
+};
+use egui::{Context, Id, Key, Modal, Modifiers, TextEdit};
+
+/// Shown in the middle of the window, over everything else.
+pub(super) fn show(ctx: &Context, question: &mut PathQuestion, commands: &mut Vec<Command>) {
+    let (heading, does) = match question.what {
+        PathFor::Open => ("Open", "open"),
+        PathFor::Save => ("Save scene", "save"),
+    };
+    let mut answer = None;
+    Modal::new(Id::unique("path question")).show(ctx, |ui| {
+        ui.set_max_width(460.0);
+        ui.heading(heading);
+        ui.label("This desktop shows no file dialog: it needs an XDG desktop portal, or zenity. Type the path of the file:");
+        let id = Id::unique("typed path");
+        let edit = TextEdit::singleline(&mut question.text).id(id);
+        let field = ui.add(edit.desired_width(440.0));
+        named(&field, "path");
+        if field.changed() {
+            question.edited();
+        }
+        let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        if entered {
+            answer = Some(TypedPath::Take);
+        }
+        // Nothing else in the window takes keys.
+        if !ui.memory(|memory| memory.focused().is_some()) {
+            field.request_focus();
+        }
+        if let Some(said) = &question.said {
+            let said = egui::RichText::new(said).color(ui.visuals().warn_fg_color);
+            ui.label(said).hint("why the path is not taken");
+        }
+        ui.add_space(8.0);
+        ui.horizontal(|ui| {
+            let take = if question.replaces.is_some() {
+                "replace"
+            } else {
+                does
+            };
+            if ui.button(take).hint("(Enter)").clicked() {
+                answer = Some(TypedPath::Take);
+            }
+            if ui.button("Cancel").hint("nothing happens (Esc)").clicked() {
+                answer = Some(TypedPath::None);
+            }
+        });
+    });
+    if ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+        answer = Some(TypedPath::None);
+    }
+    commands.extend(answer.map(Command::TypedPath));
+}

@@ -1,0 +1,74 @@
+//! The question for a path, where the desktop shows no file dialog.
+
+use crate::scene;
+use std::path::{Path, PathBuf};
+
+/// What the path is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::viewer) enum PathFor {
+    /// To open the file.
+    Open,
+    /// To save the scene to it.
+    Save,
+}
+
+/// The question and what was typed so far.
+#[derive(Clone, Debug)]
+pub(in crate::viewer) struct PathQuestion {
+    /// What the path is for.
+    pub what: PathFor,
+    /// The text in the field.
+    pub text: String,
+    /// Why this text was not taken, or what taking it once more will do.
+    pub said: Option<String>,
+    /// The file that is replaced if its path is taken once more.
+    pub replaces: Option<PathBuf>,
+}
+
+impl PathQuestion {
+    /// The question, with this path in the field.
+    pub fn new(what: PathFor, path: &Path) -> Self {
+        Self {
+            what,
+            text: path.display().to_string(),
+            said: None,
+            replaces: None,
+        }
+    }
+
+    /// The text has changed: nothing is agreed any more.
+    pub fn edited(&mut self) {
+        (self.said, self.replaces) = (None, None);
+    }
+
+    /// Takes the path in the field. `None` if it cannot be taken, or not yet: then [`Self::said`] says why. A file that is
+    /// there already is replaced only if its path is taken twice.
+    pub fn take(&mut self) -> Option<PathBuf> {
+        let mut path = PathBuf::from(self.text.trim());
+        if path.as_os_str().is_empty() || path.is_dir() {
+            self.said = Some("This is no path of a file.".into());
+            return None;
+        }
+        match self.what {
+            PathFor::Open if !path.exists() => {
+                self.said = Some(format!("{} does not exist.", path.display()));
+                return None;
+            }
+            PathFor::Open => {}
+            PathFor::Save => {
+                if !scene::is_scene_file(&path) {
+                    path.add_extension("toml");
+                }
+                if path.exists() && self.replaces.as_ref() != Some(&path) {
+                    self.said = Some(format!(
+                        "{} exists already. Enter once more replaces it.",
+                        path.display()
+                    ));
+                    self.replaces = Some(path);
+                    return None;
+                }
+            }
+        }
+        Some(path)
+    }
+}
