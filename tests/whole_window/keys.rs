@@ -307,3 +307,53 @@ fn a_typed_eye_leaves_the_horizon_level() {
         "it stays tilted"
     );
 }
+
+/// An up vector is typed number by number. What was typed stays, also numbers that are refused until the others are there.
+#[test]
+fn an_up_vector_is_what_was_typed() {
+    let texts = |window: &Offscreen| {
+        ["up x", "up y", "up z"].map(|name| control(window, name).value.clone())
+    };
+    let type_up = |window: &mut Offscreen, numbers: [&str; 3]| {
+        click_on(window, "up x");
+        for (at, number) in numbers.into_iter().enumerate() {
+            press_key(window, CTRL, Key::A);
+            window.send([Event::Text(number.into())]);
+            press_key(window, NONE, if at == 2 { Key::Enter } else { Key::Tab });
+        }
+    };
+    let (mut window, _folder) = turned();
+    for numbers in [["1", "0", "0"], ["0", "0", "1"], ["0", "2", "0"]] {
+        type_up(&mut window, numbers);
+        assert_eq!(texts(&window), numbers);
+        let typed = DVec3::from_array(numbers.map(|number| number.parse().expect("a number")));
+        let camera = window.state().view().camera;
+        assert_eq!(camera.up_hint(), typed);
+        assert!(camera.right().dot(typed).abs() < 1e-12 && camera.up().dot(typed) > 0.0);
+    }
+    // The last number of nothing is refused.
+    type_up(&mut window, ["0", "0", "0"]);
+    let said = control(&window, "up y").description.clone();
+    assert!(
+        said.contains("up vector is zero") && said.contains("2 stays in force"),
+        "{said}"
+    );
+    control(&window, "still 2");
+    press_key(&mut window, NONE, Key::Escape);
+    assert_eq!(texts(&window), ["0", "2", "0"]);
+    // Another eye keeps it; a turn does not.
+    type_up(&mut window, ["1", "1", "0"]);
+    type_into(&mut window, "eye x", "3");
+    press_key(&mut window, NONE, Key::Enter);
+    assert_eq!(texts(&window), ["1", "1", "0"]);
+    drag(
+        &mut window,
+        PointerButton::Primary,
+        MIDDLE,
+        MIDDLE + vec2(90.0, -40.0),
+    );
+    assert_ne!(texts(&window), ["1", "1", "0"]);
+    press_key(&mut window, NONE, Key::Num1);
+    assert_eq!(texts(&window), ["0", "1", "0"]);
+}
+

@@ -16,7 +16,8 @@ use crate::{
     },
 };
 use egui::{Align, Grid, Layout, Sense, Slider, Ui, UiBuilder, vec2};
-use std::ops::RangeInclusive;
+use glam::DVec3;
+use std::{cell::Cell, ops::RangeInclusive};
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let controls = state.controls();
@@ -203,9 +204,41 @@ const POSE: [(&str, &str); 3] = [
     ("up", "the direction that is up in the picture"),
 ];
 
+/// The up vector as it was typed. It shows as long as the camera has it: the camera's own U is of length 1 and perpendicular
+/// to the direction of view.
+#[derive(Clone, Copy, Default)]
+struct TypedUp {
+    up: Option<DVec3>,
+    /// Numbers of up that were refused in the last pass. With the next number they may make a valid vector.
+    refused: [Option<f64>; 3],
+}
+
+impl TypedUp {
+    /// This pose, in which up has a new number, and with the refused numbers beside it if that is possible.
+    fn with(&self, pose: [DVec3; 3], axis: usize, state: &State) -> Action {
+        let mut all = pose;
+        for (other, number) in self.refused.into_iter().enumerate() {
+            if other != axis {
+                all[2][other] = number.unwrap_or(all[2][other]);
+            }
+        }
+        let all = Action::Pose(all);
+        if state.check(&all).is_ok() {
+            all
+        } else {
+            Action::Pose(pose)
+        }
+    }
+}
+
 fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let camera = &state.view().camera;
-    let pose = [camera.eye(), camera.target(), camera.up()];
+    let id = ui.scope_id().with("typed up");
+    let typed: TypedUp = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    let refused = [const { Cell::new(None) }; 3];
+    let mut next_up = typed.up;
+    let up = typed.up.filter(|up| *up == camera.up_hint());
+    let pose = [camera.eye(), camera.target(), up.unwrap_or(camera.up())];
     let is_level = Orbit::is_upright(camera, state.up_axis());
     // In a small window the fields share the width beside the names.
     let width = ((ui.available_width() - NAME) / 3.0 - ui.spacing().item_spacing.x).min(WIDTH);
@@ -224,6 +257,9 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                 let with = |number| {
                     let mut next = pose;
                     next[row][axis] = number;
+                    if row == 2 {
+                        return typed.with(next, axis, state);
+                    }
                     let level = Action::Pose([next[0], next[1], state.up_axis().up()]);
                     // A new eye or target keeps a level horizon.
                     let keeps_level = is_level && row < 2 && state.check(&level).is_ok();
@@ -233,7 +269,13 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                         Action::Pose(next)
                     }
                 };
-                let check = |number| state.check(&with(number));
+                let check = |number| {
+                    let checked = state.check(&with(number));
+                    if row == 2 {
+                        refused[axis].set(checked.is_err().then_some(number));
+                    }
+                    checked
+                };
                 let field = Field {
                     name: &format!("{name} {}", AXES[axis]),
                     hint,
@@ -247,11 +289,20 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                     },
                 };
                 if let Some(number) = field.show(ui, check) {
-                    commands.push(Command::Act(with(number)));
+                    let action = with(number);
+                    if let (2, Action::Pose([.., up])) = (row, &action) {
+                        next_up = Some(*up);
+                    }
+                    commands.push(Command::Act(action));
                 }
             }
         });
     }
+    let typed = TypedUp {
+        up: next_up,
+        refused: refused.map(Cell::into_inner),
+    };
+    ui.data_mut(|data| data.insert_temp(id, typed));
     if let Projection::Orthographic { height } = camera.lens().projection {
         ui.label(format!("height {} units", short(height)))
             .hint("how much of the world the picture spans from bottom to top");
