@@ -97,14 +97,10 @@ fn marks(painter: &Painter, place: SceneRect, state: &State, compared: &Compared
             painter.line_segment([at + 0.4 * by, at + by], stroke);
         }
     }
-    let name = |found: &Option<Found>| {
-        found.as_ref().map_or("nothing", |found| {
-            state.scene().objects()[found.hit.object].name.as_str()
-        })
-    };
+    let [picked, drawn] = labels(state, compared);
     let lines = [
-        (format!("picked: {}", name(&compared.theirs)), colour),
-        (format!("there: {}", name(&compared.ours)), RIGHT),
+        (format!("picked: {picked}"), colour),
+        (format!("drawn: {drawn}"), RIGHT),
     ];
     let mut corner = at + vec2(20.0, 14.0);
     for (text, colour) in lines {
@@ -118,4 +114,20 @@ fn marks(painter: &Painter, place: SceneRect, state: &State, compared: &Compared
         painter.galley(corner, galley, colour);
         corner.y += size.y + 3.0;
     }
+}
+
+/// What the method and Sightline find: the object, and where both find the same one, the triangle too.
+fn labels(state: &State, compared: &Compared) -> [String; 2] {
+    let both = [&compared.theirs, &compared.ours].map(Option::as_ref);
+    let [theirs, ours] = both.map(|found| found.map(|found| found.hit.object));
+    both.map(|found| {
+        let Some(found) = found else {
+            return "nothing".to_owned();
+        };
+        let name = &state.scene().objects()[found.hit.object].name;
+        match found.hit.hit.on_triangle {
+            Some(at) if theirs == ours => format!("triangle {} of {name}", at.triangle),
+            _ => name.clone(),
+        }
+    })
 }

@@ -167,6 +167,48 @@ fn what_a_click_was_compared_with_is_marked_only_in_its_own_picture() {
     assert!(is_marked(&state));
 }
 
+/// Where both are of one object, the labels of a wrong pick name the triangles.
+#[test]
+fn a_wrong_triangle_is_named() {
+    let mut state = opened("gallery:far_facets");
+    let mut text = None;
+    while text.is_none() {
+        state.apply(Action::NextMethod { forward: true });
+        assert!(state.method().is_some(), "a method picks a wrong triangle");
+        let view = *state.view();
+        let step = view.viewport.size_px() / 60.0;
+        let places = (0..3600).map(|i| {
+            let at = DVec2::new(f64::from(i % 60), f64::from(i / 60));
+            (at + 0.5) * step
+        });
+        for px in places {
+            state.apply(Action::Click(px, 0.0));
+            let compared = state.showing().and_then(|showing| showing.compared);
+            let of = compared.map(|compared| {
+                [compared.theirs, compared.ours].map(|found| {
+                    let found = found?;
+                    Some((found.hit.object, found.hit.hit.on_triangle?.triangle))
+                })
+            });
+            if let Some([Some((object, picked)), Some((other, drawn))]) = of
+                && object == other
+                && picked != drawn
+            {
+                let name = &state.scene().objects()[object].name;
+                let lines = [("picked", picked), ("drawn", drawn)];
+                let lines =
+                    lines.map(|(what, triangle)| format!("{what}: triangle {triangle} of {name}"));
+                text = Some((pass(&state, Vec::new()).0, lines));
+                break;
+            }
+        }
+    }
+    let (text, lines) = text.expect("found");
+    for line in lines {
+        assert!(text.contains(&line), "{line}: {text}");
+    }
+}
+
 /// That the processor draws is no warning.
 #[test]
 fn software_is_said_in_the_colour_of_text() {
