@@ -157,3 +157,38 @@ fn only_steps_about_objects_that_are_gone_are_forgotten() {
     press_key(&mut window, CTRL, Key::Y);
     assert_eq!(shown(&window), [false, true, true, true]);
 }
+
+/// The message names what has changed. A warning that the user has closed does not come back.
+#[test]
+fn only_what_changed_is_named_and_closed_warnings_stay_closed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = ["a.obj", "b.obj"].map(|name| folder.path().join(name));
+    let triangle = |x: u8| format!("v 0 0 0\nv {x} 0 0\nv 0 1 0\nf 1 2 3\n");
+    let warned = format!("mtllib none.mtl\n{}", triangle(3));
+    fs::write(&files[0], triangle(1)).expect("writable");
+    fs::write(&files[1], &warned).expect("writable");
+    let mut window = open(files.to_vec(), 1.0);
+    let says = |window: &Offscreen, words: &str| window.messages().any(|text| text.contains(words));
+    assert!(says(&window, "none.mtl"));
+    // While the warning is open, it stays, once.
+    fs::write(&files[0], triangle(12)).expect("writable");
+    let read = "a.obj has changed and was read again";
+    wait_until(&mut window, |window| says(window, read));
+    let count = window
+        .messages()
+        .filter(|text| text.contains("none.mtl"))
+        .count();
+    assert_eq!(count, 1);
+    window.wait_s(5.0);
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(window.messages().count(), 0);
+    fs::write(&files[0], triangle(123)).expect("writable");
+    wait_until(&mut window, |window| says(window, read));
+    assert!(!says(&window, "none.mtl"));
+    for file in &files {
+        fs::write(file, format!("{warned}\n# longer\nv 9 9 9\nf 1 2 4\n")).expect("writable");
+    }
+    wait_until(&mut window, |window| {
+        says(window, "a.obj and 1 more have changed and were read again")
+    });
+}

@@ -7,7 +7,7 @@ use super::{
     wake::{Wake, Waker},
 };
 use crate::{
-    scene::{self, Loaded},
+    scene::{self, Loaded, Warning},
     viewer::{
         jobs::{self, Loading, Saving, Stamps},
         model::{Made, Source, hide, no_section},
@@ -15,7 +15,7 @@ use crate::{
         ui::{Attempt, Filter},
     },
 };
-use std::path::PathBuf;
+use std::{mem, path::PathBuf};
 
 impl App {
     /// Starts the program, and begins to load the files that the options name.
@@ -102,13 +102,14 @@ impl App {
             stamps,
             ..
         } = errand;
-        let warnings = std::mem::take(&mut loaded.warnings);
+        let mut warnings = mem::take(&mut loaded.warnings);
         let (mut unused, mut differs) = (Vec::new(), true);
         match purpose {
             Purpose::Add => {
                 self.state.add(loaded, paths, made);
                 self.succeeded(Attempt::Open);
                 self.warn(&warnings);
+                self.told.extend(warnings.iter().map(Warning::to_string));
                 self.watch(self.state.document(), stamps);
                 return Ok(());
             }
@@ -136,17 +137,27 @@ impl App {
                 self.filter = Filter::default();
             }
         }
+        let (changed, many) = self.what_changed();
         self.watch_anew(stamps);
+        let texts: Vec<_> = warnings.iter().map(Warning::to_string).collect();
+        let told = mem::replace(&mut self.told, texts);
         if purpose == Purpose::Follow && !differs {
             self.succeeded(Attempt::Open);
             return Ok(());
         }
-        self.notices.clear();
         if purpose == Purpose::Follow {
-            self.say(format!(
-                "{} has changed and was read again",
-                self.state.name()
-            ));
+            // What the user has closed stays closed.
+            let now = &self.told;
+            self.notices.retain(|notice| now.contains(&notice.text));
+            warnings.retain(|warning| !told.contains(&warning.to_string()));
+            let (have, were) = if many {
+                ("have", "were")
+            } else {
+                ("has", "was")
+            };
+            self.say(format!("{changed} {have} changed and {were} read again"));
+        } else {
+            self.notices.clear();
         }
         for text in unused {
             self.complain(text);

@@ -108,6 +108,8 @@ pub(in crate::viewer) struct App {
     /// Whether nothing was shown yet: the first scene takes the command line's camera.
     pub first: bool,
     pub notices: Notices,
+    /// The warnings about the files on screen, as they were last read.
+    pub(super) told: Vec<String>,
     pub floating: Floating,
     /// Where in the tour the user is.
     pub tour: Option<Tour>,
@@ -181,6 +183,7 @@ impl App {
             trees: None,
             first: true,
             notices: Notices::new(),
+            told: Vec::new(),
             floating: Floating::default(),
             tour: options.tour.then(Tour::default),
             docks: memory.panels,

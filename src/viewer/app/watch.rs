@@ -5,7 +5,7 @@ use super::{
     program::App,
 };
 use crate::{
-    scene::gallery::Exhibit,
+    scene::{self, gallery::Exhibit},
     viewer::{
         jobs::{Stamps, Watching},
         model::Source,
@@ -87,10 +87,29 @@ impl App {
     /// The files have changed, but to read them would drop edits: says so instead.
     pub(super) fn keep_edits(&mut self) {
         self.take_as_read(self.state.document());
-        let name = self.state.name();
+        let (name, many) = self.what_changed();
+        let (have, them) = if many {
+            ("have", "them")
+        } else {
+            ("has", "it")
+        };
         self.remind(format!(
-            "{name} has changed on the disk. Your edits are kept: R reads it again"
+            "{name} {have} changed on the disk. Your edits are kept: R reads {them} again"
         ));
+    }
+
+    /// The files of the scene on show that have changed since they were read, in words, and whether they are several.
+    pub(super) fn what_changed(&self) -> (String, bool) {
+        let document = self.state.document();
+        let mut all = self.watching.iter();
+        let watching = all.find(|(of, _)| *of == document);
+        let files = watching.map_or_else(Vec::new, |(_, watching)| watching.changed());
+        let files = if files.is_empty() {
+            &self.state.source().paths
+        } else {
+            &files
+        };
+        (scene::title(files), files.len() > 1)
     }
 
     /// The load has failed, or the user has cancelled it: a change that it was to read is not tried again.

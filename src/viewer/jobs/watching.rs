@@ -47,6 +47,8 @@ pub(in crate::viewer) struct Watching {
     /// Dropping it ends the watch.
     _watcher: RecommendedWatcher,
     changed: Receiver<Stamps>,
+    /// How the files were when they were read.
+    read: Stamps,
     /// How the files were when they last changed.
     known: Stamps,
     /// A change is still to be read.
@@ -100,6 +102,7 @@ impl Watching {
         Some(Self {
             _watcher: watcher,
             changed,
+            read: known.clone(),
             known,
             is_due: false,
         })
@@ -122,6 +125,13 @@ impl Watching {
     /// How the files were when they last changed.
     pub fn known(&self) -> &Stamps {
         &self.known
+    }
+
+    /// Which files have changed since they were read.
+    pub fn changed(&self) -> Vec<PathBuf> {
+        let both = self.read.0.iter().zip(self.known.0.values());
+        let differ = both.filter(|((_, read), known)| read != known);
+        differ.map(|((file, _), _)| file.clone()).collect()
     }
 
     /// Whether it watches these files and no others.
