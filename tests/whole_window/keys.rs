@@ -357,3 +357,13 @@ fn an_up_vector_is_what_was_typed() {
     assert_eq!(texts(&window), ["0", "1", "0"]);
 }
 
+/// No row of the help is cut off in a window of the usual size.
+#[test]
+fn the_help_shows_all_its_rows() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, NONE, Key::H);
+    control(&window, "undo; redo (either key)");
+    let bottoms = ["quit", "open files"].map(|row| control(&window, row).rect.bottom());
+    // The window ends there, above the status line.
+    assert!(bottoms.iter().all(|bottom| *bottom < 668.0), "{bottoms:?}");
+}

@@ -124,7 +124,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y",
-        does: "undo, redo, redo",
+        does: "undo; redo (either key)",
         shortcuts: &[
             (CTRL.plus(SHIFT), Key::Z, act(Action::Redo)),
             (CTRL, Key::Y, act(Action::Redo)),
