@@ -226,8 +226,13 @@ fn the_panel_stays_as_it_is_laid_out() {
         said(&window, name, "tick \u{201c}snap clicks\u{201d} first");
     }
     said(&window, "copy list", "nothing was measured yet");
+    control(
+        &window,
+        "Tick \u{201c}snap clicks\u{201d}, then click in the picture.",
+    );
     click_on(&mut window, "snap clicks");
     assert_eq!(places(&window), first);
+    control(&window, "Click a vertex, an edge or a face.");
     said(&window, "distance", "click two points");
     said(&window, "face area", "click what is to be measured");
     click_near(&mut window, [2.0, 1.0, 0.0], [-4.0, 3.0]);
@@ -241,4 +246,18 @@ fn the_panel_stays_as_it_is_laid_out() {
         click_on(&mut window, name);
         assert_eq!(places(&window), first);
     }
+}
+
+/// Three long numbers are shown to their last digit.
+#[test]
+fn long_coordinates_are_not_cut_off() {
+    let long = "2.0000000000000000 1.0000000000000000 0.0000000000000001";
+    let (mut window, folder) = wall();
+    let text = WALL.replace("2 1 0", long);
+    std::fs::write(folder.path().join("wall.obj"), text).expect("a writable folder");
+    press_key(&mut window, Modifiers::NONE, Key::R);
+    click_on(&mut window, "snap clicks");
+    click_near(&mut window, [2.0, 1.0, 0.0], [-4.0, 3.0]);
+    let at = control(&window, long).rect;
+    assert!(at.height() > 20.0, "it has two lines: {at}");
 }

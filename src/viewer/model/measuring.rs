@@ -125,6 +125,17 @@ impl Measuring {
         }
     }
 
+    /// What to do next, in a line.
+    #[must_use]
+    pub fn next(&self) -> &'static str {
+        match (self.is_on, self.points.len()) {
+            (false, _) => "Tick \u{201c}snap clicks\u{201d}, then click in the picture.",
+            (true, 0) => "Click a vertex, an edge or a face.",
+            (true, 1) => "Click a second point, or choose a measure:",
+            (true, _) => "Choose what to measure, or click on:",
+        }
+    }
+
     /// The list as text, a line each.
     #[must_use]
     pub fn text(&self) -> String {

@@ -23,6 +23,9 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     if toggle.hint(hint).clicked() {
         actions.push(MeasureAction::Toggle);
     }
+    // It has one line, whatever it says, so that nothing below it moves.
+    ui.add(Label::new(measuring.next()).truncate())
+        .hint("what to do next");
     ui.horizontal_wrapped(|ui| {
         for what in What::ALL {
             let entry = measuring.entry(what);
@@ -89,7 +92,7 @@ fn copying(
     }
 }
 
-/// One of the last two points, or a dash if there is none. It takes two lines in either case.
+/// One of the last two points, or a dash if there is none. Numbers that are too long for one line go on in the next.
 fn point(ui: &mut Ui, name: &str, point: Option<&Snap>) {
     let (label, at) = match point {
         Some(point) => {
@@ -106,7 +109,7 @@ fn point(ui: &mut Ui, name: &str, point: Option<&Snap>) {
     };
     ui.add(Label::new(format!("{name} {label}")).truncate())
         .hint("what the last click (to), or the one before it (from), snapped to");
-    ui.add(Label::new(value_text(at)).truncate()).hint(
+    ui.add(Label::new(value_text(at)).wrap()).hint(
         "a vertex as the file writes it; any other point in world coordinates, with all digits",
     );
 }
