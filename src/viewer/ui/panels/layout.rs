@@ -77,7 +77,8 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
             panes::show(ui, rect, shown.state, drag, &mut commands)
         };
         messages::show(ui, rect, shown, &mut commands);
-        if shown.offers_tour && shown.tour.is_none() {
+        // It would cover a part of the four views.
+        if shown.offers_tour && shown.tour.is_none() && shown.state.stages().is_empty() {
             tour_card::offer(ui, rect, &mut commands);
         }
         Some((place, panes))
