@@ -214,9 +214,10 @@ impl Orbit {
         self.target = point_world + (self.target - point_world) * (self.distance / before);
     }
 
-    /// Puts the target onto a world point; the eye moves with it.
-    pub fn center_on(&mut self, point_world: DVec3) {
+    /// Puts the target onto a world point, and the eye at this distance from it; the direction of view stays.
+    pub fn center_on(&mut self, point_world: DVec3, distance: f64) {
         self.target = point_world;
+        self.set_distance(distance);
     }
 
     fn set_distance(&mut self, distance: f64) {

@@ -154,8 +154,12 @@ fn a_double_click_centres_the_point_and_on_nothing_frames_all() {
     let mut state = front_view();
     let px = DVec2::new(425.5, 280.5);
     let point = picked(&state, px);
+    let depth = |state: &State| state.view().camera.to_view(point).z;
+    let before = depth(&state);
     state.apply(Action::Recentre(px));
     assert_near(shown(&state, point), MIDDLE, 1e-9);
+    // It is as large as it was.
+    assert!((depth(&state) - before).abs() < 1e-9, "{before}");
     state.apply(Action::Recentre(DVec2::new(1.0, 1.0)));
     assert_eq!(
         state.view().camera.target(),

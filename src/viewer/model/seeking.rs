@@ -73,7 +73,7 @@ impl State {
         let point_world = point.world();
         if self.in_picture(point_world).is_none() {
             self.pivot_world = point_world;
-            self.orbit.center_on(point_world);
+            self.orbit.center_on(point_world, self.orbit.distance());
             self.moved();
         }
         let line = self

@@ -226,7 +226,13 @@ impl State {
             return self.frame(self.shown_bounds());
         };
         self.pivot_world = point_world;
-        self.orbit.center_on(point_world);
+        let camera = &self.view.camera;
+        let distance = match camera.lens().projection {
+            // The point keeps its depth, and so its size.
+            Projection::Perspective { .. } => camera.to_view(point_world).z,
+            Projection::Orthographic { .. } => self.orbit.distance(),
+        };
+        self.orbit.center_on(point_world, distance);
         self.moved();
     }
 
