@@ -39,7 +39,7 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
             }
             ScrollArea::vertical().max_height(room.y).show(ui, |ui| {
                 // A window of 1280 x 720 has room for all rows.
-                ui.spacing_mut().item_spacing.y = 3.0;
+                ui.spacing_mut().item_spacing.y = 2.0;
                 ui.horizontal_top(|ui| {
                     for (column, rows) in rows.chunks(rows.len().div_ceil(columns)).enumerate() {
                         ui.vertical(|ui| {
