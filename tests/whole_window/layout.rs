@@ -88,10 +88,32 @@ fn a_side_is_dragged_folded_and_opened() {
 fn before_edge(window: &Offscreen, edge: &str, width: u32) -> f32 {
     #[expect(clippy::cast_precision_loss, reason = "a window's width")]
     let width = width as f32;
+    let half = 0.5 * control(window, edge).rect.width();
     if edge.contains("left") {
-        control(window, "edge of the right side").rect.center().x - width
+        control(window, "edge of the right side").rect.left() - width - half
     } else {
-        control(window, "edge of the left side").rect.center().x + width
+        control(window, "edge of the left side").rect.right() + width + half
+    }
+}
+
+/// The strips that are dragged are no part of the picture.
+#[test]
+fn every_column_of_the_picture_can_be_clicked() {
+    let wall = "[camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\n\n[[object]]\nshape = \"square\"\nscale = 100\n";
+    let (mut window, _folder) = row_as(wall, 1.0);
+    window.picture().expect("a picture");
+    let left = control(&window, "edge of the left side").rect.right();
+    let right = control(&window, "edge of the right side").rect.left();
+    for from_border in [0.5, 1.5, 3.5, 4.5, 5.5, 7.5] {
+        for x in [left + from_border, right - from_border] {
+            click(&mut window, pos2(x, MIDDLE.y));
+            let picked = picked_px(&window).unwrap_or_else(|| panic!("nothing at {x}"));
+            assert!(
+                (picked.x - f64::from(x - left)).abs() < 1e-3,
+                "{picked} {x}"
+            );
+            press_key(&mut window, Modifiers::NONE, Key::Escape);
+        }
     }
 }
 
@@ -209,7 +231,8 @@ fn a_long_number_moves_nothing_and_is_told_whole() {
             "up x",
             "-0.000952597",
             "-0.000953",
-            (|window| window.state().view().camera.up().x) as fn(&Offscreen) -> f64,
+            // The vector stays as typed; the camera's is of unit length.
+            (|_| -0.000_952_597) as fn(&Offscreen) -> f64,
         ),
         ("far", "99999999999999999999", "1e20", |window| {
             window.state().view().camera.lens().far

@@ -214,7 +214,7 @@ fn the_picture_alone_is_saved() {
     let alone = images::read(&folder.path().join("sightline-1.png"));
     let viewport = window.state().view().viewport;
     assert_eq!(alone.size(), viewport);
-    let left = control(&window, "edge of the left side").rect.center().x;
+    let left = control(&window, "edge of the left side").rect.right();
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,

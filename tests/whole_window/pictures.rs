@@ -78,7 +78,7 @@ fn scene_part(window: &Offscreen, window_height: u32) -> Part {
     let size = window.state().view().viewport;
     let edge = "edge of the left side";
     let left = if has_control(window, edge) {
-        whole(control(window, edge).rect.center())[0]
+        whole(control(window, edge).rect.right_center())[0]
     } else {
         0
     };

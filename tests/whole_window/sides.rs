@@ -173,8 +173,8 @@ fn no_panel_scrolls_sideways() {
         }
         let edge = control(&window, &format!("edge of the {side} side")).rect;
         let [from, to] = match side {
-            "left" => [0.0, edge.center().x],
-            _ => [edge.center().x, width],
+            "left" => [0.0, edge.right()],
+            _ => [edge.left(), width],
         };
         // The other side has no panels.
         let picture = match side {

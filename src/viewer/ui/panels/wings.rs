@@ -14,10 +14,12 @@ use egui::{
     Stroke, Ui, style::ScrollStyle,
 };
 
+/// Width of the strip that is dragged, in points: the panel's margin to the picture.
+const EDGE: f32 = TO_PICTURE as f32;
 /// Height of a panel's heading in points, with the line above it.
 const HEADING: f32 = 36.0;
 
-/// Shows a side, `width` points wide; with `None`, nothing shows. Returns the strip around its edge to the picture.
+/// Shows a side, `width` points wide; with `None`, nothing shows. Returns the strip along its edge to the picture.
 pub(super) fn show(
     ui: &mut Ui,
     side: Side,
@@ -41,11 +43,11 @@ pub(super) fn show(
     let response = panel
         .show(ui, |ui| wing(ui, &here, shown, commands))
         .response;
-    let x = match side {
-        Side::Left => response.rect.right(),
-        Side::Right => response.rect.left(),
+    // All of it is the panel's: every pixel of the picture can be picked.
+    let across = match side {
+        Side::Left => Rangef::new(response.rect.right() - EDGE, response.rect.right()),
+        Side::Right => Rangef::new(response.rect.left(), response.rect.left() + EDGE),
     };
-    let across = Rangef::new(x - 4.0, x + 4.0);
     Some(Rect::from_x_y_ranges(across, response.rect.y_range()))
 }
 
@@ -201,7 +203,11 @@ pub(super) fn edge(ui: &mut Ui, side: Side, rect: Rect, shown: &mut Shown) {
     bounded(&response);
     if response.hovered() || response.dragged() {
         let line = Stroke::new(2.0, ui.visuals().selection.bg_fill);
-        ui.painter().vline(rect.center().x, rect.y_range(), line);
+        let x = match side {
+            Side::Left => rect.right(),
+            Side::Right => rect.left(),
+        };
+        ui.painter().vline(x, rect.y_range(), line);
     }
     let response = response.on_hover_cursor(CursorIcon::ResizeHorizontal);
     let response = response.hint("drag: wider or narrower; to the border of the window: fold");
@@ -211,6 +217,7 @@ pub(super) fn edge(ui: &mut Ui, side: Side, rect: Rect, shown: &mut Shown) {
             Side::Left => pointer.x - whole.left(),
             Side::Right => whole.right() - pointer.x,
         };
-        shown.docks.drag(side, width);
+        // The strip's middle stays under the pointer.
+        shown.docks.drag(side, width + 0.5 * EDGE);
     }
 }
