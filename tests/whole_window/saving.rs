@@ -2,7 +2,7 @@
 //! save goes on once it is done.
 
 use super::{
-    nothing_lost::{corners, edit, is_asked, is_marked},
+    nothing_lost::{corners, edit, is_asked, is_marked, shown},
     remembering::wait_until,
     *,
 };
@@ -80,6 +80,60 @@ fn a_mesh_whose_file_was_only_touched_is_saved_by_its_name() {
     let text = fs::read_to_string(file("kept.toml")).expect("a file");
     assert!(text.contains("file = \"tri.obj\""), "{text}");
     assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 2);
+}
+
+/// Zeros keep their signs.
+#[test]
+fn a_mesh_whose_file_is_gone_is_saved_beside() {
+    let text = "v -0 0 0\nv 1 0 -0.0\nv 0 1 0\nf 1 2 3\n";
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name);
+    fs::write(file("zeros.obj"), text).expect("writable");
+    let mut window = open(vec![file("zeros.obj")], 1.0);
+    move_first(&mut window);
+    let on_screen = first(window.state().scene());
+    fs::remove_file(file("zeros.obj")).expect("it was there");
+    press_key(&mut window, CTRL, Key::S);
+    window.save_as(file("kept.toml"));
+    let messages: Vec<_> = window.messages().collect();
+    assert!(!is_marked(&window), "{messages:?}");
+    let kept = scene::load(&[file("kept.toml")], &Progress::default());
+    let kept = kept.unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(first(&kept.scene), on_screen);
+}
+
+#[test]
+fn nothing_is_saved_before_anything_is_open() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = open(vec![folder.path().join("missing.obj")], 1.0);
+    press_key(&mut window, CTRL, Key::S);
+    assert_eq!(window.save_dialogs(), 0);
+    let mut all = window.messages();
+    assert!(all.any(|text| text.contains("nothing is open yet")));
+}
+
+/// The dialog is about what was on screen before. To write that would undo what another program has written.
+#[test]
+fn a_scene_that_is_read_again_while_its_dialog_is_open_is_not_overwritten() {
+    let (mut window, folder) = row(1.0);
+    let path = folder.path().join("row.toml");
+    edit(&mut window);
+    press_key(&mut window, CTRL, Key::S);
+    let longer = format!("{ROW}\n[[object]]\nname = \"new\"\nshape = \"cube\"\n");
+    fs::write(&path, &longer).expect("writable");
+    wait_until(&mut window, |window| {
+        window.state().scene().objects().len() == 4
+    });
+    window.save_as(path.clone());
+    assert_eq!(fs::read_to_string(&path).expect("a file"), longer);
+    let told = |words: &str| window.messages().any(|text| text.contains(words));
+    assert!(told("nothing was saved, save again") && is_marked(&window));
+    // The next one saves what is on screen.
+    press_key(&mut window, CTRL, Key::S);
+    window.save_as(path.clone());
+    assert!(!is_marked(&window));
+    let kept = open(vec![path], 1.0);
+    assert_eq!(shown(&kept), [false, true, true, true]);
 }
 
 #[test]

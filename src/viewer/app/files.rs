@@ -184,6 +184,9 @@ impl App {
     /// Asks where to save the scene as it is now. With an intent, saves the first scene whose edits the intent would
     /// drop, perhaps one left for the gallery, and carries out the intent after the save. One dialog is open at a time.
     pub(super) fn ask_where_to_save(&mut self, then: Option<Pending>) {
+        if self.first {
+            return self.say("nothing is open yet that could be saved".into());
+        }
         let drops = then.as_ref().map(|then| then.intent.drops(&self.state));
         let scene = drops.and_then(|scenes| scenes.first().copied());
         let scene = scene.unwrap_or(&self.state);
@@ -209,6 +212,13 @@ impl App {
     pub(super) fn save(&mut self, path: PathBuf) {
         let asked = self.to_save.take();
         let (snapshot, then) = asked.unwrap_or_else(|| (self.state.snapshot(), None));
+        if self.state.has_read_since(&snapshot) {
+            if let Some(then) = then {
+                give_up(then);
+            }
+            let text = "the scene was read again from its files while you chose a name: nothing was saved, save again";
+            return self.failed(Attempt::Save, text.into());
+        }
         match scene_file(path) {
             Ok(path) => {
                 let saving = Saving::start(snapshot, path, self.waker());
@@ -245,6 +255,10 @@ impl App {
                     ..Source::default()
                 };
                 self.remember_opened(&source.paths);
+                if source.paths == self.state.source().paths {
+                    // A file that could not be read is whole again.
+                    self.succeeded(Attempt::Open);
+                }
                 let written = Stamps::of(&source.paths);
                 self.state.saved(&saved.snapshot, source);
                 self.watch(saved.snapshot.document, written);

@@ -74,6 +74,7 @@ impl State {
                 materials: loaded.materials,
             },
             document: 0,
+            reads: 0,
             edits: Edits::default(),
             filed: Edits::default(),
             filed_section: section,
@@ -192,6 +193,7 @@ impl State {
             camera: self.camera_choice(),
             meshes: self.source.meshes.clone(),
             document: self.document,
+            reads: self.reads,
             edits: self.edits,
             section: self.view.section,
         }
@@ -215,6 +217,13 @@ impl State {
         }
     }
 
+    /// Whether a scene's files were read again after this snapshot of it, and held something else.
+    pub(in crate::viewer) fn has_read_since(&self, snapshot: &Snapshot) -> bool {
+        let is_of = |state: &&Self| state.document == snapshot.document;
+        let state = self.scenes_back().find(is_of);
+        state.is_some_and(|state| state.reads != snapshot.reads)
+    }
+
     /// A snapshot was saved: from now on its scene, which is on show or was left for the gallery, belongs to these files.
     pub(in crate::viewer) fn saved(&mut self, snapshot: &Snapshot, source: Source) {
         let steps = self.timeline.all_mut();
@@ -228,6 +237,10 @@ impl State {
             None if self.document == snapshot.document => self,
             None => return,
         };
+        if state.reads != snapshot.reads {
+            // The file does not hold what is on show.
+            return;
+        }
         state.name = scene::title(&source.paths);
         state.filed = snapshot.edits;
         state.filed_section = snapshot.section;
@@ -245,6 +258,7 @@ pub(in crate::viewer) struct Snapshot {
     pub camera: CameraChoice,
     pub meshes: Vec<MeshFile>,
     pub document: u64,
+    reads: u64,
     edits: Edits,
     section: Option<Section>,
 }

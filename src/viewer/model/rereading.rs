@@ -54,6 +54,7 @@ impl State {
     /// Shows what became of the scene.
     fn show_again(&mut self, made: Made) {
         let before = self.edits;
+        self.reads += 1;
         if self.edited() {
             // No edit so far has led to these matrices, not even one that is being saved.
             self.edit(|edits| &mut edits.matrices);

@@ -185,6 +185,8 @@ pub struct State {
     pub(super) source: Source,
     /// Which scene this is among those that were open.
     pub(super) document: u64,
+    /// Counts how often its files were read again and held something else.
+    pub(super) reads: u64,
     pub(super) edits: Edits,
     /// The edits that its file has.
     pub(super) filed: Edits,

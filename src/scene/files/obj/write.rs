@@ -14,7 +14,11 @@ pub(in crate::scene::files) fn text(mesh: &Mesh, library: Option<&str>) -> Strin
         let _ = writeln!(text, "mtllib {library}");
     }
     for (index, position) in data.positions.iter().enumerate() {
-        let [x, y, z] = std::array::from_fn(|i| data.origin[i] + f64::from(position[i]));
+        // A sum with 0 would lose the sign of -0.
+        let [x, y, z] = std::array::from_fn(|i| match f64::from(position[i]) {
+            at if data.origin[i] == 0.0 => at,
+            at => data.origin[i] + at,
+        });
         let _ = write!(text, "v {x} {y} {z}");
         if let Some(colour) = data.vertex_colours.get(index) {
             let [r, g, b] = unit(*colour);
