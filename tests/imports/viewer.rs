@@ -94,8 +94,8 @@ fn files_of(folder: &str) -> Vec<PathBuf> {
     files_under(&src.join(folder))
 }
 
-/// One file orders the steps of a frame, for windows and for pictures of them. Hosts ask it for a whole frame, for a
-/// pass without a picture, or for the results of jobs. They ask for no step in between.
+/// One file orders the steps of a frame, for windows and for pictures of them. Hosts ask it for a whole frame, to
+/// prepare what later frames need, for a pass without a picture, or for the results of jobs. They ask for no step in between.
 #[test]
 fn one_driver_orders_the_steps_of_a_frame() {
     let driver = files_of("app")
@@ -114,7 +114,7 @@ fn one_driver_orders_the_steps_of_a_frame() {
         is_offered.then(|| name.split('(').next().unwrap_or_default())
     });
     let offered: Vec<_> = offered.collect();
-    assert_eq!(offered, ["frame", "pass", "take_finished"]);
+    assert_eq!(offered, ["frame", "prepare", "pass", "take_finished"]);
 }
 
 /// Where files of the panels and of the screen name all objects or all batches: the list and its filter, which goes

@@ -307,10 +307,11 @@ impl App {
         }
         if let Some(canvas) = screen.canvas() {
             self.gpu = Some((canvas.gpu.clone(), canvas.meshes()));
-            let is_late = self.picture.behind.is_some() && laid.panes.is_empty();
+            let is_late = self.picture.behind.is_some();
             self.state.see(match canvas.on_screen() {
-                _ if !is_late => Seen::Wanted,
-                Some(earlier) => Seen::Earlier(earlier),
+                _ if !laid.panes.is_empty() || laid.place.is_none() => Seen::Wanted,
+                Some(seen) if is_late => Seen::Earlier(seen),
+                Some(seen) => Seen::Whole(seen),
                 None => Seen::Nothing,
             });
             self.follow_up(canvas, laid);

@@ -11,7 +11,7 @@ use crate::{
     render::GpuError,
     viewer::{
         app::{App, Extent, Frame, Host, REST_S, Wake, Waker},
-        model::State,
+        model::{Seen, State},
         options::Options,
         ui::Notice,
     },
@@ -83,8 +83,22 @@ impl Offscreen {
         window
     }
 
-    /// Runs a pass for each event, then waits for the jobs that these began. Positions are in points.
+    /// Runs a pass for each event, then waits for the jobs that these began. Positions are in points. Nothing is drawn;
+    /// unless a picture is late, a click counts as if all before it were on screen.
     pub fn send(&mut self, events: impl IntoIterator<Item = egui::Event>) {
+        for event in events {
+            if self.app.picture.behind.is_none() {
+                self.app.state.see(Seen::Wanted);
+            }
+            let input = self.input(vec![event]);
+            self.pass(input);
+        }
+        self.settle();
+    }
+
+    /// Runs a pass for each event, as a window does with those that come while it draws: what was drawn last is on screen
+    /// all the time.
+    pub fn send_undrawn(&mut self, events: impl IntoIterator<Item = egui::Event>) {
         for event in events {
             let input = self.input(vec![event]);
             self.pass(input);

@@ -10,14 +10,15 @@ pub(in crate::viewer) struct OnScreen {
     pub visibility_revision: u64,
 }
 
-/// What is on screen, as far as it is not what the state wants.
+/// What is on screen, as the last frame left it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "there is one, and it is copied")]
 pub(in crate::viewer) enum Seen {
-    /// The picture is the wanted one.
+    /// Whatever the state wants.
     #[default]
     Wanted,
-    /// The picture is an earlier one.
+    /// What the state wanted when the frame was drawn.
+    Whole(OnScreen),
+    /// An earlier picture.
     Earlier(OnScreen),
     /// There is no picture yet.
     Nothing,

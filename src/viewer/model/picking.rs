@@ -16,7 +16,7 @@ impl State {
     /// next one behind. The second click of a double click selects the nearest again.
     pub(super) fn click(&mut self, px: DVec2, time_s: f64) -> Option<PickLine> {
         let px = pixel_centre(px);
-        let view = self.seen_view();
+        let view = self.clicked_view();
         let same = |hits: &&RayHits| (hits.px, hits.view) == (px, view);
         let again =
             (self.clicked_s.replace(time_s)).is_some_and(|last_s| time_s - last_s > DOUBLE_CLICK_S);
@@ -46,7 +46,7 @@ impl State {
     pub(super) fn cursor_at(&self, px: DVec2) -> Cursor {
         let px = pixel_centre(px);
         let ray = self.seen_view().ray(px);
-        let hit = (!self.awaits_scene()).then(|| self.quick_hit(&ray));
+        let hit = (!self.is_late()).then(|| self.quick_hit(&ray));
         let point = |hit: SceneHit| {
             let placement = &self.scene.objects()[hit.object].placement;
             (hit.object, placement.ray_to_object(&ray).at(hit.hit.t))

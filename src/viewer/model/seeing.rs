@@ -30,27 +30,48 @@ impl State {
     }
 
     /// Whether the scene as it is has yet to be drawn: on screen is another one, or its objects before they were moved or
-    /// others were added. Then a click or the cursor picks nothing: it would be what nobody sees.
+    /// others were added. Then a click picks nothing: it would be what nobody sees.
     pub(super) fn awaits_scene(&self) -> bool {
         match self.seen {
-            Seen::Wanted => false,
+            Seen::Whole(seen) => seen.scene_revision != self.scene_revision,
+            _ => self.is_late(),
+        }
+    }
+
+    /// Whether the scene was late already when the last frame was drawn. Then the cursor lights nothing. A scene that has
+    /// changed since is drawn in this frame, together with what the cursor lights.
+    pub(super) fn is_late(&self) -> bool {
+        match self.seen {
+            Seen::Wanted | Seen::Whole(_) => false,
             Seen::Earlier(seen) => seen.scene_revision != self.scene_revision,
             Seen::Nothing => true,
         }
     }
 
-    /// The view of the picture on screen, which the user points into. If that picture still shows objects that are gone or
-    /// have moved, nobody can pick them any more: then it is the present view.
-    pub(super) fn seen_view(&self) -> View {
-        let now = self.to_show();
-        let is_of_these = |seen: &OnScreen| {
-            seen.scene_revision == now.scene_revision
-                && seen.visibility_revision == now.visibility_revision
-        };
+    /// The view of the picture on screen, which the user clicks into: another key or button may have changed the view
+    /// since. If that picture still shows objects that are gone or have moved, nobody can pick them any more: then it is
+    /// the present view.
+    pub(super) fn clicked_view(&self) -> View {
         match self.seen {
-            Seen::Earlier(seen) if is_of_these(&seen) => seen.view,
-            _ => now.view,
+            Seen::Whole(seen) if self.shows_these(&seen) => seen.view,
+            _ => self.seen_view(),
         }
+    }
+
+    /// The view of the picture that the cursor will be in once this frame is drawn: the present one, or that of a picture
+    /// which is late.
+    pub(super) fn seen_view(&self) -> View {
+        match self.seen {
+            Seen::Earlier(seen) if self.shows_these(&seen) => seen.view,
+            _ => self.view,
+        }
+    }
+
+    /// Whether a picture shows the objects as they are.
+    fn shows_these(&self, seen: &OnScreen) -> bool {
+        let now = self.to_show();
+        seen.scene_revision == now.scene_revision
+            && seen.visibility_revision == now.visibility_revision
     }
 
     /// Whether a ray is quick enough for a mouse move: meshes have their trees, or are small.

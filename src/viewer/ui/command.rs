@@ -93,7 +93,7 @@ impl Command {
 }
 
 /// An answer to the question for a path, which stands in for a file dialog.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::viewer) enum TypedPath {
     /// Take the path that is in the field.
     Take,

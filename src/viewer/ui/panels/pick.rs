@@ -232,7 +232,7 @@ fn certainty(hit: &Pick, digits: Digits) -> [Row; 4] {
 /// Says so if the pick was made in another view than the one on screen.
 fn whose_view(ui: &mut Ui, state: &State) {
     let text = match state.pick_view() {
-        Some(PickView::Resized) => "Picked in a picture of another size. Copies repeat it there.",
+        Some(PickView::Resized) => "Picked at an earlier size. Copies repeat it there.",
         Some(PickView::Earlier) => "Picked in an earlier view. Copies repeat it there.",
         Some(PickView::LeftOut) => {
             "Picked in an earlier view. Copies repeat it there. This view does not show the point: near, far, culling or the section removes it."
