@@ -183,21 +183,20 @@ impl Pipelines {
             1 => &[Pass::ColourAndIds, Pass::Mask],
             _ => &[Pass::ColourAndIds, Pass::Colour, Pass::Ids, Pass::Mask],
         };
-        let mut keys = passes.iter().flat_map(|&pass| {
+        let mut all = passes.iter().flat_map(|&pass| {
             let others: &[_] = if pass.has_colours() {
                 &[Drawn::Background, Drawn::Lines]
             } else {
                 &[]
             };
             let drawn = surfaces.clone().chain(others.iter().copied());
-            drawn.map(move |drawn| key(pass, drawn, view))
+            drawn.map(move |drawn| (pass, drawn))
         });
-        let Some(missing) = keys.find(|key| !self.made.contains_key(key)) else {
-            return false;
-        };
-        let pipeline = self.make(gpu, missing);
-        self.made.insert(missing, pipeline);
-        true
+        let missing = all.find(|&(pass, drawn)| !self.made.contains_key(&key(pass, drawn, view)));
+        if let Some((pass, drawn)) = missing {
+            self.get(gpu, pass, drawn, view);
+        }
+        missing.is_some()
     }
 
     fn make(&mut self, gpu: &Gpu, (pass, drawn, depth, is_cut): Key) -> wgpu::RenderPipeline {

@@ -95,7 +95,8 @@ fn files_of(folder: &str) -> Vec<PathBuf> {
 }
 
 /// One file orders the steps of a frame, for windows and for pictures of them. Hosts ask it for a whole frame, to
-/// prepare what later frames need, for a pass without a picture, or for the results of jobs. They ask for no step in between.
+/// prepare what later frames need, for a pass without a picture, or for the results of jobs. They ask for no step in
+/// between.
 #[test]
 fn one_driver_orders_the_steps_of_a_frame() {
     let driver = files_of("app")

@@ -1,9 +1,9 @@
 //! File dialogs. On Linux a portal shows them, or `zenity` where there is no portal.
 
+use super::portal::{Question, ask};
 use std::{
     panic::{self, AssertUnwindSafe},
     path::{Path, PathBuf},
-    process::{Command, Stdio},
     thread,
     time::Instant,
 };
@@ -52,8 +52,7 @@ pub(in crate::viewer) fn save_dialog(
     let suggested = std::path::absolute(suggested).unwrap_or_else(|_| suggested.to_path_buf());
     let mut dialog = rfd::AsyncFileDialog::new()
         .set_title("Save scene")
-        .add_filter("Scenes", &["toml"])
-        .set_file_name(file_name(&suggested, true));
+        .add_filter("Scenes", &["toml"]);
     if let Some(folder) = suggested.parent() {
         dialog = dialog.set_directory(folder);
     }
@@ -67,7 +66,8 @@ pub(in crate::viewer) fn save_dialog(
         answer(asked, answered, none, meaning);
     } else {
         // Elsewhere the system wants to be asked by the main thread.
-        let asked = dialog.save_file();
+        let name = file_name(&suggested, true);
+        let asked = dialog.set_file_name(name).save_file();
         answer(|| asked, answered, none, meaning);
     }
 }
@@ -79,42 +79,20 @@ fn file_name(suggested: &Path, is_told_folder: bool) -> String {
     name.to_string_lossy().into_owned()
 }
 
-/// Programs that ask a portal about its file dialogs; a desktop with the portal has one of them.
-const ASKERS: [&[&str]; 2] = [
-    &[
-        "busctl",
-        "--user",
-        "--timeout=2",
-        "get-property",
-        "org.freedesktop.portal.Desktop",
-        "/org/freedesktop/portal/desktop",
-        "org.freedesktop.portal.FileChooser",
-        "version",
-    ],
-    &[
-        "gdbus",
-        "call",
-        "--session",
-        "--timeout=2",
-        "--dest=org.freedesktop.portal.Desktop",
-        "--object-path=/org/freedesktop/portal/desktop",
-        "--method=org.freedesktop.DBus.Properties.Get",
-        "org.freedesktop.portal.FileChooser",
-        "version",
-    ],
-];
-
 /// Whether a portal shows file dialogs here.
 fn has_portal() -> bool {
-    ASKERS.into_iter().any(|asker| {
-        let Some((program, arguments)) = asker.split_first() else {
-            return false;
-        };
-        let mut command = Command::new(program);
-        let command = command.args(arguments).stdin(Stdio::null());
-        let command = command.stdout(Stdio::null()).stderr(Stdio::null());
-        command.status().is_ok_and(|status| status.success())
-    })
+    let version = Question {
+        busctl: [
+            &["get-property"],
+            &["org.freedesktop.portal.FileChooser", "version"],
+        ],
+        gdbus: &[
+            "--method=org.freedesktop.DBus.Properties.Get",
+            "org.freedesktop.portal.FileChooser",
+            "version",
+        ],
+    };
+    ask(&version).any(|output| output.status.success())
 }
 
 /// Waits for the answer in the background. Without one, the answer is the first of `none`, or the second if no dialog was

@@ -10,6 +10,7 @@ mod job;
 mod keeping;
 mod letting_go;
 mod loading;
+mod portal;
 mod projecting;
 mod reading_again;
 mod saving;

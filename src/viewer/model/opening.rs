@@ -219,8 +219,7 @@ impl State {
 
     /// Whether a scene's files were read again after this snapshot of it, and held something else.
     pub(in crate::viewer) fn has_read_since(&self, snapshot: &Snapshot) -> bool {
-        let is_of = |state: &&Self| state.document == snapshot.document;
-        let state = self.scenes_back().find(is_of);
+        let state = self.opened(snapshot.document);
         state.is_some_and(|state| state.reads != snapshot.reads)
     }
 

@@ -29,7 +29,7 @@ impl State {
     }
 
     /// The scenes that closing the window would lose: first those left for the gallery, oldest first, then this one.
-    pub(super) fn scenes_back(&self) -> impl Iterator<Item = &Self> {
+    fn scenes_back(&self) -> impl Iterator<Item = &Self> {
         let left = self.timeline.past().iter().filter_map(Step::scene);
         left.chain([self])
     }
