@@ -192,3 +192,30 @@ fn only_what_changed_is_named_and_closed_warnings_stay_closed() {
         says(window, "a.obj and 1 more have changed and were read again")
     });
 }
+
+/// A file that another program takes away is told of, once. What is on screen stays, and can be saved. A file that is back
+/// is read.
+#[test]
+fn a_file_that_is_gone_is_told_of_and_read_once_it_is_back() {
+    let (mut window, folder) = row(1.0);
+    let path = folder.path().join("row.toml");
+    let gone = "row.toml is gone from the disk. What is on screen stays: Ctrl+S saves it";
+    let says = |window: &Offscreen, words: &str| window.messages().any(|text| text == words);
+    // Away for a moment, as while a program writes it anew.
+    fs::remove_file(&path).expect("it is there");
+    thread::sleep(Duration::from_millis(600));
+    fs::write(&path, more()).expect("writable");
+    wait_until(&mut window, |window| count(window) == 4);
+    assert!(!says(&window, gone));
+    fs::remove_file(&path).expect("it is there");
+    wait_until(&mut window, |window| says(window, gone));
+    assert_eq!(window.messages().count(), 1);
+    assert_eq!(count(&window), 4);
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(window.messages().count(), 0);
+    press_key(&mut window, CTRL, Key::S);
+    window.save_as(path.clone());
+    assert!(path.is_file() && !is_marked(&window));
+    fs::write(&path, ROW).expect("writable");
+    wait_until(&mut window, |window| count(window) == 3);
+}

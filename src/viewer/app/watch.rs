@@ -74,7 +74,14 @@ impl App {
         let Some((_, watching)) = all.find(|(of, _)| *of == document) else {
             return;
         };
-        if !watching.is_due() || self.underway().is_some() || self.ready.is_some() {
+        let is_due = watching.is_due();
+        for file in watching.take_gone() {
+            self.remind(format!(
+                "{} is gone from the disk. What is on screen stays: Ctrl+S saves it",
+                scene::title(&[file])
+            ));
+        }
+        if !is_due || self.underway().is_some() || self.ready.is_some() {
             return;
         }
         if self.state.edited() {

@@ -3,7 +3,7 @@
 use notify::{RecommendedWatcher, RecursiveMode, Watcher};
 use std::{
     collections::{BTreeMap, BTreeSet},
-    fs,
+    fs, mem,
     path::{Path, PathBuf},
     sync::mpsc::{Receiver, channel},
     thread,
@@ -12,6 +12,8 @@ use std::{
 
 /// Files that nothing has happened to for this long count as completely written.
 const QUIET: Duration = Duration::from_millis(300);
+/// A program that writes a file anew may take it away for a moment. A file that has been away for longer is gone.
+const AWAY: Duration = Duration::from_secs(1);
 
 /// When a file was changed last, and its length; `None` while it is not there.
 type Stamp = Option<(SystemTime, u64)>;
@@ -33,12 +35,15 @@ impl Stamps {
         self
     }
 
-    /// Whether another program has changed a file. A file that is gone may come back at once, so it is waited for. A file
-    /// that was never there, perhaps an MTL file, is not.
-    fn differ(&self, now: &Self) -> bool {
-        let mut both = self.0.values().zip(now.0.values());
-        let is_whole = both.all(|(known, now)| known.is_none() || now.is_some());
-        is_whole && now != self
+    /// The files that were there and are not there now.
+    fn gone(&self, now: &Self) -> Vec<PathBuf> {
+        let was_there = self.0.iter().filter(|(_, stamp)| stamp.is_some());
+        let is_gone = |file: &&PathBuf| now.0.get(*file).is_some_and(Option::is_none);
+        was_there
+            .map(|(file, _)| file)
+            .filter(is_gone)
+            .cloned()
+            .collect()
     }
 }
 
@@ -53,6 +58,8 @@ pub(in crate::viewer) struct Watching {
     known: Stamps,
     /// A change is still to be read.
     is_due: bool,
+    /// Files that are gone, which nobody was told yet.
+    gone: Vec<PathBuf>,
 }
 
 impl Watching {
@@ -89,8 +96,12 @@ impl Watching {
         thread::spawn(move || {
             while events.recv().is_ok() {
                 while events.recv_timeout(QUIET).is_ok() {}
-                let now = Stamps::of(last.0.keys());
-                if last.differ(&now) {
+                let mut now = Stamps::of(last.0.keys());
+                if !last.gone(&now).is_empty() {
+                    thread::sleep(AWAY);
+                    now = Stamps::of(last.0.keys());
+                }
+                if now != last {
                     last = now.clone();
                     if sender.send(now).is_err() {
                         return;
@@ -105,16 +116,25 @@ impl Watching {
             read: known.clone(),
             known,
             is_due: false,
+            gone: Vec::new(),
         })
     }
 
-    /// Whether a file has changed, and that is still to be read.
+    /// Whether a file has changed, and that is still to be read. While a file is gone there is nothing to read.
     pub fn is_due(&mut self) -> bool {
-        if let Some(now) = self.changed.try_iter().last() {
+        for now in self.changed.try_iter() {
+            self.gone.extend(self.known.gone(&now));
+            self.gone
+                .retain(|file| now.0.get(file).is_some_and(Option::is_none));
+            self.is_due = self.read.gone(&now).is_empty();
             self.known = now;
-            self.is_due = true;
         }
         self.is_due
+    }
+
+    /// The files that are gone since this was asked last.
+    pub fn take_gone(&mut self) -> Vec<PathBuf> {
+        mem::take(&mut self.gone)
     }
 
     /// Sets whether a change is still to be read.

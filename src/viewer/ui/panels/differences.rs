@@ -36,7 +36,9 @@ pub(super) fn show(
         .show(ui.ctx(), |ui| {
             Frame::popup(ui.style()).show(ui, |ui| match &check.found {
                 None => {
-                    ui.label("comparing every pixel with its pick \u{2026}");
+                    // Short, so that the grid's step stays in view in the smallest window.
+                    ui.label("comparing \u{2026}")
+                        .hint("every pixel with its pick");
                 }
                 Some(found) => table(ui, check, found),
             });

@@ -213,12 +213,8 @@ impl Docks {
 
     /// How wide each side is, as [`Self::widths`] says. As the gallery is entered, its panel becomes visible, wherever it
     /// stands. As it is left, the sides are as they were before, unless the user has arranged them since.
-    pub(super) fn lay_out(
-        &mut self,
-        sections: &[Section],
-        room: f32,
-        in_gallery: bool,
-    ) -> [Option<f32>; 2] {
+    pub(super) fn lay_out(&mut self, sections: &[Section], room: f32) -> [Option<f32>; 2] {
+        let in_gallery = sections.contains(&Section::Gallery);
         let was = mem::replace(&mut self.in_gallery, in_gallery);
         if was && !in_gallery {
             self.give_back(Section::Gallery);

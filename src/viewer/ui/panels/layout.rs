@@ -45,8 +45,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         tour_card::strip(ui, tour, shown.state, &mut commands);
     }
     let room = room(window, ui.available_size());
-    let in_gallery = shown.state.showing().is_some();
-    let widths = shown.docks.lay_out(&wanted, room, in_gallery);
+    let widths = shown.docks.lay_out(&wanted, room);
     let edges = Side::BOTH.map(|side| {
         wings::show(
             ui,

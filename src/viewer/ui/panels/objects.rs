@@ -79,7 +79,7 @@ pub(super) fn show(
 ) {
     ui.scope(|ui| {
         ui.set_max_width(ui.available_width() - GUTTER);
-        above(ui, state, commands);
+        above(ui, state, filter, commands);
         let search = egui::TextEdit::singleline(&mut filter.text)
             .hint_text("search")
             .desired_width(f32::INFINITY);
@@ -111,13 +111,22 @@ pub(super) fn show(
     });
 }
 
-/// How many objects and triangles there are, and buttons that hide and show.
-fn above(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+/// How many objects the search finds, or else how many objects and triangles there are; and buttons that hide and show.
+fn above(ui: &mut Ui, state: &State, filter: &Filter, commands: &mut Vec<Command>) {
     let scene = state.scene();
     let (objects, triangles) = (scene.objects().len(), scene.triangle_count());
     let plural = if objects == 1 { "" } else { "s" };
-    ui.weak(format!("{objects} object{plural}, {triangles} triangles"))
-        .hint("of all objects, hidden ones too; spheres have no triangles");
+    let (text, hint) = match &filter.rows {
+        Some(rows) => (
+            format!("{} of {objects} object{plural}", rows.len()),
+            "whose name contains what is searched for; clear the search to see all objects",
+        ),
+        None => (
+            format!("{objects} object{plural}, {triangles} triangles"),
+            "of all objects, hidden ones too; spheres have no triangles",
+        ),
+    };
+    ui.weak(text).hint(hint);
     ui.horizontal_wrapped(|ui| {
         let selected = state.selected().is_some();
         for (enabled, name, hint, action) in [

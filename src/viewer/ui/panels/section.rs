@@ -107,8 +107,6 @@ fn numbers(ui: &mut Ui, state: &State, section: &Section, commands: &mut Vec<Com
             }
         }
         ui.end_row();
-    });
-    ui.horizontal_top(|ui| {
         ui.label("c").hint(OFFSET);
         let field = Field {
             name: "section c",

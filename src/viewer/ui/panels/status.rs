@@ -1,8 +1,8 @@
 //! The line at the bottom: times, the adapter, the projection, and what is under the cursor.
 
-use super::{hints::Hint, visual_order::visual_order};
+use super::{elided::elided, hints::Hint};
 use crate::viewer::model::State;
-use egui::Ui;
+use egui::{Align, Layout, TextStyle, Ui, vec2};
 use std::time::Duration;
 
 /// For so long after a picture the line says how long it took, in seconds.
@@ -22,46 +22,67 @@ pub(in crate::viewer) struct Statistics {
     pub software: bool,
 }
 
+/// The object under the cursor is named at the right end. It has its room first: in a narrow window, the rest is cut.
 pub(super) fn show(ui: &mut Ui, state: &State, statistics: &Statistics) {
-    ui.horizontal(|ui| {
-        let now_s = ui.input(|input| input.time);
-        let left_s = |drawn_s: f64| drawn_s + FRESH_S - now_s;
-        let fresh = statistics.frame.filter(|(_, drawn_s)| left_s(*drawn_s) > 0.0);
-        let frame = match fresh {
-            Some((took, drawn_s)) => {
-                let wait = Duration::from_secs_f64(left_s(drawn_s));
-                ui.ctx().request_repaint_after(wait);
-                format!("{:6.1}", 1e3 * took.as_secs_f64())
-            }
-            None => format!("{:>6}", "\u{2013}"),
-        };
-        ui.weak(format!("frame {frame} ms"))
-            .hint("how long the picture of the scene took that was just drawn, in thousandths of a second; a dash at rest");
-        if let Some(pick) = statistics.pick {
-            let pick_us = 1e6 * pick.as_secs_f64();
-            ui.weak(format!("pick {pick_us:6.0} \u{b5}s"))
-                .hint("how long the last click's ray took, in millionths of a second");
-        }
-        ui.separator();
-        ui.weak(statistics.adapter.as_str())
-            .hint("what draws: the graphics card, or the processor in its place");
-        if statistics.software {
-            ui.label("software")
-                .hint("no graphics card is used: the processor draws");
-        }
-        ui.separator();
-        let lens = state.view().camera.lens();
-        let projection = if lens.is_orthographic() {
-            "orthographic"
-        } else {
-            "perspective"
-        };
-        ui.weak(format!("{projection}, {} depth", lens.depth))
-            .hint("how the view is flattened, and how the depth buffer stores depth; the Camera panel changes both");
+    let height = ui.spacing().interact_size.y;
+    let whole = vec2(ui.available_width(), height);
+    let from_right = Layout::right_to_left(Align::Center);
+    ui.allocate_ui_with_layout(whole, from_right, |ui| {
         if let Some(object) = state.hover() {
+            let font = TextStyle::Body.resolve(ui.style());
+            let name = &state.scene().objects()[object].name;
+            let name = elided(ui, name, &font, 0.5 * ui.available_width());
+            ui.label(name).hint("what is under the cursor");
             ui.separator();
-            ui.label(visual_order(&state.scene().objects()[object].name))
-                .hint("what is under the cursor");
         }
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            ui.set_clip_rect(ui.max_rect().intersect(ui.clip_rect()));
+            times(ui, statistics);
+            drawing(ui, state, statistics);
+        });
     });
+}
+
+/// How long the last picture and the last pick took.
+fn times(ui: &mut Ui, statistics: &Statistics) {
+    let now_s = ui.input(|input| input.time);
+    let left_s = |drawn_s: f64| drawn_s + FRESH_S - now_s;
+    let fresh = statistics
+        .frame
+        .filter(|(_, drawn_s)| left_s(*drawn_s) > 0.0);
+    let frame = match fresh {
+        Some((took, drawn_s)) => {
+            let wait = Duration::from_secs_f64(left_s(drawn_s));
+            ui.ctx().request_repaint_after(wait);
+            format!("{:6.1}", 1e3 * took.as_secs_f64())
+        }
+        None => format!("{:>6}", "\u{2013}"),
+    };
+    ui.weak(format!("frame {frame} ms"))
+        .hint("how long the picture of the scene took that was just drawn, in thousandths of a second; a dash at rest");
+    if let Some(pick) = statistics.pick {
+        let pick_us = 1e6 * pick.as_secs_f64();
+        ui.weak(format!("pick {pick_us:6.0} \u{b5}s"))
+            .hint("how long the last click's ray took, in millionths of a second");
+    }
+}
+
+/// What draws, and how.
+fn drawing(ui: &mut Ui, state: &State, statistics: &Statistics) {
+    ui.separator();
+    ui.weak(statistics.adapter.as_str())
+        .hint("what draws: the graphics card, or the processor in its place");
+    if statistics.software {
+        ui.label("software")
+            .hint("no graphics card is used: the processor draws");
+    }
+    ui.separator();
+    let lens = state.view().camera.lens();
+    let projection = if lens.is_orthographic() {
+        "orthographic"
+    } else {
+        "perspective"
+    };
+    ui.weak(format!("{projection}, {} depth", lens.depth))
+        .hint("how the view is flattened, and how the depth buffer stores depth; the Camera panel changes both");
 }
