@@ -41,8 +41,8 @@ const BEFORE_ALL: Approximate = Approximate {
 ///
 /// A plane's parameter is the distance to it times the reciprocal of the direction's component `d`. The distance rounds
 /// once and is off by the origin's error `p`; reciprocal and product round once each; an error `f` of `d` changes the
-/// quotient by `f / |d|` of itself. The factors 5 and 1.01 leave room for terms of second order (`f` is at most `2^-20`
-/// of `d`), for the bound's own roundings and for sums with it.
+/// quotient by `f / |d|` of itself. The factors 5 and 1.01 absorb second-order terms (`f` is at most `2^-20` of `d`),
+/// the bound's own roundings and those of `low` and `high`.
 #[inline]
 fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     let Ray {

@@ -92,7 +92,7 @@ impl<'a> PlacedRay<'a> {
         }
     }
 
-    /// This ray, beyond whose `limit` nothing matters.
+    /// This ray, with a `limit` beyond which surfaces do not matter.
     #[inline]
     #[must_use]
     pub fn until(&self, limit: f64) -> LocalRay<'_> {

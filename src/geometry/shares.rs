@@ -14,7 +14,7 @@ use std::{
 /// add up to 1. An error stops the work.
 pub(crate) type GoOn<'a, E> = dyn Fn(f64) -> Result<(), E> + Sync + 'a;
 
-/// Asks nobody.
+/// Never stops the work.
 pub(crate) const ALWAYS: &GoOn<Infallible> = &|_| Ok(());
 
 /// The results of `work` on each item, in order; each free core takes the next item.
@@ -69,7 +69,7 @@ pub(crate) fn share(done: usize, of: usize) -> f64 {
     done as f64 / of as f64
 }
 
-/// The least share that is worth a thread.
+/// The fewest items that are worth a thread.
 pub(crate) const LEAST: usize = 1 << 12;
 
 /// The results of `work` on equal shares of `0..count`, in order; at most one share a core.

@@ -38,8 +38,8 @@ fn filter(ray: &LocalRay) -> Result<Option<Hit>, InDoubt> {
         return Ok(None);
     }
     let rim = Square::HALF_SIDE * d.z.abs();
-    // Lower and upper bound on how far the point is past the rim. Both axes come before the decision, which costs a
-    // branch.
+    // Lower and upper bound on how far the point is past the rim. Both axes are computed before the decision, so that
+    // it takes one branch.
     let past = |axis: usize| {
         let (a, b) = (o[axis] * d.z, o.z * d[axis]);
         let through = (o[axis].abs() + p[axis]) * f.z + p[axis] * d.z.abs();

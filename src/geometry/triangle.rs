@@ -17,8 +17,8 @@ use super::{
 use glam::DVec3;
 use std::cmp::Ordering;
 
-/// `2^-600`: slack for underflow, which takes at most `2^-1075` times two lengths below `2^402`. Two edges of `f32`
-/// triangles and a direction of `2^-200` make a larger product.
+/// `2^-600`: slack for underflow, which loses at most `2^-1075` times a product of two lengths that is below `2^402`.
+/// This rarely matters: two edges of an `f32` triangle times a direction of `2^-200` are more.
 const LOST: f64 = power_of_two(-600);
 
 /// A ray-triangle test, for corners of `f32` components. Picks take it as a parameter, so that methods can be compared.
@@ -47,7 +47,7 @@ pub(super) fn filtered_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<Tr
     filter(ray, corners).unwrap_or_else(|InDoubt| exact_volume(ray, corners))
 }
 
-/// Weights less certain than this are left to exact arithmetic.
+/// Weights with a larger error than this are left to exact arithmetic.
 const WORST_WEIGHT: f64 = power_of_two(-14);
 
 /// [`guarded_volume`] by exact arithmetic alone.
@@ -126,8 +126,8 @@ fn by_sign(volumes: [f64; 3], bound: f64) -> Result<Option<bool>, InDoubt> {
 
 /// Whether the ray certainly misses, as it does most triangles.
 ///
-/// The tail is not subtracted but counts as an error: `m` grows by the length that rounds by as much, so a corner is
-/// within `U m`.
+/// The origin's tail is not subtracted but counts as an error: `m` grows by the length whose rounding is as large as
+/// the tail, so that a corner is still within `U m`.
 #[inline]
 fn is_missed(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
     let seen = corners.map(|corner| corner - ray.ray.origin);
@@ -137,7 +137,8 @@ fn is_missed(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
     matches!(side(ray, m, edges, volumes), Ok(None))
 }
 
-/// For triangles that may be hit: the tail is subtracted from the corners, which are then within `2 U`.
+/// The hit as far as `f64` decides it. The origin's tail is subtracted from the corners, whose components are then
+/// within `2 U` of themselves.
 #[inline(always)]
 fn filter(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, InDoubt> {
     let seen = corners.map(|corner| ray.to(corner));

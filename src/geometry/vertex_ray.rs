@@ -16,7 +16,7 @@ pub struct VertexRay<'a> {
     pub ray: Ray,
     /// The rounding error of the origin: in each component at most half a unit in the last place.
     pub tail: DVec3,
-    /// The length that would round by as much as `tail`.
+    /// `|tail| / U`: the length whose rounding may be as large as `tail`.
     pub(super) tail_as_length: f64,
     /// The sum of the direction's absolute components; infinite where products could overflow, so that rounding bounds do
     /// not hold.

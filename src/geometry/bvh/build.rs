@@ -100,11 +100,11 @@ fn scale(positions: &[[f32; 3]]) -> Option<f32> {
     coordinates.iter().all(kept).then_some(scale)
 }
 
-/// Triangles that become the given child of one of the top nodes.
+/// Triangles to be built, and the child of a top node that they become.
 struct Job<'a> {
     range: Range<'a>,
     depth: usize,
-    /// Node and lane; none for the root.
+    /// The top node and the lane of its child; `None` for the root.
     parent: Option<(usize, usize)>,
 }
 

@@ -28,8 +28,8 @@ use std::{ops::ControlFlow, sync::atomic::AtomicBool};
 use tree_ray::Frame;
 use walk::Walk;
 
-/// Receives the triangles that a ray may hit. A closure will do, but may not be compiled for a walk's instructions: that
-/// needs `#[inline(always)]`, which closures cannot have.
+/// Receives the triangles that a ray may hit. A closure works, too, but is not sure to be compiled for a walk's
+/// instructions: that needs `#[inline(always)]`, which closures cannot have.
 pub trait Visit {
     /// Takes a triangle of the mesh and its exact corners. Returns the new end of the ray's interval.
     fn visit(&mut self, triangle: u32, corners: [DVec3; 3]) -> f64;
@@ -92,8 +92,8 @@ impl Bvh {
         self.visit_from::<true>(None, ray, center, visit);
     }
 
-    /// [`Bvh::visit`] for a ray whose entry point may be known. Without `FILTER`, only boxes reject. This is for other
-    /// triangle tests under study, which may hit a triangle that the ray misses.
+    /// [`Bvh::visit`] for a ray whose entry point may be known. Without `FILTER`, only boxes reject: other triangle
+    /// tests under study may hit a triangle that the ray misses.
     #[inline]
     pub(crate) fn visit_from<const FILTER: bool>(
         &self,

@@ -206,7 +206,7 @@ mod x86 {
             Avx2::detect().filter(|_| has).map(Self)
         }
 
-        /// Runs `work` compiled for them.
+        /// Runs `work` compiled for these instructions.
         #[inline(always)]
         pub fn run<W: Work>(self, work: W) -> W::Output {
             #[target_feature(enable = "avx2,fma,avx512f,avx512vl")]

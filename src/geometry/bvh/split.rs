@@ -157,7 +157,7 @@ impl<'a> Range<'a> {
     /// Partitions the leaves at a cut, without branches: a processor would mispredict every other one.
     #[inline(always)]
     fn split_at<L: Lanes>(self, lanes: L, cut: &Cut) -> (Self, Self) {
-        // `max` with the first is infinite and widens no box. `max` with the second leaves a number as it is.
+        // `max` with +infinity, for a leaf on the other side, widens no box; `max` with -infinity changes no number.
         const GATE: [f32; 2] = [f32::INFINITY, f32::NEG_INFINITY];
         let Self { leaves, .. } = self;
         let mut below = lanes.splat(f32::INFINITY);

@@ -15,13 +15,14 @@
 //! An inexact ray ([`LocalRay`]) adds its origin's error to `far`, and its direction's error times the distance.
 //!
 //! From here on nothing that matters is farther from the origin than `D`: `|o| + M`, or `2 M` where the eye was moved.
-//! Then `far / u` is added to `D`, so that `u D` has room for `far`. A near and almost exact ray whose direction needs no
-//! scaling goes without: its `far` is below `2^-26 u D`, or below `2^-3 u D` with the ray's own errors.
+//! Then `far / u` is added to `D`, so that `u D` has room for `far`. For a near and almost exact ray whose direction
+//! needs no scaling, nothing is added: its `far` is below `2^-26 u D`, or below `2^-3 u D` with the ray's own errors.
 //!
 //! **Boxes.** Origin and direction are rounded to `f32`: `u |o|` and, through the direction, `u D`. Then
 //! `t = plane * inverse + offset` rounds `inverse` (`u D`), `offset` (`u |o|`, and again as the padding is added), the
-//! product and the sum (`u D` each, or one where they are fused): together below `7 u D`. The slab's planes are moved
-//! apart by [`PAD`] `u D`; this costs nothing, as `offset` includes it. Every computed interval then holds the exact one.
+//! product and the sum (`u D` each, or one where they are fused): together below `7 u D`. Each plane of the slab is
+//! moved outwards by [`PAD`] `u D`; this costs nothing, as `offset` includes it. Every computed interval then holds the
+//! exact one.
 //!
 //! **Triangles** (after Woop, Benthin & Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013). Seen from the
 //! ray, a corner is `z = +-(v_k - o_k)` along the largest axis and `x = (v_x - o_x) - (d_x / |d_k|) z` beside it, and `y`
@@ -43,9 +44,9 @@ use glam::{DVec3, Vec3A};
 
 /// The unit roundoff of `f32`.
 const U32: f32 = 0.5 * f32::EPSILON;
-/// How far the planes of boxes are moved apart, in `u D`.
+/// How far each plane of a box is moved outwards, in `u D`.
 const PAD: f32 = 8.0;
-/// How far a corner may be from where `f32` sees it, in `u D`.
+/// An upper bound on the error of a corner as the ray sees it, in `u D`.
 const REACH: f32 = 10.0;
 /// Directions are scaled to be no smaller than this, and no larger than its reciprocal.
 const LEAST_SIZE: f32 = to_f32(binary::power_of_two(-30));
@@ -108,7 +109,7 @@ impl TreeRay {
     /// Prepares `local`, which is in the caller's unit, for a tree whose vertices' origin lies at `center`.
     #[inline(always)]
     pub fn prepare(local: &LocalRay, center: &DVec3, frame: &Frame) -> Result<Self, Unplaced> {
-        /// Relative errors up to this fit into what the bounds have to spare.
+        /// Relative errors up to this fit into the slack of the bounds.
         const NOTHING: f64 = binary::power_of_two(-30);
         let ray = local.ray;
         let origin = ((ray.origin - *center) * frame.scale).as_vec3a();
@@ -173,8 +174,8 @@ impl TreeRay {
     /// The caller's end of the interval, as a `t` from the moved origin; never too early.
     #[inline(always)]
     pub fn end(&self, t_max: f64) -> f32 {
-        // Widened for four roundings, each relative to its result. `far` has room for the earlier ones where the
-        // difference cancels.
+        // Widened for four roundings, each relative to its result. Where the difference cancels, earlier roundings
+        // weigh more; `far` covers them.
         let end = t_max * self.placed.t_scale - self.placed.t_start;
         let end = end * (1.0 + 4.0 * f64::from(U32));
         to_f32(greater(end, 0.0))
@@ -266,13 +267,13 @@ impl Placed {
 pub(super) struct ShearedRay {
     /// The two other axes, then that axis.
     pub axes: [usize; 3],
-    /// The origin along these axes; the last coordinate is times minus the direction's sign.
+    /// The origin along these axes; the last coordinate is multiplied by minus the direction's sign.
     pub origin: [f32; 3],
     /// The direction along these axes, divided by its size along the last, where it is 1 or -1.
     pub slope: [f32; 3],
     /// The direction's size along the last axis: turns a `t` into a length.
     pub size: f32,
-    /// How far a corner may be from where this sees it.
+    /// An upper bound on the error of a corner as this ray sees it.
     pub reach: f32,
 }
 

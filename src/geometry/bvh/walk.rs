@@ -215,8 +215,8 @@ fn place_of(item: u64) -> Place {
     Place::from_bits(item as u32)
 }
 
-/// The last item whose box begins no later than `end`, which is 0 or more. Items compare to it as signed numbers, so that
-/// boxes that begin before 0 are less.
+/// The greatest item whose box begins no later than `end`, which is 0 or more. Items compare to it as signed
+/// numbers, so that boxes that begin before 0 are less.
 #[inline(always)]
 fn last(end: f32) -> i64 {
     (u64::from(end.to_bits()) << 32 | u64::from(u32::MAX)).cast_signed()
@@ -285,7 +285,7 @@ fn splat3<L: Lanes>(lanes: L, [x, y, z]: [f32; 3]) -> [L::F; 3] {
 /// Tests a ray against the eight triangles of a packet, in `f32`.
 struct TriangleFilter {
     ray: ShearedRay,
-    /// The start of the interval as a length, less how far a corner may be off.
+    /// The start of the interval as a length, less the ray's `reach`.
     start: f32,
 }
 

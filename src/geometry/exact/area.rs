@@ -26,7 +26,7 @@ fn cross<I: Ring>(placement: &Placement, [a, b, c]: [DVec3; 3]) -> Vector<I> {
     to_b.cross(&to_c)
 }
 
-/// Twice the area.
+/// Twice the area; `None` where pairs of `f64` leave it in doubt.
 fn of_pairs(placement: &Placement, corners: [DVec3; 3]) -> Option<Enclosure> {
     let cross = cross::<Enclosure>(placement, corners);
     cross.dot(&cross).integer.sqrt().ok()

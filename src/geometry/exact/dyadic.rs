@@ -1,4 +1,4 @@
-//! The exact numbers that picks compute distances with, and what points, rays and pictures are in them.
+//! What other modules use of exact arithmetic: its numbers, and points and rays expressed in them.
 
 pub(crate) use super::{
     super::interval::InDoubt,
@@ -25,7 +25,7 @@ pub(crate) fn vertex_world<I: Ring>(
     point::point(Some(placement), [origin, vertex])
 }
 
-/// A world-space point and direction, taken to the object space of a placement. Both are times the third result, the
+/// A world-space point and direction in the object space of a placement. Both are multiplied by the third result, the
 /// determinant of the placement's linear part.
 pub(crate) fn to_object(
     placement: &Placement,

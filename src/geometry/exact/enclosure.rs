@@ -28,7 +28,7 @@ pub(crate) struct Enclosure {
 const ROUNDING: f64 = power_of_two(-103);
 /// Makes up for the rounding of bounds.
 const MORE: f64 = 1.0 + power_of_two(-40);
-/// Smaller products may lack digits.
+/// Smaller products may lose digits to underflow.
 const LEAST: f64 = power_of_two(-900);
 
 impl Enclosure {

@@ -8,7 +8,7 @@ use bnum::BInt;
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
 
-/// The numbers of formulas: integers, or what stands for them.
+/// What formulas compute with: integers, pairs of `f64` with a bound, or counts of bits ([`Bits`]).
 pub(crate) trait Ring: Clone {
     /// From an integer of up to 53 bits.
     fn new(value: i64) -> Self;
@@ -189,7 +189,7 @@ fn scaled(leading: u64, exponent: i64, is_negative: bool) -> (f64, i64) {
     (if is_negative { -value } else { value }, exponent)
 }
 
-/// Upper bounds on the bits of a number, and on those of any number on the way to it; without signs.
+/// Upper bounds on the bits of a number and of the intermediate results that it was made of; without signs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bits {
     here: u32,
@@ -202,7 +202,7 @@ impl Bits {
         Self { here, most }
     }
 
-    /// The most bits that any of the numbers needs, or any number on the way to them.
+    /// The most bits that any of the numbers or of their intermediate results needs.
     pub fn most(numbers: impl IntoIterator<Item = Self>) -> u32 {
         let most = numbers.into_iter().map(|number| number.most);
         most.max().unwrap_or(0)

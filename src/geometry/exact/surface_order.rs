@@ -25,7 +25,7 @@ pub(crate) enum Surface<'a> {
     Square(&'a Placement),
 }
 
-/// Where a ray's line meets a surface, which it must meet.
+/// Where a ray's line meets a surface, which it must meet; `None` where a number is not finite.
 pub(super) fn parameter(ray: &WorldRay, surface: &Surface) -> Option<Root> {
     let on = |placement| Exactly::placed(ray, placement);
     match *surface {
@@ -49,7 +49,8 @@ pub(crate) fn compare_surfaces(ray: &WorldRay, a: &Surface, b: &Surface) -> Orde
     }
 }
 
-/// Whether a ray through a point meets a surface before that point, at it or behind it; `None` for other rays.
+/// Where a ray that was made through a point meets a surface: before that point, at it or behind it. `None` for other
+/// rays, and where a number is not finite.
 pub(crate) fn compare_to_point(ray: &WorldRay, surface: &Surface) -> Option<Ordering> {
     let point = point_parameter(ray.line())?;
     Some(parameter(ray, surface)?.compare(&point))

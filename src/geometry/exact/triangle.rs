@@ -167,8 +167,8 @@ impl Formula for Hit<'_> {
     }
 }
 
-/// The hit by exact arithmetic; `None` also when a number is not finite. `t` and the weights are
-/// within three roundings of the exact values.
+/// The hit by exact arithmetic; `None` also when a number is not finite. `t` and the weights are within three roundings
+/// of the exact values.
 pub(in super::super) fn hit(
     exactly: &Exactly,
     interval: &Ray,
@@ -254,7 +254,7 @@ pub(super) fn weights(line: &Line, triangle: &Corners) -> Option<[f64; 3]> {
     is_finite.then(|| solve(&Rounded(line, triangle))).flatten()
 }
 
-/// Which of two triangles' planes a ray's line meets first; equal if it runs along one.
+/// Which of two triangles' planes a ray's line meets first; equal if it runs along one, or a number is not finite.
 pub(in super::super) fn compare(line: &Line, a: &Corners, b: &Corners) -> Ordering {
     struct Both<'a>(&'a Line<'a>, [&'a Corners<'a>; 2]);
     impl Formula for Both<'_> {
@@ -288,7 +288,8 @@ pub(in super::super) fn compare(line: &Line, a: &Corners, b: &Corners) -> Orderi
     }
 }
 
-/// Whether a ray's line meets a triangle's plane within an interval and no later than `limit`, or runs along it.
+/// Whether a ray's line meets a triangle's plane within an interval and no later than `limit`. Also true if it runs
+/// along the plane, or a number is not finite.
 pub(in super::super) fn reaches_plane(
     line: &Line,
     triangle: &Corners,

@@ -107,11 +107,11 @@ pub enum MeshError {
 /// # Memory
 /// `data.positions` take 12 bytes a vertex, `data.vertex_colours` 3 where the file has colours, and `data.triangles` 12
 /// bytes a triangle. Lists and single picks need no more. A part takes 80 bytes and its name, a run of one colour 12.
-/// Normals take 12 bytes each. Where each vertex has one, as on a smooth surface, nothing indexes them; elsewhere 12 bytes
-/// a triangle do. They are kept, since saving and shading by rays need them again; where the file gives only some, those
-/// are kept twice. A tree for many rays takes at most 64 bytes a triangle of a surface, and `blocks`, for objects that may
-/// be moved, 48 bytes for 256 triangles. Neither the file's text nor its numbers in `f64` are kept. Where its faces are in
-/// it takes 48 bytes for 256 KiB of the file (`scene::obj::Contents`).
+/// Normals take 12 bytes each. Unless each vertex has one, as on a smooth surface, their indices take 12 bytes a
+/// triangle. Normals are kept, since saving and shading by rays need them again; where the file gives only some, those
+/// are kept twice. A tree for many rays takes at most 64 bytes a triangle of a surface, and `blocks`, for objects that
+/// may be moved, 48 bytes for 256 triangles. Neither the file's text nor its numbers in `f64` are kept. The positions
+/// of the faces in the file take 48 bytes for 256 KiB of it (`scene::obj::Contents`).
 pub struct Mesh {
     data: Arc<MeshData>,
     bounds: Arc<[Aabb]>,
