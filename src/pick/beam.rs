@@ -9,7 +9,7 @@ use crate::{
 use glam::{DVec2, dvec2};
 use std::ops::{ControlFlow, Range};
 
-/// With more batches than this, each ray finds its own sooner in the tree over the scene.
+/// Above this many batches, each ray finds its own faster in the tree over the scene.
 const MOST_BATCHES: usize = 8;
 
 /// Rays that are traced through a scene together.

@@ -33,7 +33,7 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Rounds a number that is off by at most `error`; without a bound there is no number.
+    /// Rounds a number that is off by at most `error`. Where the bound is NaN, so is the value.
     pub(super) fn of(exact: &Dyadic, error: f64) -> Self {
         let rounded = dyadic::rounded(&exact.integer, exact.exponent);
         let value = if error.is_nan() { error } else { rounded };

@@ -13,7 +13,7 @@ use crate::{
 /// `ids` and `colours` are [`raycast`](super::raycast())'s for this scene and view.
 ///
 /// # Panics
-/// When there is no object of this index, or an image has not the view's size.
+/// When there is no object of this index, or an image does not have the view's size.
 pub fn draw_selection(
     scene: &Scene,
     view: &View,

@@ -35,8 +35,8 @@ pub struct Time {
 
 /// The number of cases that are repeated: so few that the processor learns their branches.
 const FEW: usize = 32;
-/// The size of the cases that methods take turns over. The first-level cache holds twice as much: the cases, and the copy
-/// that brings them there.
+/// The size of the cases that methods take turns over. The first-level cache must hold twice as much: the cases, and
+/// the clones that are made to bring them there.
 const CACHED_BYTES: usize = 16 << 10;
 /// Shorter times are lost in the time of the loop itself.
 const LEAST_NS: f64 = 0.1;

@@ -121,7 +121,7 @@ impl Reason {
         }
     }
 
-    /// This reason, where something of `class` has to hold, too.
+    /// This reason where one of `class` has to hold, too: beyond `f32` if either is.
     pub fn and(self, class: Class) -> Self {
         Self {
             class: if class == Class::BeyondF32 {
@@ -135,8 +135,8 @@ impl Reason {
 }
 
 impl Stored {
-    /// The class by which drawing may show this surface in front of `other` where both are: [`Class::Edge`] where it
-    /// really is in front, `None` where drawing cannot.
+    /// Where both cover a pixel, why drawing may show this surface in front of `other`: [`Class::Edge`], the most
+    /// harmless, where it really is in front; `None` where drawing cannot show it there.
     pub fn hides(&self, other: &Self) -> Option<Class> {
         if self.nearness >= other.nearness {
             Some(Class::Edge)
@@ -147,8 +147,8 @@ impl Stored {
         }
     }
 
-    /// Whether it really comes first where both are, to within rounding. Picks do not depend on how far drawing moves
-    /// surfaces aside.
+    /// Whether it really comes first where both cover a pixel, to within rounding. Picks do not depend on how far
+    /// drawing moves surfaces aside.
     pub fn precedes(&self, other: &Self) -> bool {
         self.nearness + self.rounding >= other.nearness - other.rounding
     }
@@ -182,7 +182,7 @@ impl Stored {
         self.capped().reason(&other.capped()).is_some()
     }
 
-    /// The same for two surfaces that drawing moves aside together.
+    /// Whether rounding alone may order the two either way, for surfaces that drawing moves aside together.
     pub fn is_in_one_place_unmoved(&self, other: &Self) -> bool {
         (self.nearness - other.nearness).abs() <= self.rounding + other.rounding
     }

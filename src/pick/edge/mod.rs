@@ -78,7 +78,7 @@ fn polygon_px<I: Decided>(
     Ok(nearest)
 }
 
-/// An end of the visible part of a segment. All its numbers are times one positive factor.
+/// An end of the visible part of a segment. All its numbers are multiplied by one positive factor.
 #[derive(Clone)]
 struct End<I> {
     /// u, v and w.

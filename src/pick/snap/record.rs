@@ -63,7 +63,7 @@ pub(crate) struct SnapLine {
     pub distance: Option<Measured>,
     /// The area of the object; see [`object_area`].
     pub object_area: Option<Measured>,
-    /// Why edges were skipped, where nothing else is there.
+    /// Why edges were skipped; only where `snap` is `None`.
     pub file_error: Option<String>,
 }
 

@@ -16,7 +16,7 @@ const MAPPINGS: [(&str, Mapping, usize, u32); 5] = [
 const ENDLESS: &str = "reversed, infinite far plane, float";
 const OURS: &str = "reversed, 32-bit float: Sightline's";
 
-/// The planes of the marks, and of the steps.
+/// Near and far plane of the upper panels, and of the lower one.
 const MARKS: [f64; 2] = [1.0, 10.0];
 const STEPS: [f64; 2] = [0.1, 1e6];
 

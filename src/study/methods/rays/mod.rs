@@ -283,7 +283,7 @@ impl<T: Real> Pixel<T> {
     }
 }
 
-/// The ray by a point of the picture in the world, minus the eye.
+/// The ray by the pixel's point on the picture's plane in the world, minus the eye.
 pub fn course<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let [sx, sy] = pixel.ndc();
     let [middle, right, up] = pixel.course;
