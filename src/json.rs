@@ -33,7 +33,7 @@ pub(crate) fn text(value: &impl Serialize) -> io::Result<String> {
     String::from_utf8(bytes).map_err(io::Error::other)
 }
 
-/// Compact, with control characters as `\uXXXX`.
+/// Compact, with the characters of [`is_mark`] as `\uXXXX`.
 struct Escaping;
 
 impl Formatter for Escaping {

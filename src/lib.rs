@@ -16,10 +16,10 @@
 //! | `window`, on by default | window, command line and the program; brings all of the above |
 //! | `screen-readers` | the window's controls for screen readers; brings `window` |
 //!
-//! Everything but a [`pick::snap::Faces`] is `Send` and `Sync`, and a pick changes nothing: many threads may query one scene at the same time.
-//! Impossible input gives a miss (`None`) or an error. Only a caller's mistake panics, as a slice does: an index that
-//! names nothing, a hit on another scene, an image of another size. Functions that may do so say it under `Panics`.
-//! Vectors and matrices are those of [`glam`], which is re-exported.
+//! Everything but a [`pick::snap::Faces`] is `Send` and `Sync`, and a pick changes nothing: many threads may query one
+//! scene at the same time. Impossible input gives a miss (`None`) or an error. Only a caller's mistake panics, as a
+//! slice does: an index that names nothing, a hit on another scene, an image of another size. Functions that may do so
+//! say it under `Panics`. Vectors and matrices are those of [`glam`], which is re-exported.
 //!
 //! **Picks in a scene of your own.** The camera takes the numbers that a renderer already has:
 //!
@@ -218,7 +218,7 @@
 //! * **stage**: one of the spaces along M, V, P: object, world, view, NDC (`viewer::model::Stage`). Each of the *four
 //!   views* shows one stage, seen by its own *observer*. The *picture* is the camera's and none of these four.
 //! * **followed**: the point that is shown at every stage. It is the pick's, or the one under the cursor.
-//! * **step**: undoes one change of the window's state (`viewer::model::State::next_step`).
+//! * **step**: one change of the window's state that can be undone and redone (`viewer::model::State::next_step`).
 //! * **exhibit**: a scene of the failure gallery ([`scene::gallery::Exhibit`]).
 //!
 //! # To add

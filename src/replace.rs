@@ -72,7 +72,7 @@ pub(crate) fn write_beside(
 }
 
 impl Written {
-    /// Takes its place.
+    /// Renames the temporary file into its place. What was written directly is already there.
     ///
     /// # Errors
     /// The system's error.

@@ -27,7 +27,7 @@ impl Changes {
     }
 
     /// Adds `more` entries to the log and returns them, to be filled in. `count` is the number of objects in the scene.
-    /// A log of more than twice as many entries is first cut to the latest `count`.
+    /// A log of more than `2 * count` entries is first cut to the latest `count`.
     pub fn room_for(&mut self, more: usize, count: usize) -> &mut [Change] {
         if self.log.len() > 2 * count {
             let old = self.log.len() - count;

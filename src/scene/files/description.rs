@@ -138,8 +138,8 @@ pub fn parse(
 /// How an object is written.
 const OBJECT: &str = "an object begins with [[object]], in double brackets";
 
-/// Where in a scene file's table stands an object that is not in a list, or a camera that is no table; and how it is
-/// written. All objects of a list have been taken out.
+/// The position of an object that is not in a list, or of a camera that is no table, and how to write it. The objects
+/// of a list have already been taken out of `rest`.
 fn misplaced(rest: &DeTable) -> Option<(usize, &'static str)> {
     if let Some(object) = rest.get("object") {
         return Some((object.span().start, OBJECT));

@@ -26,7 +26,7 @@ pub struct Loaded {
 }
 
 impl Loaded {
-    /// Takes known meshes in place of equal ones, each once: they have their trees, and are in graphics memory.
+    /// Replaces meshes by equal known ones, each used once: those have their trees and are in graphics memory.
     pub(crate) fn share_meshes(&mut self, known: &[Arc<Mesh>]) {
         let size = |mesh: &Mesh| (mesh.data().positions.len(), mesh.data().triangles.len());
         let mut by_size: HashMap<_, Vec<&Arc<Mesh>>> = HashMap::new();

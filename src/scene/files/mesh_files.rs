@@ -55,7 +55,7 @@ impl MeshFile {
         })
     }
 
-    /// The files by the addresses of their meshes, for many questions.
+    /// The files by the addresses of their meshes, for many look-ups.
     pub(super) fn by_mesh(files: &[Self]) -> HashMap<usize, &Self> {
         // Of several files of a mesh, the first stays.
         let last_first = files.iter().rev();
@@ -63,7 +63,7 @@ impl MeshFile {
     }
 }
 
-/// What tells a mesh from all others that there are.
+/// The address of a mesh: while it exists, no other mesh has the same.
 pub(super) fn address(mesh: &Arc<Mesh>) -> usize {
     Arc::as_ptr(mesh).addr()
 }
@@ -87,7 +87,7 @@ pub enum Detail {
     All,
     /// Also the normals that the file lacks, computed now so that drawing need not wait for them.
     Drawn,
-    /// What picks need: no normals and no vertex colours. Shading would take the normals that the vertices suggest.
+    /// What picks need: no normals and no vertex colours. Shading would compute all normals.
     Picked,
     /// The same without material colours: MTL files are not read, and there are no warnings about them.
     Shapes,

@@ -63,7 +63,8 @@ impl Progress {
         done.into_iter().collect()
     }
 
-    /// Reports nothing done before some of many small steps, which are numbered from 0.
+    /// Lets a load be cancelled between many small steps, numbered from 0: reports an advance of 0 before every
+    /// `STEPS`th of them.
     ///
     /// # Errors
     /// When the load was cancelled.
@@ -75,7 +76,7 @@ impl Progress {
         }
     }
 
-    /// Does work that tells which share of it was done since it last told. All of it counts as `bytes`.
+    /// Does work that reports its progress as a [`GoOn`] asks. All of it counts as `bytes`.
     ///
     /// # Errors
     /// When the load was cancelled, or those of the work.
@@ -96,7 +97,7 @@ impl Progress {
             told.fetch_add(more, Ordering::Relaxed);
             self.advance(more)
         })?;
-        // Rounding leaves a rest.
+        // What the rounding of the shares left.
         self.advance(bytes.saturating_sub(told.into_inner()))?;
         Ok(result)
     }

@@ -73,8 +73,8 @@ impl Drop for Made {
     }
 }
 
-/// The path by which a scene file in `folder` names a file: relative, with slashes, for one in `folder` or below, whichever
-/// way leads there. Another file keeps its own path, without steps up where the system can tell.
+/// The path by which a scene file in `folder` names a file. For a file in `folder` or below it, also through links, the
+/// path is relative, with slashes. Another file keeps its own path; on Unix, any `..` in it is resolved.
 fn from(folder: &Path, file: &Path) -> PathBuf {
     let goes_up = |path: &Path| path.components().any(|word| word == Component::ParentDir);
     let below = |folder: &Path, file: &Path| {

@@ -1,9 +1,9 @@
 //! The text of a scene file, parsed piece by piece, so that a long one tells how far it has come and can be cancelled.
 //!
-//! Pieces begin at lines that begin with `[[object]]`. A piece that is a TOML document by itself ends in no string, array
-//! or table that goes on behind it. So the pieces say together what the whole says, if each of them is a document, the
-//! one before the first object names no object, and at most one holds anything else. Otherwise the whole is parsed at
-//! once, which also gives the error its words.
+//! Pieces begin at lines that begin with `[[object]]`. If a piece parses as a TOML document, no string, array or table
+//! of it goes on in the next piece. So the pieces together say what the whole says, if each of them parses, the one
+//! before the first object names no object, and at most one holds anything else. Otherwise the whole is parsed at once,
+//! which also gives the error its words.
 
 use super::{Progress, progress::Cancelled};
 use toml::{
@@ -16,8 +16,8 @@ const LEAST: usize = 1 << 16;
 /// The line that begins an object.
 const OBJECT: &str = "[[object]]";
 
-/// What a scene file's text says. Positions in a value count from where its piece begins: the bytes before that stand
-/// beside it.
+/// What a scene file's text says. Positions in a value count from the start of its piece; the number beside the value
+/// is the byte where that piece starts.
 pub(super) struct Parsed<'a> {
     /// All but the objects.
     pub rest: (usize, Spanned<DeTable<'a>>),
@@ -31,7 +31,7 @@ pub(super) enum Stopped {
     Syntax(Error),
 }
 
-/// Parses a scene file's text. It counts as its length.
+/// Parses a scene file's text. In the progress, it counts as its length.
 pub(super) fn parse<'a>(text: &'a str, progress: &Progress) -> Result<Parsed<'a>, Stopped> {
     let mut done = 0;
     let parsed = in_pieces(text, LEAST, |bytes| {
@@ -64,7 +64,7 @@ fn whole(text: &str) -> Result<Parsed<'_>, Error> {
     })
 }
 
-/// The same by pieces of at least `least` bytes; `None` where the pieces do not tell.
+/// The same by pieces of at least `least` bytes; `None` where the whole has to be parsed at once.
 fn in_pieces(
     text: &str,
     least: usize,

@@ -3,21 +3,21 @@
 /// The most characters of a value that a message quotes.
 const MOST_QUOTED: usize = 60;
 
-/// For integers of 128 bits.
+/// The message for integers of more than 64 bits.
 const LONG: &str = "a whole number this long needs a decimal point, as in 123.0";
 
-/// What a parser's message means, as one line. A message that is known to be plain, or not known at all, keeps its words.
+/// What a parser's message means, as one line. A message of no known form keeps its words.
 pub(super) fn in_words(message: &str) -> String {
     let plain = || message.lines().next().unwrap_or_default().to_owned();
     reworded(message).unwrap_or_else(plain)
 }
 
-/// `None` for a message of no form that is known.
+/// The message in words for people; `None` for a message of no known form.
 fn reworded(message: &str) -> Option<String> {
     if let Some(rest) =
         (message.strip_prefix("invalid type: ")).or_else(|| message.strip_prefix("invalid value: "))
     {
-        // The value may hold any text, and comes first.
+        // The value comes first and may hold any text, so the last match counts.
         let (value, expected) = rest.rsplit_once(", expected ")?;
         if value.ends_with("128") {
             return Some(LONG.to_owned());
@@ -81,7 +81,7 @@ fn wanted(expected: &str) -> String {
     words.to_owned()
 }
 
-/// What stands there: "integer `3`" is 3.
+/// The value in the file: "integer `3`" becomes 3.
 fn given(value: &str) -> String {
     let backed = |kind: &str| value.strip_prefix(kind)?.strip_suffix('`');
     let kinds = ["integer `", "floating point `", "boolean `"];

@@ -1,8 +1,9 @@
 //! Reads a face or a vertex from its file again: its line, its number, and the coordinates as they are written.
 //!
 //! Only some pieces of the file (`contents`) are read: the one with the face, and those with the vertices that the
-//! faces of this piece name. They are parsed by the loader's own rules (`lines`, `corners`, `polygon`), so the face of
-//! a triangle is found by counting. The result must equal the stored mesh to the bit; otherwise the file has changed.
+//! faces of this piece name. They are parsed by the loader's own rules (`text_lines`, `corners`, `triangulation`), so
+//! the face of a triangle is found by counting. The result must equal the stored mesh to the bit; otherwise the file
+//! has changed.
 
 use super::{
     AgainError, Contents, FaceInFile, InFile, MOST_BYTES, VertexInFile,
@@ -171,7 +172,7 @@ impl<'a> Again<'a> {
         }
     }
 
-    /// The faces of a piece, and how many triangles each has in the mesh.
+    /// The faces of a piece, each with its triangles in the mesh.
     fn faces(&mut self, piece: usize) -> Result<Arc<Faces>, AgainError> {
         // Also before a remembered piece is used.
         self.check()?;
@@ -293,7 +294,7 @@ impl<'a> Again<'a> {
         };
         if self.text.is_none() {
             let (opened, bytes) = file::open(self.path, MOST_BYTES)?;
-            // UTF-16 is read whole: not of a file that has changed.
+            // UTF-16 is read whole, so the file is checked first.
             self.check()?;
             self.text = Some(Text::of(opened, bytes).map_err(unreadable)?);
         }

@@ -3,18 +3,18 @@
 //! Loading has these steps:
 //!
 //! 1. The file is cut into pieces of whole lines (`pieces`), which are read on all cores.
-//! 2. The lines of each piece (`lines`, `words`) are cleaned and written as a small OBJ file (`wash`, `places`). `tobj`
-//!    parses that file into vertices and faces (`block`). The other lines of the piece are collected (`survey`,
+//! 2. The lines of each piece (`text_lines`, `words`) are cleaned and written as a small OBJ file (`wash`, `places`).
+//!    `tobj` parses that file into vertices and faces (`block`). The other lines of the piece are collected (`survey`,
 //!    `names`).
-//! 3. Vertices are converted to `f32` (`vertices`), polygons are split into triangles (`polygon`, `delaunay`), and
-//!    colours are read from the MTL files (`material`). `build` makes the mesh.
+//! 3. Vertices are converted to `f32` (`vertices`), polygons are split into triangles (`triangulation`, `delaunay`),
+//!    and colours are read from the MTL files (`material`). `assembling` makes the mesh.
 //!
 //! The text of the faces (`in_file`) is not kept in memory. It is read from the file again when it is needed (`again`);
 //! `contents` stores where. `write` writes a mesh as OBJ and MTL text. The rules of loading:
 //!
 //! - **What is valid loads.** A face is left out if one of its vertices does not exist or has no three finite
 //!   coordinates. Warnings say so and name the first bad line. A file is refused when no triangle is left, or at the
-//!   first line of 256 KiB with a NUL in it: a hole in a file reads as one line of NULs.
+//!   first line of 256 KiB or more with a NUL in it: a hole in a file reads as one line of NULs.
 //! - **Objects.** Each `o` line begins an object, even if the name is the same as before. Each `g` line that changes
 //!   the group begins one, too. A material never does. An object is named after its `o` line if all its faces lie in
 //!   one group, else `object/group`. A group outside any object has the group's name. Faces without any name are named
@@ -175,7 +175,7 @@ enum Stop {
     Cancelled(Cancelled),
     /// The system could not read on.
     Unreadable(io::Error),
-    /// A line is too long for text with a NUL in it.
+    /// A line of 256 KiB or more has a NUL in it.
     Binary,
 }
 

@@ -5,7 +5,7 @@ use super::{Stop, text_lines::Lines, words::fields};
 use crate::scene::Progress;
 use std::io::Read;
 
-/// A line of so many bytes is no text if it has a NUL in it.
+/// A line of at least this many bytes with a NUL in it is binary data.
 const LONG: usize = 1 << 18;
 
 /// How much comes before a position in a file.
