@@ -4,7 +4,7 @@ use super::shares::{ALWAYS, GoOn, in_pieces, share};
 use glam::{DVec3, Vec3};
 use std::ops::Range;
 
-/// Triangles in one piece of work that one core does: a few milliseconds.
+/// Triangles between two calls of `go_on`, where one core does the work: a few milliseconds.
 const PIECE: usize = 1 << 15;
 
 /// One normal for each corner of each triangle: what shading interpolates. Picking never reads it.
@@ -67,10 +67,10 @@ pub fn face_normal(corners: [[f32; 3]; 3]) -> Vec3 {
 }
 
 /// Normals that are smooth within a surface and break where two faces that share an edge meet at more than `crease`
-/// radians. A corner's normal is the mean of the faces around its vertex that are reached without crossing such an edge,
-/// weighted by the sine of the corner's angle over the product of its sides' lengths. Max found these weights best
-/// ("Weights for Computing Vertex Normals from Facet Normals", JGT 4(2), 1999): they are exact on a sphere and need no
-/// trigonometry.
+/// radians. A corner's normal is a weighted mean of the faces around its vertex that are reached without crossing such
+/// an edge. A face's weight is the sine of its angle there over the product of the lengths of the two sides there. Max
+/// found these weights best ("Weights for Computing Vertex Normals from Facet Normals", JGT 4(2), 1999): they are exact
+/// on a sphere and need no trigonometry.
 ///
 /// Triangles without area take the mean of their neighbours, or +z when alone. Works on all cores.
 ///

@@ -44,8 +44,8 @@ pub(super) struct Exactly<'a> {
 impl Placement {
     /// A world-space ray in object space as picks take it, with the same `t`.
     ///
-    /// Bounds: a component errs by the placement's own error (the field `error`) plus the vector's error times the row's
-    /// sum.
+    /// Bounds: a component errs by the placement's `row_sums * (error * v + e)`, with `v` the vector's largest
+    /// component and `e` the vector's own error.
     #[inline]
     #[must_use]
     pub fn local_ray<'a>(&'a self, world: &'a WorldRay<'a>) -> PlacedRay<'a> {

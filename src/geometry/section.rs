@@ -62,8 +62,8 @@ impl Section {
     }
 
     /// The section through three points, keeping the side from which they are counter-clockwise. Whether they span a
-    /// plane is decided exactly. n is a unit vector, rounded. c is rounded upwards, so that all three points are kept as
-    /// far as `f64` can tell.
+    /// plane is decided exactly. n is a unit vector, rounded. c is the largest that the points give, so that all three
+    /// are kept as far as `f64` can tell.
     ///
     /// # Errors
     /// When a number is not finite, or the points lie on one line.

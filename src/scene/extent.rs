@@ -6,7 +6,7 @@ use crate::geometry::{Aabb, BLOCK, Mesh, Placement};
 use glam::DVec3;
 use std::ops::Range;
 
-/// In objects of fewer triangles, every triangle is visited.
+/// In objects with fewer triangles than this, every triangle is visited.
 const FEW: usize = 8 * BLOCK;
 
 /// The unit roundoff, `2^-53`.

@@ -29,7 +29,7 @@ use std::ops::ControlFlow;
 
 /// Scenes of fewer batches have no tree: each batch is tested.
 const WORTH_A_TREE: usize = 8;
-/// A part of the tree over so few leaves is made at once, in about a millisecond.
+/// A part of the tree over at most this many leaves is made at once, in about a millisecond.
 const FEW: usize = 1 << 12;
 /// The most nodes that a box query visits before it gives up.
 const MOST_ASKED: usize = 512;

@@ -89,7 +89,7 @@ pub(super) fn to_u32(index: usize) -> u32 {
 }
 
 impl Node {
-    /// No child at all.
+    /// A node without children.
     pub const EMPTY: Self = Self {
         corners: [[[f32::INFINITY; WIDTH]; 3], [[f32::NEG_INFINITY; WIDTH]; 3]],
         children: [Child::NONE; WIDTH],
@@ -152,7 +152,7 @@ pub(super) struct Packet {
 }
 
 impl Packet {
-    /// No triangle.
+    /// A packet without triangles.
     pub const EMPTY: Self = Self {
         corners: [[[f32::NAN; WIDTH]; 3]; 3],
         triangles: [u32::MAX; WIDTH],

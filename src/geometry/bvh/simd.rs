@@ -121,7 +121,7 @@ pub(super) trait Lanes: Copy {
     fn le(self, a: Self::F, b: Self::F) -> u32;
     /// The last four lanes first.
     fn halves_swapped(self, a: Self::F) -> Self::F;
-    /// Prefetches the cache line of an item; any index will do.
+    /// Prefetches the cache line of an item; an index past the end does no harm.
     fn prefetch<T>(self, items: &[T], index: usize);
     /// Does `work` with the same instructions, but out of line: for rare work that would crowd a loop.
     fn apart<W: Work>(self, work: W) -> W::Output;
@@ -250,8 +250,8 @@ mod x86 {
     #[derive(Clone, Copy)]
     pub(super) struct Sse2;
 
-    // SAFETY of all: SSE2 is part of x86-64; loads and stores are unaligned and of four floats, of which the arrays
-    // have two times as many; a prefetch reads nothing.
+    // SAFETY of all: SSE2 is part of x86-64; loads and stores are unaligned and of four floats, and the arrays have
+    // eight; a prefetch reads nothing.
     #[rustfmt::skip] // A line an operation.
     impl Lanes for Sse2 {
         type F = [__m128; 2];

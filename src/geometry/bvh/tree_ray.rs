@@ -12,7 +12,8 @@
 //! below `2^-90`, which is at most `2^-60` of the largest, are raised to that. This moves a point by less than any of
 //! those errors. It keeps reciprocals finite, so that 0 / 0 never arises and the sign of a zero never matters.
 //!
-//! An inexact ray ([`LocalRay`]) adds its origin's error to `far`, and its direction's error times the distance.
+//! An inexact ray ([`LocalRay`]) adds to `far` twice its origin's error, and twice its direction's error times the
+//! distance.
 //!
 //! From here on nothing that matters is farther from the origin than `D`: `|o| + M`, or `2 M` where the eye was moved.
 //! Then `far / u` is added to `D`, so that `u D` has room for `far`. For a near and almost exact ray whose direction

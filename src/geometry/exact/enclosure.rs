@@ -167,8 +167,8 @@ impl Decided for Enclosure {
     }
 }
 
-/// `numerator / denominator`, rounded once; the denominator is not 0. The exact quotient must lie between the midpoints
-/// from the result to its two neighbours.
+/// `numerator / denominator`, rounded once; the denominator is not 0. In doubt unless the exact quotient certainly lies
+/// between the midpoints from the result to its two neighbours.
 pub(super) fn rounded_quotient(
     numerator: &Number<Enclosure>,
     denominator: &Number<Enclosure>,

@@ -26,7 +26,7 @@ pub(crate) trait Ring: Clone {
     }
 }
 
-/// A number of which sign and value can be read, unless they are in doubt.
+/// A number whose sign and value can be read, unless they are in doubt.
 pub(crate) trait Decided: Ring {
     /// How it compares to 0.
     fn decided_sign(&self) -> Result<Ordering, InDoubt>;

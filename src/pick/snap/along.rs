@@ -73,8 +73,9 @@ impl Search<'_> {
         (shown, whole)
     }
 
-    /// The share of a side at which the picture shows it nearest to the position (the perpendicular's foot or an end), and the
-    /// first and last shares that near, far and section leave.
+    /// Three shares of a side: where the picture shows it nearest to the position (at the perpendicular's foot or an
+    /// end), and the first and the last that near, far and section leave. `None` where they leave nothing, or the side
+    /// shows as a point.
     pub(super) fn nearest_and_ends(&self, facet: &Facet, corner: usize) -> Option<[f64; 3]> {
         let at = |share: f64| dyadic::placed(&facet.point(self.scene, corner, share));
         let (ends, shown) = self.ends(facet, corner);

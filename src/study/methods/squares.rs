@@ -212,8 +212,8 @@ fn sides(random: &mut Random) -> [V3<f64>; 2] {
     }
 }
 
-/// A square about 1 wide at an offset from the world's origin, and a ray that meets its plane, in the square or beside it, at
-/// about `t = 5` and about this angle.
+/// A square about 1 wide at an offset from the world's origin, and a ray. The ray meets the square's plane in the
+/// square or beside it, at about `t = 5` and at about this angle.
 fn aim(random: &mut Random, angle: f64, offset: f64) -> SquareCase {
     loop {
         let [u, v] = sides(random);

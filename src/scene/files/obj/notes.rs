@@ -14,7 +14,7 @@ pub(super) struct LeftOut {
     pub without_area: usize,
     /// Faces with a corner that is not three finite numbers.
     pub nowhere: usize,
-    /// Faces with too many corners, of which too many are the same.
+    /// Faces with many corners, too many of which repeat a vertex.
     pub repetitive: usize,
 }
 
