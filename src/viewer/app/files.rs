@@ -78,7 +78,7 @@ impl App {
                 made: None,
                 uploaded: None,
             }),
-            // The change is still to be read.
+            // The file changed again while it was read: the change is still to be read.
             Err(error) if errand.purpose == Purpose::Follow && error.is_of_change() => {}
             Err(error) => {
                 if !error.is_of_change() {

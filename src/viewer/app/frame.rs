@@ -41,7 +41,7 @@ struct Pass {
     /// Where the stages go within that place.
     panes: Vec<(Stage, SceneRect)>,
     platform: egui::PlatformOutput,
-    /// The panels show the state from before their own commands.
+    /// Whether the panels show the state from before their own commands.
     is_outdated: bool,
     /// After how long egui wants another pass.
     next_in: Duration,
@@ -298,7 +298,7 @@ impl App {
                     self.announce();
                 }
             }
-            // The scene before it comes back.
+            // `refused` has brought back the scene that was shown before.
             Err(GpuError::SceneTooLarge { .. }) if self.state.refused() => {
                 self.build_trees();
                 self.context.request_repaint();
@@ -361,7 +361,8 @@ impl App {
     }
 }
 
-/// Whether a command comes with each pass, or only follows the cursor: what the panels show of it is compared apart.
+/// Whether a command alone does not make the panels outdated: it comes with each pass, or only follows the cursor. What
+/// follows the cursor is compared apart, in `run_pass`.
 fn is_idle(command: &Command) -> bool {
     use Action::{Enter, Hover, Light, LightRow, Resize};
     matches!(

@@ -28,7 +28,8 @@ impl App {
         }
     }
 
-    /// Asks the one question. What was asked about before waits until this is answered.
+    /// Asks a question, in place of the one before. What was loaded for the earlier one waits until this one is
+    /// answered.
     pub(super) fn ask(&mut self, pending: Pending) {
         let before = self.question.replace(pending);
         let waits = before.and_then(|before| before.arrival);
@@ -89,7 +90,7 @@ impl App {
     }
 }
 
-/// The user does not want it.
+/// Drops what the user does not want. Large scenes are freed in the background.
 pub(super) fn give_up(pending: Pending) {
     if let Some(Arrival { loaded, .. }) = pending.arrival.map(|arrival| *arrival) {
         let size = loaded.scene.size();

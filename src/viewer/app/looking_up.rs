@@ -179,7 +179,7 @@ fn scene_now(state: &State) -> [u64; 2] {
     [state.scene_revision(), state.visibility_revision()]
 }
 
-/// The pick's object, triangle and file, where the file was not asked yet.
+/// The pick's object, triangle and file; `None` if no file is still to be asked about it.
 fn unknown_pick(state: &State) -> Option<(usize, u32, MeshFile)> {
     let hit = state.selection()?.pick.as_ref()?.hit.as_ref()?;
     let (triangle, file) = file_of(state, hit)?;

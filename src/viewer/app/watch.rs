@@ -23,17 +23,17 @@ impl App {
         stamps
     }
 
-    /// The files on screen have just been read, and were so before: watches them for changes since then.
+    /// Watches the files on screen for changes since they were read. `read` says how they were before that.
     pub(super) fn watch_anew(&mut self, read: Stamps) {
         let document = self.state.document();
         let state = &self.state;
-        // Some scenes have gone for good.
+        // Scenes that undo and redo no longer lead to are not watched any more.
         (self.watching).retain(|(of, _)| *of != document && state.opened(*of).is_some());
         self.watch(document, read);
     }
 
-    /// Watches the files of a scene, which may have changed. `read` says how some of them were when they were read. A change
-    /// that is still to be read stays so.
+    /// Watches the files that a scene has now. `read` says how some of them were when they were read. A change that is
+    /// still to be read is kept.
     pub(super) fn watch(&mut self, document: u64, read: Stamps) {
         let Some(state) = self.state.opened(document) else {
             return;
@@ -119,7 +119,7 @@ impl App {
         (scene::title(files), files.len() > 1)
     }
 
-    /// The load has failed, or the user has cancelled it: a change that it was to read is not tried again.
+    /// After a load that failed or was cancelled: the change that it was to read is not tried again.
     pub(super) fn give_up_change(&mut self, errand: &Errand) {
         if errand.purpose.reads_again() {
             self.take_as_read(errand.document);

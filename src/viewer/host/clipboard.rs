@@ -7,7 +7,7 @@ use winit::{
     window::Window,
 };
 
-/// What egui-winit pastes where it has no clipboard. It would send no paste event if this were empty.
+/// The text that egui-winit pastes where it has no clipboard. With an empty one it would send no paste event.
 const STAND_IN: &str = "?";
 
 /// The clipboard of X11, Windows and macOS.

@@ -61,7 +61,7 @@ impl Offscreen {
         pixels_per_point: f32,
     ) -> Self {
         let (sender, wakes) = channel();
-        // The receiver goes with the window: then nobody is to be woken.
+        // Sending fails once the window is gone: then nobody is to be woken.
         let wake = Arc::new(move |wake| drop(sender.send(wake)));
         let mut window = Self {
             app: start(wake),
@@ -83,8 +83,8 @@ impl Offscreen {
         window
     }
 
-    /// Runs a pass for each event, then waits for the jobs that these began. Positions are in points. Nothing is drawn;
-    /// unless a picture is late, a click counts as if all before it were on screen.
+    /// Runs a pass for each event, then waits for the jobs that these began. Positions are in points. Nothing is drawn.
+    /// Unless a picture is late, events act as if the wanted picture were on screen.
     pub fn send(&mut self, events: impl IntoIterator<Item = egui::Event>) {
         for event in events {
             if self.app.picture.behind.is_none() {
@@ -168,7 +168,8 @@ impl Offscreen {
             .map(|Notice { text, .. }| text.as_str())
     }
 
-    /// Whether the window is at rest after the last event: nothing is animated, and nothing is under way but smooth edges.
+    /// Whether the window is at rest after the last event: nothing is animated, and nothing but smooth edges is under
+    /// way.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
         self.at_rest && self.app.picture.behind.is_none()
@@ -237,7 +238,8 @@ impl Offscreen {
         self.app.quit
     }
 
-    /// The frame that follows an event, as a window draws it without waiting for more.
+    /// Draws the frame after an event as a window does, without waiting for more events. Returns whether a new picture
+    /// of the scene is shown.
     ///
     /// # Errors
     /// When there is no graphics adapter, or it fails.
@@ -377,7 +379,7 @@ impl Offscreen {
         let start = Instant::now();
         for _ in 0..MOST_PASSES {
             while self.app.is_busy() && start.elapsed() < LONGEST_WAIT {
-                // Nothing else is taken: tests set the theme themselves.
+                // Only answers of dialogs are taken: tests set the theme themselves.
                 let wake = self.wakes.recv_timeout(Duration::from_millis(5));
                 if let Ok(Wake::Answered(answer)) = wake {
                     self.app.answered(answer);

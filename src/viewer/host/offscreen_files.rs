@@ -1,4 +1,4 @@
-//! Files for a window that nobody sees, as the system hands them over: dropped, or chosen in a dialog. And its closing.
+//! What the system does to a window that nobody sees: drops files, answers dialogs, closes the window.
 
 use super::offscreen::Offscreen;
 use crate::viewer::{jobs::Answer, ui::Command};
@@ -52,13 +52,13 @@ impl Offscreen {
         self.settle();
     }
 
-    /// No dialog to open files can be shown.
+    /// Answers that no dialog to open files can be shown.
     pub fn open_without_dialog(&mut self) {
         self.app.answered(Answer::NoneToOpen);
         self.settle();
     }
 
-    /// No dialog to save can be shown.
+    /// Answers that no dialog to save can be shown.
     pub fn save_without_dialog(&mut self) {
         self.app.answered(Answer::NoneToSave);
         self.settle();

@@ -78,7 +78,8 @@ impl Shell {
         self.egui.handle_platform_output(&self.window, asked);
     }
 
-    /// The window's size and place, to be remembered. While it fills the screen, these are the ones `before`.
+    /// The window's size and place, to be remembered. While it is maximised or fills the screen, size and corner are
+    /// those of `before`; `None` if there are none.
     pub fn place(&self, before: Option<WindowPlace>) -> Option<WindowPlace> {
         let maximised = self.window.is_maximized();
         if maximised || self.window.fullscreen().is_some() {

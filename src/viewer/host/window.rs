@@ -33,7 +33,7 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
         .map_err(|error| ViewerError::no_display(&error))?;
     event_loop.set_control_flow(ControlFlow::Wait);
     let proxy = event_loop.create_proxy();
-    // The loop ends with the window: then nobody is to be woken.
+    // Sending fails once the loop has ended with the window: then nobody is to be woken.
     let wake: Waker = Arc::new(move |wake| drop(proxy.send_event(wake)));
     let app = App::start(options, Arc::clone(&wake), Host::Window);
     app.context.set_request_repaint_callback(move |info| {

@@ -4,13 +4,13 @@ use std::process::{Command, Output, Stdio};
 
 /// A question, as each of two programs asks it.
 pub(super) struct Question {
-    /// What `busctl` does, and with what, before and after the portal's address.
+    /// The arguments of `busctl` before and after the portal's address.
     pub busctl: [&'static [&'static str]; 2],
-    /// What `gdbus` calls, and with what.
+    /// The arguments of `gdbus` after the portal's address.
     pub gdbus: &'static [&'static str],
 }
 
-/// The outputs of the programs that are there, one after the other: each is run when its output is asked for.
+/// The outputs of those programs that are installed, in turn. A program runs only when its output is asked for.
 pub(super) fn ask(question: &Question) -> impl Iterator<Item = Output> {
     let [does, with] = question.busctl;
     let busctl = [

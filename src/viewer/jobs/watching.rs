@@ -29,7 +29,7 @@ impl Stamps {
         Self(stamped.collect())
     }
 
-    /// These, and in place of some of them or beside them, others.
+    /// These stamps with `others` added; where both have a file, its stamp is that of `others`.
     pub fn with(mut self, others: Self) -> Self {
         self.0.extend(others.0);
         self
@@ -71,10 +71,10 @@ impl Watching {
         wake: impl Fn() + Send + 'static,
     ) -> Option<Self> {
         let (told, events) = channel();
-        // The first look needs no event.
+        // A first event, so that the thread looks once at the start.
         let _ = told.send(());
         let mut watcher = notify::recommended_watcher(move |_: notify::Result<notify::Event>| {
-            // The watch has ended when nobody listens any more.
+            // Sending fails once the watch has ended.
             let _ = told.send(());
         })
         .ok()?;

@@ -1,4 +1,4 @@
-//! Clicks in the gallery that a method of the study picks.
+//! Clicks in the gallery, picked by a method of the study.
 
 use super::{
     showing::Compared,

@@ -113,7 +113,8 @@ impl State {
         self.refresh_panes();
     }
 
-    /// Objects came, went or moved: updates planes and pick, and drops what was known about the old picture.
+    /// After objects came, went or moved: fits near and far, updates the pick, and drops what was known about the old
+    /// picture.
     pub(super) fn rearranged(&mut self) {
         self.visibility_revision += 1;
         self.cursor = None;

@@ -1,5 +1,5 @@
-//! Beyond the nearest hit: every surface on a click's ray, the way to the pick before it, the triangle that was hit, and
-//! how fine the depth buffer is there.
+//! What a click finds besides its nearest hit: every surface on its ray, the point that a distance is measured from,
+//! the corners of the triangle, and how fine the depth buffer is there.
 
 use crate::{
     camera::{DepthMapping, Lens, Projection, View},
@@ -10,13 +10,13 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// Every surface on the ray of a click, and which of them is picked. The view is that of the click, whatever is on screen
-/// by now. The surfaces follow the scene: they are those that a click at `px` of `view` would find now.
+/// Every surface on the ray of a click, and which of them is picked. The view is that of the click, whatever is on
+/// screen by now. The surfaces follow the scene: they are those that a ray at `px` of `view` hits now.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RayHits {
     /// The view that the click was in.
     pub view: View,
-    /// Where the click was: the centre of a pixel.
+    /// The position that the ray goes through. For a click in the camera's picture, it is the centre of the pixel.
     pub px: DVec2,
     /// The surfaces, from front to back.
     pub picks: Vec<Pick>,
@@ -60,7 +60,7 @@ pub struct DepthSteps {
 }
 
 impl RayHits {
-    /// Casts the ray through the centre of a pixel and picks surface `at`, which wraps round where there are fewer.
+    /// Casts the ray through a position and picks surface `at`, which wraps round where there are fewer.
     #[must_use]
     pub fn cast(scene: &Scene, view: View, px: DVec2, at: usize) -> Self {
         let picks = pick::pick_all(scene, &view, px);

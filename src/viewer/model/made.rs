@@ -13,9 +13,9 @@ pub(in crate::viewer) struct Made {
     pub scene: Scene,
     /// For each object of the scene that it was made from, its index now; [`Made::with`] leaves this empty.
     became: Vec<Option<usize>>,
-    /// It is the scene that it was made from: the files hold the same objects.
+    /// Whether it is the scene that it was made from, because the files hold the same objects, visibility aside.
     pub is_same: bool,
-    /// Hidden is what the files say, and nothing else.
+    /// Whether each object is hidden or shown as the files say.
     pub hides_as_filed: bool,
 }
 
@@ -38,9 +38,10 @@ impl Made {
         })
     }
 
-    /// What the files of a scene hold now. Objects keep their visibility, and are matched by name: an object takes the place
-    /// of the old one at the same index if that has the same name, else of the first old one that has it. Meshes are the
-    /// same where they are one: [`Loaded::share_meshes`](crate::scene::Loaded) sees to that.
+    /// What the files of a scene hold now. Objects keep their visibility, and are matched by name: an object takes the
+    /// place of the old one at the same index if that has the same name, else of the first old one that has it. Meshes
+    /// count as equal if they are one in memory: [`Loaded::share_meshes`](crate::scene::Loaded) has put the old ones in
+    /// place of equal new ones.
     pub fn again(scene: &Scene, mut now: Scene) -> Self {
         let old = scene.objects();
         let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())

@@ -42,13 +42,13 @@ impl State {
         self.measuring.object_area = object_area;
     }
 
-    /// The scene changed: its points may have moved.
+    /// Drops the points: they may have moved with the scene.
     pub(super) fn forget_points(&mut self) {
         self.measuring.points.clear();
         self.measuring.object_area = None;
     }
 
-    /// The scene changed: marks every measure as taken before that.
+    /// Marks every measure as taken before the scene changed.
     pub(super) fn outdate_measures(&mut self) {
         for entry in &mut self.measuring.list {
             entry.outdated = true;

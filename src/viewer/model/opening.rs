@@ -125,7 +125,7 @@ impl State {
     /// Gives the picture this size. While view and scene are as they were opened, the opening view is computed again for this
     /// size: so all of the scene is in view, whatever size the window turns out to have.
     pub(super) fn resize(&mut self, viewport: Viewport) {
-        // Which sides show moves nothing.
+        // Culling does not move the view, so it is not compared.
         let stood = self.opened_at.map(|at| Viewpoint {
             sides: self.view.sides,
             ..at

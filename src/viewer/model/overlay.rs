@@ -67,7 +67,7 @@ impl Overlay {
 pub struct Overlays {
     /// A bit for each [`Overlay`].
     shown: u32,
-    /// The level below the root whose boxes of the meshes' trees show.
+    /// The level whose boxes show, of the trees over meshes; 0 is the root.
     pub tree_level: Option<u32>,
 }
 

@@ -43,7 +43,8 @@ impl State {
             self.filed.visibility = self.edits.visibility;
         }
         if is_rewritten {
-            // As they are rounded, its numbers are the same. As they are written, they may not be.
+            // The rounded coordinates are the same, but the file may write them differently, and measures are of what
+            // it writes.
             self.outdate_all_measures();
             self.forget_points();
         }
@@ -56,7 +57,7 @@ impl State {
         let before = self.edits;
         self.reads += 1;
         if self.edited() {
-            // No edit so far has led to these matrices, not even one that is being saved.
+            // A new number: the files' matrices are those of no edit so far, not even of one that is being saved.
             self.edit(|edits| &mut edits.matrices);
         }
         self.filed.matrices = self.edits.matrices;
@@ -83,7 +84,7 @@ impl State {
     fn carry_steps(&mut self, made: &Made, before: Edits) {
         let drops_places = before.matrices != self.edits.matrices;
         for back in [true, false] {
-            // Outwards from the present. Without a forgotten step, the scenes on both sides of it are the same.
+            // Goes outwards from the present. The scenes on both sides of a forgotten step become one.
             let mut nearer = self.edits;
             let mut same = vec![(before, nearer)];
             let mut kept = Vec::new();
@@ -160,7 +161,7 @@ impl Step {
         }
     }
 
-    /// Makes it a step about the new objects. Returns whether it still is about any.
+    /// Makes it a step about the new objects. Returns whether any object is left that it is about.
     fn carry(&mut self, made: &Made, drops_places: bool) -> bool {
         match self {
             Self::Placed { object, chosen, .. } => {
@@ -177,7 +178,7 @@ impl Step {
                 *objects = now.collect();
                 !objects.is_empty()
             }
-            // It holds the scene before as the files had it.
+            // The scene that it holds is from the files as they were.
             Self::Composed { .. } => false,
             Self::Viewpoint(_) | Self::Measured(_) | Self::Open(_) => true,
         }
@@ -195,7 +196,7 @@ impl Chosen {
 }
 
 impl Edits {
-    /// Calls matrices and visibility by the numbers of `to` where they have those of `from`.
+    /// Replaces the numbers of matrices and visibility by those of `to`, where they equal those of `from`.
     fn rename(&mut self, from: &Self, to: &Self) {
         if self.matrices == from.matrices {
             self.matrices = to.matrices;

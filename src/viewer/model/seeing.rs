@@ -29,8 +29,8 @@ impl State {
         self.seen = seen;
     }
 
-    /// Whether the scene as it is has yet to be drawn: on screen is another one, or its objects before they were moved or
-    /// others were added. Then a click picks nothing: it would be what nobody sees.
+    /// Whether the scene as it is has yet to be drawn: on screen is another one, or this one before objects were added.
+    /// Then a click picks nothing, since the user has not seen what is there.
     pub(super) fn awaits_scene(&self) -> bool {
         match self.seen {
             Seen::Whole(seen) => seen.scene_revision != self.scene_revision,

@@ -52,7 +52,7 @@ impl State {
             if let Some(panes) = self.panes.take() {
                 self.unused.extend([panes.alone.scene, panes.ndc.scene]);
                 if self.frozen.is_some() {
-                    // It shows again, and near and far hold it.
+                    // The frozen camera shows again, so near and far must enclose it.
                     self.fit();
                 }
             }
@@ -217,7 +217,7 @@ impl State {
         let section = match stage {
             Stage::World | Stage::View => self.view.section,
             Stage::Object => None,
-            // A section that cuts nothing: with one, insides get their colour.
+            // A section that cuts nothing: under any section, insides show in a colour of their own.
             Stage::Ndc => self
                 .view
                 .section

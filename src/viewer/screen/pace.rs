@@ -26,7 +26,8 @@ const SMOOTH_COSTS: u64 = 4;
 #[derive(Debug)]
 pub(super) struct Pace {
     work: u64,
-    /// Every pass waits for what it draws. So the time of completion is exact; otherwise it is that of the next poll.
+    /// Whether every pass waits for what it draws. If so, the time of completion is exact; if not, it is that of the
+    /// next poll.
     is_waited_for: bool,
     under_way: Option<Piecework>,
 }
@@ -103,7 +104,7 @@ impl Pace {
         true
     }
 
-    /// A piece was submitted.
+    /// Notes that a piece was submitted, unless an earlier one is still being timed.
     pub fn began(&mut self, gpu: &Gpu, work: u64) {
         if self.under_way.is_some() {
             return;

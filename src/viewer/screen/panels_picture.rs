@@ -104,7 +104,7 @@ impl PanelsPicture {
         });
         let rects = disjoint(changed.into_iter().filter_map(|rect| pixels(rect, screen)));
         if rects.is_empty() {
-            // What was painted before looks the same.
+            // Nothing looks different.
             return rects;
         }
         let corner = |px: [u32; 2]| {

@@ -144,7 +144,7 @@ impl ScenePicture {
         }
         let is_at_once = self.next.as_ref().is_some_and(|next| next.at_once);
         let ([anew, waits], drawn) = if begun == Begun::Late && !is_at_once {
-            // The pass has waited long enough.
+            // Waiting for late rays has used up the time of this pass.
             Default::default()
         } else {
             self.proceed(brush)?

@@ -83,7 +83,8 @@ impl WindowSurface {
         Ok(None)
     }
 
-    /// Waits for all that was submitted. An upload on another thread goes on afterwards: while others submit, wgpu refuses.
+    /// Configures the surface, unless it is empty. wgpu waits for all that was submitted, and refuses while another
+    /// thread submits: so an upload waits meanwhile.
     fn configure(&self) {
         if self.config.width > 0 && self.config.height > 0 {
             let gpu = &self.canvas.gpu;

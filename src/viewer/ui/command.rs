@@ -25,7 +25,7 @@ pub(in crate::viewer) enum Command {
     Add(Vec<PathBuf>),
     /// Load the files on screen again.
     Reload,
-    /// Put the view as a command line on the clipboard.
+    /// Put the pick, or the view where nothing is picked, on the clipboard as a command line.
     CopyCommandLine,
     /// Put the camera on the clipboard, as a scene file writes it.
     CopyCamera,
@@ -83,7 +83,7 @@ pub(in crate::viewer) enum Command {
 }
 
 impl Command {
-    /// Whether it opens, saves or closes. A number that is still being typed is to count before that.
+    /// Whether it opens, reloads, saves or closes. A number that is still being typed is to count before that.
     pub fn ends_typing(&self) -> bool {
         matches!(
             self,
@@ -132,7 +132,7 @@ impl Intent {
             // Undo leads back out of the gallery.
             Self::Open(paths) if is_exhibit(paths) => Vec::new(),
             Self::Reload => state.edited().then_some(state).into_iter().collect(),
-            // Undo leads back in, but the next step ends that.
+            // Redo leads back in, but only until the next change.
             Self::LeaveGallery => {
                 let scenes = state.unsaved_scenes().into_iter();
                 scenes.filter(|scene| scene.showing().is_some()).collect()
@@ -158,7 +158,7 @@ impl Intent {
         self.drops(state).is_empty() && self.drops_measures(state).is_empty()
     }
 
-    /// The scenes whose edits or measures it would drop, with these.
+    /// The scenes whose edits or measures it would drop, each with what it would drop.
     pub fn at_stake(&self, state: &State) -> Vec<Version> {
         let drops = self.drops(state).into_iter();
         let measured = self.drops_measures(state).into_iter();

@@ -300,9 +300,9 @@ pub(in crate::viewer) fn take_escape(ctx: &egui::Context) {
     ctx.input_mut(|input| input.consume_key(NONE, Key::Escape));
 }
 
-/// The commands of the keys that were pressed: only those that open, save and quit while a text is edited, only Esc's while
-/// a question waits for an answer. A focused control gets Enter, Esc and the arrows. If none has
-/// the focus, Esc first gives up texts that are shown in red.
+/// The commands of the keys that were pressed. While a text is edited, only Ctrl+O, Ctrl+S and Ctrl+Q count, and none
+/// while a question waits for an answer. While a question waits and no text is edited, only Esc counts. A focused
+/// control gets Enter, Esc and the arrows. If none has the focus, Esc first gives up texts that are shown in red.
 pub(in crate::viewer) fn pressed(ctx: &egui::Context, has_question: bool) -> Vec<Command> {
     let focus = Focus::of_pass(ctx);
     if focus.types {

@@ -55,8 +55,8 @@ impl Drag {
     }
 }
 
-/// What a drag under way does by an input that only moves the mouse. Where this is done before the panels are laid out,
-/// they show its outcome at once.
+/// The actions of a drag under way, if an input only moves the mouse. They are done before the panels are laid out, so
+/// that these show the outcome at once.
 pub(in crate::viewer) fn moves_ahead(drag: &mut Option<Drag>, input: &RawInput) -> Vec<Action> {
     let mut to = None;
     for event in &input.events {

@@ -214,7 +214,8 @@ struct TypedUp {
 }
 
 impl TypedUp {
-    /// This pose, in which up has a new number, and with the refused numbers beside it if that is possible.
+    /// The pose with a new number of up on `axis`. The refused numbers of the other axes are used too, if that makes a
+    /// valid camera.
     fn with(&self, pose: [DVec3; 3], axis: usize, state: &State) -> Action {
         let mut all = pose;
         for (other, number) in self.refused.into_iter().enumerate() {

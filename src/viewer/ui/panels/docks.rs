@@ -85,7 +85,7 @@ pub(super) const TO_BORDER: i8 = 8;
 pub(super) const TO_PICTURE: i8 = 4;
 /// The width in points beside panels in which their scroll bars lie: they cover nothing.
 pub(super) const GUTTER: f32 = 7.0;
-/// All that a side is wider than its panels, in points: a line of one point ends it.
+/// How much wider a side is than its panels, in points. The 1 is the line at its edge.
 const AROUND: f32 = TO_BORDER as f32 + TO_PICTURE as f32 + GUTTER + 1.0;
 /// The least width of a panel in points for three numbers in a row beside their name. A window of 640 x 400 has room for it.
 pub(super) const FIELDS: f32 = 250.0;
@@ -206,7 +206,7 @@ impl Docks {
         !are_visible
     }
 
-    /// The matrices are no longer wanted. Unless the user has arranged the sides since, they are as they were before.
+    /// The matrices are no longer wanted: gives their room back, as `give_back` says.
     pub fn leave_matrices(&mut self) {
         self.give_back(Section::Pipeline);
     }
@@ -221,7 +221,7 @@ impl Docks {
         }
         let mut widths = self.widths(sections, room);
         self.showing = widths.map(|width| width.is_some());
-        // What took room before might give it back.
+        // If another panel has taken room, the gallery's panel could vanish when that room is given back.
         let is_safe = self.is_visible(Section::Gallery) && self.before.is_none();
         if in_gallery && !was && !is_safe {
             self.take_room(Section::Gallery);
@@ -236,7 +236,7 @@ impl Docks {
         !folded && self.showing[side as usize]
     }
 
-    /// Makes a panel visible that comes and goes.
+    /// Makes a panel visible that comes and goes, and keeps how the sides were before.
     fn take_room(&mut self, section: Section) {
         let mut before = self.before.unwrap_or(Before {
             wings: self.wings,
@@ -248,7 +248,8 @@ impl Docks {
         self.before = Some(before);
     }
 
-    /// A panel that comes and goes is gone: if it was the last one that had taken room, the sides are as before.
+    /// After a panel that comes and goes has gone: if no other one still takes room, puts the sides back as they were
+    /// before, unless the user has arranged them since.
     fn give_back(&mut self, section: Section) {
         let Some(before) = &mut self.before else {
             return;

@@ -6,7 +6,8 @@ use egui::{
     TextEdit, Ui, text::CCursorRange, text_edit::TextEditState, util::IdTypeMap, vec2,
 };
 
-/// Typed text whose number is not in force, or not yet. It is forgotten when its field is about something else, or is gone.
+/// Typed text whose number is not in force: it is refused, or not confirmed yet. It is forgotten when its field is
+/// about something else, or is gone.
 #[derive(Clone, Default)]
 struct Typed {
     text: String,
@@ -212,7 +213,7 @@ pub(super) fn short_in(value: f64, most: usize) -> String {
     let mut tries = (1..=6).rev().map(|digits| rounded(value, digits, most));
     let fits = tries.find(|text| text.len() <= most);
     fits.unwrap_or_else(|| match value.abs() {
-        // Its exponent has three digits.
+        // Too small to fit: its exponent has three digits.
         ..1.0 => "0".into(),
         _ => format!("{value:.0e}"),
     })

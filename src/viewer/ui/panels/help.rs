@@ -1,4 +1,4 @@
-//! Keys and mouse, from the table that dispatches them.
+//! The help: keys, from the table that dispatches them, and what the mouse does.
 
 use super::{hints::Hint, tour_card};
 use crate::viewer::ui::{

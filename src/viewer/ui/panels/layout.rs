@@ -31,7 +31,7 @@ pub(in crate::viewer) struct Asked {
 
 /// Lays out the window.
 pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<Drag>) -> Asked {
-    // The buttons at the top come after the fields below, whose numbers count once a click leaves them.
+    // The toolbar's commands come after those of the fields, whose numbers count once a click has left them.
     let (mut commands, mut of_toolbar) = (Vec::new(), Vec::new());
     // Esc closes a menu while the panels are laid out, so this is asked before.
     let has_menu = Popup::is_any_open(ui.ctx());
@@ -76,7 +76,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
             panes::show(ui, rect, shown.state, drag, &mut commands)
         };
         messages::show(ui, rect, shown, &mut commands);
-        // It would cover a part of the four views.
+        // The offer would cover a part of the four views.
         if shown.offers_tour && shown.tour.is_none() && shown.state.stages().is_empty() {
             tour_card::offer(ui, rect, &mut commands);
         }

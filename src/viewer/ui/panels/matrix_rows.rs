@@ -207,8 +207,8 @@ pub(super) fn numbers(ui: &mut Ui, values: &[f64], makes: Option<(&str, &str)>) 
     row.response
 }
 
-/// How many characters each of `count` numbers side by side may have, each after a gap, in `room` points. A character is `one`
-/// wide. Columns stay where they are in a wider panel: `room` is that of the least one, [`MATRIX`], or less.
+/// How many characters each of `count` numbers in a row may have, in `room` points with a gap before each. A character
+/// is `one` wide. Callers limit `room` by [`MATRIX`], so that columns stay where they are in a wider panel.
 pub(super) fn columns(room: f32, count: u8, gap: f32, one: f32) -> usize {
     #[expect(
         clippy::cast_possible_truncation,
@@ -224,8 +224,8 @@ pub(super) fn char_width(ui: &Ui) -> f32 {
     ui.fonts_mut(|fonts| fonts.glyph_width(&FontId::monospace(11.0), '0'))
 }
 
-/// The number as [`short`] writes it where there is room for that. Where not, with three decimals, or as many as there is room
-/// for; as a power of ten if it has no room otherwise.
+/// The number as [`short`] writes it, if there is room for that. If not, it has three decimals or as many as fit; if
+/// none fit, it is a power of ten.
 pub(super) fn fitted(value: f64, room: usize) -> String {
     if room >= DIGITS {
         return short(value);

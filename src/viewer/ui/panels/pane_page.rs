@@ -103,7 +103,6 @@ impl Page<'_> {
         }
     }
 
-    /// A dot.
     pub fn dot(&self, at: DVec3, radius: f32, colour: Color32) {
         if let Some(at) = self.position(at) {
             let edge = Stroke::new(1.0, Color32::from_black_alpha(200));
