@@ -155,7 +155,7 @@ fn load_beside_gpu(
 ) -> Result<(Loaded, Result<Gpu, GpuError>), CliError> {
     // The device's thread logs, too.
     start_log(args.verbose);
-    // The thread is waited for in any case: drivers do not like to be left in the middle.
+    // The thread is waited for even if the load fails: a driver must not be cut off while it opens the device.
     thread::scope(|scope| {
         let gpu = scope.spawn(open);
         let loaded = load(args);

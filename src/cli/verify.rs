@@ -349,7 +349,7 @@ impl<'a> Outcome<'a> {
     }
 }
 
-/// JSON has no infinities and no NaN.
+/// The value; `None` for infinities and NaN, which JSON does not have.
 fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
 }

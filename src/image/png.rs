@@ -82,7 +82,7 @@ pub(crate) struct WrittenPng {
 }
 
 impl WrittenPng {
-    /// Takes its place.
+    /// Moves the file into its place.
     ///
     /// # Errors
     /// The system's error.
@@ -107,7 +107,7 @@ fn write(
     bytes: &[u8],
 ) -> Result<WrittenPng, ImageError> {
     let written = write_beside(path, |out| {
-        // The encoder keeps all that it has compressed.
+        // The encoder keeps all that it has compressed, so memory for that must be there.
         Vec::<u8>::new().try_reserve_exact(bytes.len())?;
         let mut encoder = png::Encoder::new(out, size.width(), size.height());
         encoder.set_color(colour);

@@ -48,7 +48,8 @@ impl ToDraw {
         all
     }
 
-    /// Moves a batch to a placement, where this is its AABB. Returns whether its kind and its place in the order stay.
+    /// Moves a batch to a placement, where `bounds_world` is its AABB. Returns whether its kind and its place in the
+    /// order stay.
     pub fn place(
         &mut self,
         scene: &Scene,
@@ -137,7 +138,7 @@ pub(super) struct Composer {
     block: usize,
     /// How many rows each table has so far.
     rows: [u32; 2],
-    /// Whether some batch with each number of twins is drawn already.
+    /// For each number of twins: whether one of its batches is drawn already.
     drawn: Vec<bool>,
     /// Which row of its table each batch has; `u32::MAX` for none.
     pub row_of: Vec<u32>,

@@ -121,7 +121,7 @@ fn touches(scene: &Scene, batches: &[Batch], batch: u32, run: &Range<u32>) -> bo
     })
 }
 
-/// Batches are counted in 32 bits on the GPU; memory runs out long before.
+/// An index in 32 bits, as the GPU has it: memory runs out long before those do.
 pub(super) fn index(index: usize) -> u32 {
     u32::try_from(index).unwrap_or(u32::MAX)
 }

@@ -112,7 +112,7 @@ impl Drawing {
         }
     }
 
-    /// Takes what was drawn: so much work, all of the band, or all of the pass.
+    /// Notes what was drawn: `work`, and whether that ends the band or the pass.
     fn drew(&mut self, work: u64, band: bool, pass: bool) {
         self.done += work;
         if band {
@@ -244,7 +244,8 @@ impl Renderer {
             };
             render_pass.set_bind_group(0, &bindings, &[]);
             render_pass.set_vertex_buffer(BATCHES, tables.triangles.slice(..));
-            // Smooth colours are seen only when they are finished. The background is then drawn where nothing else is.
+            // Smooth colours are seen only when they are finished, so their background is drawn last, where nothing
+            // else is.
             if has_colours && if pass == Pass::Colour { ends } else { begins } {
                 render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Background, &view));
                 render_pass.draw(0..3, 0..1);

@@ -223,7 +223,7 @@ impl Gpu {
         self.alone(|| self.queue.submit(commands));
     }
 
-    /// Does what fails if another thread submits meanwhile.
+    /// Runs `act` while no other thread submits.
     pub(crate) fn alone<T>(&self, act: impl FnOnce() -> T) -> T {
         let _turn = self
             .submitting

@@ -184,8 +184,8 @@ impl Renderer {
         gpu.submit([encoder.finish()]);
     }
 
-    /// Makes a pipeline that pictures of a view use, with their marks, on textures of a format, and that is not made
-    /// yet. Returns whether there was one. Else each is made at first use, and a frame waits for it.
+    /// Makes one pipeline that pictures of a view and their marks need on textures of a format, if any is missing.
+    /// Returns whether one was. A pipeline that is not made ahead is made at first use, and a frame waits for it.
     pub(crate) fn make_ahead(
         &mut self,
         gpu: &Gpu,

@@ -169,8 +169,7 @@ impl Pipelines {
         pipeline
     }
 
-    /// Makes a pipeline that pictures of a view and their selection use, and that is not made yet. Returns whether
-    /// there was one.
+    /// Makes one pipeline that pictures of a view and their selection need, if any is missing. Returns whether one was.
     pub fn make_ahead(&mut self, gpu: &Gpu, view: &View) -> bool {
         let culled: &[_] = match view.sides {
             Sides::Both => &[None],
@@ -385,7 +384,7 @@ mod tests {
     };
     use glam::DVec3;
 
-    /// Of a scene with triangles and a sphere, selected and lit, smooth and not.
+    /// The scene has triangles and a sphere, selected and lit. Pictures have smooth edges and rough ones.
     #[test]
     fn a_picture_makes_no_pipeline_once_all_are_made_ahead() {
         let gpu = Gpu::headless().unwrap_or_else(|error| panic!("{error}"));

@@ -3,7 +3,7 @@
 /// The unit roundoff of `f32`, 2^-24: an upper bound on the relative error of one rounding.
 pub(crate) const U: f64 = 0.5 * f32::EPSILON as f64;
 
-/// The most that underflow takes from a result in `f32`.
+/// The absolute slack for underflow: how far it moves a result in `f32` at most, also where it is flushed to 0.
 pub(crate) const UNDERFLOW: f64 = f32::MIN_POSITIVE as f64;
 
 /// The larger of two bounds. NaN is no bound and counts as infinity.

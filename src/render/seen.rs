@@ -128,9 +128,9 @@ enum State {
 }
 
 enum News {
-    /// These rows are written.
+    /// Draws whose rows are written.
     Draws(Vec<Draw>),
-    /// All of them.
+    /// All rows are written. The composer knows where.
     Whole(Box<Composer>),
 }
 
