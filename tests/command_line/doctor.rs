@@ -46,7 +46,7 @@ fn adapters_are_described_and_a_missing_display_is_named() {
     assert!(stderr.contains("no display"), "{stderr}");
 }
 
-/// It uses the words of the commands that fail there.
+/// `doctor` uses the error messages of the commands that fail without an adapter.
 #[test]
 fn without_an_adapter_it_says_what_works() {
     let nowhere = "/nowhere.json";

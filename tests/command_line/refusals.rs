@@ -144,7 +144,7 @@ fn run_within(folder: &Folder, kilobytes: u32, args: &str) -> Output {
         .unwrap()
 }
 
-/// By the graphics adapter: where the picture fits into its memory, and its ids as numbers do not fit beside it.
+/// The graphics adapter refuses: the picture fits into its memory, but not its ids as numbers beside it.
 #[test]
 fn a_drawn_picture_too_large_for_memory_is_refused() {
     let folder = Folder::new();

@@ -176,7 +176,7 @@ fn the_nearest_other_answer_through_long_lenses() {
     assert!(found[1] > 50, "{found:?}");
 }
 
-/// The eye's coordinate across the cube overflows. `f64` then knows nothing about that axis, and once left it out.
+/// The eye's coordinate across the cube overflows, so `f64` knows nothing about that axis. It was once left out.
 #[test]
 fn a_cube_so_thin_that_coordinates_overflow_is_missed() {
     let sheared = DMat3::from_cols(

@@ -92,7 +92,7 @@ fn looking(random: &mut Random, eye: DVec3, lens: Lens) -> View {
     view(eye.into(), target.into(), lens, [640, 480])
 }
 
-/// Nothing special.
+/// An eye 2 to 6 units from the origin, and a near plane close to the eye.
 fn ordinary(random: &mut Random, shape: &Shape) -> Option<Case> {
     let fov = random.within(20.0, 100.0);
     let lens = lens(random, fov, 0.01);

@@ -17,11 +17,11 @@ use sightline::{
 struct Counts {
     /// Positions where the object is picked.
     picked: u32,
-    /// Those of them where no edge lies beyond the near plane.
+    /// Picked positions where no edge lies beyond the near plane.
     none: u32,
-    /// Those of them where the nearest point is where the near plane cuts an edge.
+    /// Picked positions where the nearest point is where the near plane cuts an edge.
     cut: u32,
-    /// Those of them where `edge_px` is less exact than promised, or a number in place of null, or the reverse.
+    /// Picked positions where `edge_px` is less exact than promised, or a number in place of null, or the reverse.
     wrong: u32,
 }
 

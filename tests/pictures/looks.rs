@@ -56,7 +56,7 @@ const OTHERS: usize = 3;
 fn no_two_meanings_have_colours_that_look_alike() {
     let look = include_str!("../../src/look.rs").lines();
     let is_colour = |line: &&str| line.starts_with("pub const ") && line.contains("Srgb");
-    // Two more axes, and another text of warnings, share a name.
+    // `AXES` holds three colours and `WARNING` two, so there are three colours more than names.
     let colours = look.filter(is_colour).count() - OTHERS + 3;
     assert_eq!(colours, MEANINGS.len(), "each colour is listed");
     for (i, a) in MEANINGS.into_iter().enumerate() {

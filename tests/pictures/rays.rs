@@ -201,7 +201,7 @@ fn a_picture_that_is_not_done_in_time_is_none() {
     let view = overview([64, 40]);
     assert!(pick::raycast_until(&scene, &view, None, Instant::now()).is_none());
     assert!(pick::mask_until(&scene, &view, 3, Instant::now()).is_none());
-    // A row so wide that the pixels of sixteen do not count in 32 bits.
+    // A row so wide that sixteen such rows have more pixels than 32 bits can count.
     let wide = View {
         viewport: Viewport::new(1 << 28, 1).expect("a viewport"),
         ..view

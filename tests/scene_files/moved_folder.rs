@@ -128,7 +128,7 @@ fn a_mesh_whose_file_is_gone_is_written_beside() {
     assert_eq!(facts(&again.scene), facts(&loaded.scene));
 }
 
-/// Nothing is read of what cannot be the mesh's file: reading a pipe would wait for a writer.
+/// What cannot be the mesh's file is not read: reading a pipe would wait for a writer.
 #[cfg(unix)]
 #[test]
 fn a_pipe_under_the_name_of_a_mesh_file_is_passed_over() {

@@ -13,7 +13,7 @@ use sightline::{
 };
 use std::path::PathBuf;
 
-/// Whether two scenes of primitives are the same to the bit.
+/// Fails unless two scenes of primitives are the same to the bit.
 #[track_caller]
 fn same(a: &[Object], b: &[Object]) {
     assert_eq!(a.len(), b.len());

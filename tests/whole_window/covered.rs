@@ -1,5 +1,5 @@
-//! What covers something else: no tooltip lies over Help, no name of the toolbar's groups stands before a group without
-//! one, and nothing lies over the grid's step.
+//! No tooltip lies over Help, no group of the toolbar with names stands before one without, and nothing lies over the
+//! grid's step.
 
 use super::*;
 
@@ -23,7 +23,7 @@ fn no_tooltip_lies_over_help() {
     assert!(has_control(&window, "Take the tour") && !explains(&window));
 }
 
-/// Groups lose their names from the first to the last. Undo has none where those after it have none.
+/// Groups lose their names from the first to the last.
 #[test]
 fn the_toolbar_names_no_group_before_one_without_names() {
     let mut named = 0;

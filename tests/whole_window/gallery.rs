@@ -211,7 +211,7 @@ fn esc_goes_back_step_by_step_and_out() {
     control(&window, "Menu Gallery, leave the gallery: opens the demo.");
 }
 
-/// Undo leads back in until something else is done. So the question comes when the gallery is left.
+/// Redo leads back in only until something else is done. So the question comes when the gallery is left.
 #[test]
 fn what_is_edited_in_the_gallery_is_asked_about_before_it_is_left() {
     let edited_inside = || {

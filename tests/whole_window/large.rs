@@ -94,7 +94,7 @@ fn what_is_large_is_read_again_in_shares() {
     let mut window = open(vec![path.clone()], 1.0);
     window.picture().expect("a picture");
     let old = middle(&window);
-    // One more triangle: what is the same would stay as it is.
+    // One more triangle, since an object that has not changed stays as it is.
     let text = std::fs::read_to_string(&path).expect("a file");
     std::fs::write(&path, text + "f 1 2 452\n").expect("writable");
     window.frame(press(Key::R)).expect("a frame");

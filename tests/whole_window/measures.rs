@@ -116,7 +116,7 @@ fn points_of_another_scene_are_forgotten_and_the_list_is_kept() {
     click_near(&mut window, [2.0, 1.0, 0.0], [-4.0, 3.0]);
     click_near(&mut window, [0.0, 0.0, 0.0], [0.0, 0.0]);
     click_on(&mut window, "object area");
-    // The same file again: nothing happens to them.
+    // The same file read again leaves points and measures as they are.
     press_key(&mut window, Modifiers::NONE, Key::R);
     assert_eq!(window.state().measuring().points.len(), 2);
     assert!(!window.state().measuring().list[0].outdated);

@@ -75,7 +75,7 @@ fn on_nothing_it_is_about_the_view() {
     assert!(!has_control(&window, "Pick this point"));
 }
 
-/// The same key then does what it does without a menu.
+/// Once the menu is closed, Esc does what it does without one.
 #[test]
 fn esc_closes_a_menu_and_nothing_else() {
     let esc = |window: &mut Offscreen| press_key(window, Modifiers::NONE, Key::Escape);

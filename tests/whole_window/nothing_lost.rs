@@ -104,7 +104,7 @@ fn edits_are_marked_and_asked_about_before_they_go() {
     assert!(!is_marked(&window), "{}", window.title());
     press_key(&mut window, CTRL, Key::Y);
 
-    // Each way to lose the edits asks first; "stay" loses nothing.
+    // Each way to lose the edits asks first. Esc and Cancel lose nothing.
     window.close();
     assert!(is_asked(&window) && !window.has_quit());
     press_key(&mut window, Modifiers::NONE, Key::Escape);

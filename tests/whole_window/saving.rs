@@ -186,7 +186,7 @@ fn a_question_goes_on_once_there_is_nothing_to_ask() {
     assert!(!is_asked(&window) && window.has_quit());
 }
 
-/// A second one would answer for the first.
+/// A second dialog's answer would be taken for the first one's.
 #[test]
 fn one_save_dialog_is_open_at_a_time() {
     let (mut window, folder) = row(1.0);

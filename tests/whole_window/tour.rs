@@ -345,7 +345,7 @@ fn somebody_new_is_offered_it_until_they_answer() {
         Offscreen::open(options, px(SIZE, 1.0), 1.0)
     };
     let mut window = open();
-    // It would lie over the four views.
+    // The offer would lie over the four views.
     press_key(&mut window, NONE, Key::Num4);
     assert!(!has_control(&window, "no tour"));
     press_key(&mut window, NONE, Key::Num4);

@@ -1,4 +1,4 @@
-//! What is open is watched, wherever the user was in the meantime and whatever loads.
+//! The files of the open scene are watched, also while the user is in the gallery and during a load.
 
 use super::{
     nothing_lost::{edit, is_marked, shown},

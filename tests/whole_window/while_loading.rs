@@ -125,8 +125,8 @@ fn wait_for_load(window: &mut Offscreen) {
     panic!("it is read again");
 }
 
-/// What was read before the change is not shown: its last line may be cut inside a number. Once the file is complete, it is
-/// read. Nothing is wrong meanwhile.
+/// What was read before the change is not shown: its last line may be cut inside a number. Once the file is complete,
+/// it is read. No error is shown meanwhile.
 #[test]
 fn a_file_that_changes_while_it_is_read_again_is_read_once_more() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -194,7 +194,7 @@ fn near(state: &State) -> f64 {
     state.view().camera.lens().near
 }
 
-/// Otherwise freezing would change the P that the user wants to look at, and depth would lose digits.
+/// A frozen camera keeps the P that the user wants to look at, and near stays where depth keeps its digits.
 #[test]
 fn freezing_the_camera_leaves_its_planes_and_a_look_about_leaves_near_close() {
     for (eye, ortho) in eyes().flat_map(|eye| [(eye, None), (eye, Some(3.0))]) {
