@@ -129,7 +129,7 @@ fn a_changed_file_leads_to_no_edge() {
         assert_eq!(to(&line).as_deref(), Some(expected), "{line}");
         says(&line["snap"], "has changed");
     }
-    // No snap, where an edge might be.
+    // The position snaps to nothing: a changed file gives no edge.
     let line = asking.at(beside);
     assert_eq!(line["snap"], Value::Null);
     says(&line, "has changed");

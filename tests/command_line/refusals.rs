@@ -205,7 +205,7 @@ fn a_camera_that_cannot_be_is_named_by_file_and_line() {
     }
 }
 
-/// Help that nobody gets is no success.
+/// Exit code 0 would say that the help was printed.
 #[cfg(target_os = "linux")]
 #[test]
 fn help_that_cannot_be_written_is_an_error() {

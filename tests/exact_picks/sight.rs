@@ -22,7 +22,7 @@ use sightline::{
 };
 use std::cmp::Ordering;
 
-/// A family.
+/// Makes a sample of a family.
 type Make = fn(&mut Random) -> Sample;
 
 /// Points of each family.

@@ -12,7 +12,7 @@ use std::{
 /// The rooms, each of which names only those before it; `options` is a file beside them.
 const ROOMS: [&str; 7] = ["model", "options", "jobs", "screen", "ui", "app", "host"];
 
-/// What some rooms do without.
+/// What the files of a room must not name.
 const KEPT_OUT: [(&str, &[&str]); 3] = [
     (
         "model",

@@ -116,7 +116,7 @@ fn exact_says_when_f64_cannot_decide() {
     let mut two = Scene::new(vec![object(Shape::Square), object(sheet(-3.0))]);
     let front = dvec2(8.25, 7.75);
     assert_eq!(exact(&two, front), [false, true, true]);
-    // Hidden objects do not either.
+    // A hidden object puts no hit in doubt either.
     two.set_visible(1, false);
     assert_eq!(exact(&two, front), [false]);
     let mut solid = Scene::new(vec![object(Shape::Square), object(Shape::Cube)]);

@@ -162,7 +162,7 @@ fn a_red_message_goes_by_esc_or_by_the_next_success() {
     // A report of what was done goes by itself, so Esc is not for it.
     key(&mut window, Key::Escape);
     assert!(told(&window)[0].contains("copied"));
-    // To add files is to open some.
+    // Adding a file counts as opening one: it takes the message about the file that did not open with it.
     window.drop_file(gone);
     window.send([Event::ModifiersChanged(Modifiers::SHIFT)]);
     window.drop_file(folder.path().join("row.toml"));

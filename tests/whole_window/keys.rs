@@ -331,7 +331,7 @@ fn an_up_vector_is_what_was_typed() {
         assert_eq!(camera.up_hint(), typed);
         assert!(camera.right().dot(typed).abs() < 1e-12 && camera.up().dot(typed) > 0.0);
     }
-    // The last number of nothing is refused.
+    // The number that would make the vector zero is refused.
     type_up(&mut window, ["0", "0", "0"]);
     let said = control(&window, "up y").description.clone();
     assert!(

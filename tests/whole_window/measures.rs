@@ -172,7 +172,7 @@ fn measures_are_not_lost_without_a_question() {
         ("wall.toml", vec![8.0])
     );
 
-    // The gallery keeps them.
+    // The gallery keeps the measures.
     press_key(&mut window, Modifiers::NONE, Key::E);
     assert!(!is_asked(&window) && window.state().showing().is_some());
     window.close();
@@ -182,7 +182,7 @@ fn measures_are_not_lost_without_a_question() {
     click_on(&mut window, "leave the gallery");
     assert_eq!(values(&window), [8.0]);
 
-    // With edits, one question is about both.
+    // One question is about edits and measures.
     press_key(&mut window, Modifiers::SHIFT, Key::H);
     window.drop_file(other.clone());
     assert!(has_control(&window, "Unsaved edits") && told(&window, "Measures are in no file"));

@@ -264,7 +264,7 @@ fn without_a_dialog_the_path_is_typed() {
     );
     control(&window, &exists);
     assert_eq!(read(&own), before);
-    // Another name is not agreed on.
+    // That first Enter does not count for another name.
     let [other, free] = ["other.toml", "free"].map(|name| folder.path().join(name));
     fs::write(&other, "other").expect("writable");
     type_into(&mut window, "path", &other.display().to_string());

@@ -170,7 +170,7 @@ fn only_what_changed_is_named_and_closed_warnings_stay_closed() {
     let mut window = open(files.to_vec(), 1.0);
     let says = |window: &Offscreen, words: &str| window.messages().any(|text| text.contains(words));
     assert!(says(&window, "none.mtl"));
-    // While the warning is open, it stays, once.
+    // The warning is still open: reading again neither closes it nor repeats it.
     fs::write(&files[0], triangle(12)).expect("writable");
     let read = "a.obj has changed and was read again";
     wait_until(&mut window, |window| says(window, read));

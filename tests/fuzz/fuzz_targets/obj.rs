@@ -37,7 +37,7 @@ fuzz_target!(|bytes: &[u8]| {
             return;
         }
     };
-    // One of each kind, and one a material file.
+    // At most one warning of each kind, and one for each material file.
     assert!(loaded.warnings.len() < 20);
     let scene = loaded.scene;
     assert!(scene.triangle_count() > 0);

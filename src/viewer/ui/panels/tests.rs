@@ -209,7 +209,7 @@ fn a_wrong_triangle_is_named() {
     }
 }
 
-/// That the processor draws is no warning.
+/// Drawing on the processor is nothing to warn about.
 #[test]
 fn software_is_said_in_the_colour_of_text() {
     let state = opened("gallery:needles");
