@@ -181,7 +181,9 @@ fn seen_from(corners: &[Corner], past_near: f64) -> Vec<SeenCorner> {
 /// The part of a segment, or of a single corner, behind the near plane as an outline; `None` when there is none.
 pub(super) fn outline(view: &View, grid_px: f64, px: DVec2, ends: &[Corner]) -> Option<Outline> {
     let seen = clip(ends, |corner| corner.view.z, Corner::lerp);
-    let (from, to) = (seen.first()?, seen.last()?);
+    // A segment that begins in front of the plane leaves a third corner, equal to the first.
+    let from = seen.first()?;
+    let to = seen.get(1).unwrap_or(from);
     let clipped = clipping_error(view, ends);
     Some(edge(view, grid_px, px, [*from, *to], clipped))
 }

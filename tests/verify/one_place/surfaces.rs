@@ -27,6 +27,32 @@ fn an_edge_that_two_triangles_share_is_one_surface() {
     }
 }
 
+/// A shared edge begins behind the eye and passes the near plane, whichever of its ends comes first.
+#[test]
+fn an_edge_through_the_near_plane_is_one_surface() {
+    let positions = vec![
+        [0.0, 0.0, 5.0],
+        [0.0, 0.0, -5.0],
+        [-3.0, -0.5, 0.0],
+        [3.0, -0.5, 0.0],
+    ];
+    let view = view(
+        [0.0, 1.0, 2.0],
+        [0.0, 0.0, -3.0],
+        perspective(45.0, 0.5, 20.0),
+        [64, 48],
+    );
+    for triangles in [[[0, 1, 2], [1, 0, 3]], [[1, 0, 2], [0, 1, 3]]] {
+        let mesh = one_mesh(positions.clone(), triangles.to_vec(), DVec3::ZERO);
+        let scene = Scene::new(vec![object("roof", mesh, DAffine3::IDENTITY)]);
+        for y in 25..=40 {
+            let px = dvec2(32.0, f64::from(y));
+            assert_eq!(pick::all(&scene, view.ray(px), view.sides).len(), 2, "{px}");
+            assert_eq!(places(&scene, &view).at(px), [], "{triangles:?} {px}");
+        }
+    }
+}
+
 /// Two pairs of triangles of one mesh fill the same square with different diagonals. On the square's edge they overlap.
 #[test]
 fn an_edge_that_two_overlapping_triangles_share_is_of_two() {
