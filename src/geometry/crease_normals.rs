@@ -1,11 +1,8 @@
 //! Computes shading normals for meshes that have none.
 
-use super::shares::{ALWAYS, GoOn, in_pieces, share};
+use super::shares::{ALWAYS, GoOn, PIECE, in_pieces, share};
 use glam::{DVec3, Vec3};
 use std::ops::Range;
-
-/// Triangles between two calls of `go_on`, where one core does the work: a few milliseconds.
-const PIECE: usize = 1 << 15;
 
 /// One normal for each corner of each triangle: what shading interpolates. Picking never reads it.
 #[derive(Clone, Debug, Default, PartialEq)]

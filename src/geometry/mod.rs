@@ -90,4 +90,4 @@ pub use vertex_ray::VertexRay;
 pub use world_ray::WorldRay;
 
 /// The unit roundoff of `f64`: the relative error of one operation is at most this.
-const U: f64 = 0.5 * f64::EPSILON;
+pub(crate) const U: f64 = 0.5 * f64::EPSILON;

@@ -44,7 +44,7 @@ pub(crate) fn on_all_cores<T, R: Send>(
 
 /// Items in one piece of work that can be stopped: a few milliseconds, if an item takes less than a tenth of a
 /// microsecond.
-const PIECE: usize = 1 << 15;
+pub(super) const PIECE: usize = 1 << 15;
 
 /// The results of `work` on the pieces of `0..count`, in order, on all cores, for as long as `go_on` lets it. `weight` is
 /// the share of all these pieces in the work that `go_on` knows.

@@ -2,15 +2,12 @@
 //! triangles visited.
 
 use super::{Object, Shape};
-use crate::geometry::{Aabb, BLOCK, Mesh, Placement};
+use crate::geometry::{Aabb, BLOCK, Mesh, Placement, U};
 use glam::DVec3;
 use std::ops::Range;
 
 /// In objects with fewer triangles than this, every triangle is visited.
 const FEW: usize = 8 * BLOCK;
-
-/// The unit roundoff, `2^-53`.
-const U: f64 = 0.5 * f64::EPSILON;
 
 /// [`Object::bounds_world`], to the bit.
 pub(super) fn bounds_world(object: &Object) -> Aabb {

@@ -21,7 +21,6 @@ use crate::{
 use glam::{DVec2, DVec3};
 use std::{
     collections::HashMap,
-    ops::Range,
     sync::{Arc, PoisonError, RwLock},
 };
 
@@ -117,7 +116,7 @@ impl<'a> Surfaces<'a> {
             Shape::Mesh { mesh, part } => {
                 let data = mesh.data();
                 let triangles = &data.parts[*part].triangles;
-                let batch = batch_of(scene, index);
+                let batch = scene.batch_of(index);
                 let is_shown = |triangle| {
                     let object = (mesh.part_of(triangle) + index).checked_sub(*part);
                     object.is_some_and(|i| batch.contains(&i) && scene.objects()[i].visible)
@@ -158,7 +157,7 @@ impl<'a> Surfaces<'a> {
 
     fn flat(&self, px: DVec2, object: usize) -> Flat<'_> {
         let placement = &self.scene.objects()[object].placement;
-        let batch = batch_of(self.scene, object);
+        let batch = self.scene.batch_of(object);
         let vertices = kept(&self.vertices, batch.start, || {
             let (origin, bounds) = transform::vertex_space(self.scene, batch);
             let to_view = VertexToView::new(&self.space, placement, origin, &bounds);
@@ -189,10 +188,4 @@ fn kept<T: Clone>(all: &RwLock<HashMap<usize, T>>, key: usize, make: impl FnOnce
     let made = make();
     let mut known = all.write().unwrap_or_else(PoisonError::into_inner);
     known.entry(key).or_insert(made).clone()
-}
-
-/// The batch that an object is drawn with.
-pub(super) fn batch_of(scene: &Scene, object: usize) -> &Range<usize> {
-    let batches = scene.batches();
-    &batches[batches.partition_point(|batch| batch.end <= object)]
 }

@@ -20,7 +20,7 @@
 
 use super::{
     OUTLINE_CEILING_PX,
-    face::{Face, Surfaces, batch_of},
+    face::{Face, Surfaces},
     surface::{Depths, Surface, ViewRay},
 };
 use crate::{
@@ -139,7 +139,7 @@ impl<'a> Places<'a> {
 impl Patch {
     fn of(scene: &Scene, hit: &SceneHit) -> Self {
         Self {
-            batch: batch_of(scene, hit.object).start,
+            batch: scene.batch_of(hit.object).start,
             face: Face::of_hit(&scene.objects()[hit.object], &hit.hit),
         }
     }

@@ -91,18 +91,11 @@ impl<I: Decided> Number<I> {
 
     /// `self / other`, to within three roundings. `other` must not be 0.
     pub fn decided_ratio(&self, other: &Self) -> Result<f64, InDoubt> {
-        let ((a, above), (b, below)) = (
+        let (a, b) = (
             self.integer.decided_value()?,
             other.integer.decided_value()?,
         );
-        if a == 0.0 {
-            return Ok(0.0);
-        }
-        let ratio = a / b;
-        Ok(times_power_of_two(
-            ratio,
-            above + self.exponent - below - other.exponent,
-        ))
+        Ok(quotient(a, b, self.exponent - other.exponent))
     }
 }
 
@@ -114,11 +107,8 @@ impl<I: Integer> Number<I> {
 
     /// `self / other`, to within three roundings. `other` must not be 0.
     pub fn ratio(&self, other: &Self) -> f64 {
-        if self.sign().is_eq() {
-            return 0.0;
-        }
-        let ((a, above), (b, below)) = (self.integer.rounded(), other.integer.rounded());
-        times_power_of_two(a / b, above + self.exponent - below - other.exponent)
+        let (a, b) = (self.integer.rounded(), other.integer.rounded());
+        quotient(a, b, self.exponent - other.exponent)
     }
 
     pub fn to_big(&self) -> Number<BigInt> {
@@ -127,6 +117,14 @@ impl<I: Integer> Number<I> {
             exponent: self.exponent,
         }
     }
+}
+
+/// `a / b * 2^exponent` of rounded integers, within one more rounding.
+fn quotient((a, above): (f64, i64), (b, below): (f64, i64), exponent: i64) -> f64 {
+    if a == 0.0 {
+        return 0.0;
+    }
+    times_power_of_two(a / b, above - below + exponent)
 }
 
 /// Both integers in the smaller of the two units.
