@@ -71,6 +71,16 @@ fn a_typed_number_is_asked_about_before_it_goes() {
     }
 }
 
+/// Files that are added change no object that is there: the number counts before they come.
+#[test]
+fn a_typed_number_counts_before_files_are_added() {
+    let (mut window, folder) = typing("0.25");
+    window.send([Event::ModifiersChanged(Modifiers::SHIFT)]);
+    window.drop_file(folder.path().join("other.toml"));
+    assert_eq!(window.state().scene().objects().len(), 6);
+    assert_eq!(x(&window), 0.25);
+}
+
 /// A text that is no number is left as Enter leaves it: red, and the number before stays in force.
 #[test]
 fn a_text_that_is_no_number_counts_for_nothing() {

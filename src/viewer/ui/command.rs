@@ -83,11 +83,16 @@ pub(in crate::viewer) enum Command {
 }
 
 impl Command {
-    /// Whether it opens, reloads, saves or closes. A number that is still being typed is to count before that.
+    /// Whether it opens, adds, reloads, saves or closes. A number that is still being typed is to count before that.
     pub fn ends_typing(&self) -> bool {
         matches!(
             self,
-            Self::OpenDialog | Self::SaveDialog | Self::Open(_) | Self::Reload | Self::Quit
+            Self::OpenDialog
+                | Self::SaveDialog
+                | Self::Open(_)
+                | Self::Add(_)
+                | Self::Reload
+                | Self::Quit
         )
     }
 }
