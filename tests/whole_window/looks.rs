@@ -40,7 +40,9 @@ fn the_arrows_walk_through_the_list() {
     press_key(&mut window, Modifiers::NONE, Key::Enter);
     press_key(&mut window, Modifiers::NONE, Key::ArrowDown);
     assert_eq!(selected(&window), Some("back"));
+    assert!(has_control(&window, "1 of 3 objects"));
     type_into(&mut window, "search", "xyz");
+    assert!(has_control(&window, "0 of 3 objects"));
     assert!(has_control(
         &window,
         "No name contains \u{201c}xyz\u{201d}."

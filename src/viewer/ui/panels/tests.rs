@@ -24,8 +24,8 @@ use crate::{
         },
     },
 };
-use egui::{Event, Key, Modifiers, RawInput, Rect, Shape, pos2, vec2};
-use glam::DVec2;
+use egui::{Event, Key, Modifiers, RawInput, Rect, Shape, epaint::ClippedShape, pos2, vec2};
+use glam::{DVec2, dvec2};
 use std::{collections::BTreeSet, time::Duration};
 
 fn opened(path: &str) -> State {
@@ -236,6 +236,37 @@ fn software_is_said_in_the_colour_of_text() {
         .find_map(|clipped| colour(&clipped.shape));
     let colours = colours.expect("the word");
     assert!(!colours.contains(&Some(warns)), "{colours:?}");
+}
+
+/// In the smallest window the status line is cut, but not the name of what is under the cursor.
+#[test]
+fn what_is_under_the_cursor_is_named_in_the_smallest_window() {
+    let mut state = opened("gallery:needles");
+    state.apply(Action::Hover(Some(dvec2(274.5, 335.5))));
+    let hovered = state.hover().expect("a hit in the middle");
+    let statistics = Statistics {
+        adapter: "an adapter with a long name of its own, and its driver's".into(),
+        pick: Some(Duration::from_millis(1)),
+        software: true,
+        ..Statistics::default()
+    };
+    let window = Rect::from_min_size(pos2(0.0, 0.0), vec2(640.0, 400.0));
+    let context = theme::context();
+    let input = RawInput {
+        screen_rect: Some(window),
+        ..RawInput::default()
+    };
+    let mut output = context.run_ui(input, |ui| status::show(ui, &state, &statistics));
+    output.textures_delta.clear();
+    let name = &state.scene().objects()[hovered].name;
+    let is_named = |clipped: &ClippedShape| match &clipped.shape {
+        Shape::Text(text) if text.galley.text() == name => {
+            let place = text.visual_bounding_rect();
+            clipped.clip_rect.contains_rect(place) && window.contains_rect(place)
+        }
+        _ => false,
+    };
+    assert!(output.shapes.iter().any(is_named), "{name}");
 }
 
 /// How long a picture took is said for a while, and no longer once nothing moves.
