@@ -258,14 +258,14 @@ impl<'a> Outcome<'a> {
             let what = match class {
                 Class::Edge => format!("the centre lies on an outline, to 1/{grid} pixel"),
                 Class::Depth => {
-                    "two surfaces have the same depth, to the depth buffer and at most half a pixel's width"
+                    "two surfaces have the same depth as far as the depth buffer can tell, at most half a pixel's width apart"
                         .into()
                 }
                 Class::Section => format!(
-                    "the section passes the surface, to 1/{grid} pixel or f32 and at most half a pixel's width"
+                    "the section passes the surface, to 1/{grid} pixel or as far as f32 can tell, at most half a pixel's width away"
                 ),
                 Class::F32Limit => format!(
-                    "the centre lies on an outline, to what f32 can tell and at most {OUTLINE_CEILING_PX} px"
+                    "the centre lies on an outline as far as f32 can tell, at most {OUTLINE_CEILING_PX} px from it"
                 ),
                 Class::BeyondF32 => {
                     "f32 is too coarse to draw this view: use render --by raycast".to_owned()
@@ -278,7 +278,7 @@ impl<'a> Outcome<'a> {
                 &format!("{what}{}", painted(colour)),
             );
         }
-        let what = "of all these: surfaces closer together than drawing can tell";
+        let what = "of all the pixels above: surfaces closer together than drawing can tell apart";
         let painted = painted(IN_ONE_PLACE.1);
         row(
             "in one place",

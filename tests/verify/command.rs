@@ -76,7 +76,7 @@ fn pixels_in_one_place_are_counted_and_tinted() {
     let off = count.abs_diff(u64::try_from(tinted.count()).expect("few"));
     assert!(off <= 9 * differ, "{off} of {line}");
     let text = String::from_utf8(run(&args).stdout).expect("text");
-    let row = format!("in one place {count:>9}  of all these: ");
+    let row = format!("in one place {count:>9}  of all the pixels above: ");
     assert!(text.contains(&row), "{text}");
 }
 

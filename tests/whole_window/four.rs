@@ -259,7 +259,7 @@ fn the_four_views_need_no_frozen_camera() {
     press_key(&mut window, Modifiers::NONE, Key::T);
     let said: String = window.messages().collect();
     assert!(
-        said.contains("the world view shows the camera already"),
+        said.contains("nothing is frozen in the four views"),
         "{said}"
     );
 }

@@ -160,7 +160,7 @@ fn measures_are_not_lost_without_a_question() {
         let mut all = window.controls().iter();
         all.any(|control| control.name.contains(words))
     };
-    assert!(told(&window, "Measures are in no file"));
+    assert!(told(&window, "No file holds measures"));
     assert!(!has_control(&window, "Save first\u{2026}"), "it saves none");
     click_on(&mut window, "Copy the measures");
     let copied = window.copied().expect("text");
@@ -185,7 +185,7 @@ fn measures_are_not_lost_without_a_question() {
     // One question is about edits and measures.
     press_key(&mut window, Modifiers::SHIFT, Key::H);
     window.drop_file(other.clone());
-    assert!(has_control(&window, "Unsaved edits") && told(&window, "Measures are in no file"));
+    assert!(has_control(&window, "Unsaved edits") && told(&window, "No file holds measures"));
     click_on(&mut window, "Save first\u{2026}");
     window.save_as(folder.path().join("kept.toml"));
     assert!(is_asked(&window), "the measures are left");

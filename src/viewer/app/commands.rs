@@ -29,7 +29,9 @@ impl App {
         match command {
             Command::Act(Action::ToggleFreeze) if self.state.views() != Views::Picture => {
                 let key = "press 4 for the picture, then T";
-                self.complain(format!("the world view shows the camera already: {key}"));
+                self.complain(format!(
+                    "nothing is frozen in the four views, which show the camera already: {key}"
+                ));
             }
             Command::Act(action) => self.act(action),
             Command::OpenDialog if self.host == Host::Picture => {}

@@ -46,7 +46,7 @@ impl PathQuestion {
     pub fn take(&mut self) -> Option<PathBuf> {
         let mut path = PathBuf::from(self.text.trim());
         if path.as_os_str().is_empty() || path.is_dir() {
-            self.said = Some("This is no path of a file.".into());
+            self.said = Some("This is not the path of a file.".into());
             return None;
         }
         match self.what {

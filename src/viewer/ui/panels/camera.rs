@@ -137,13 +137,13 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
     for (name, hint, value, which) in [
         (
             "near",
-            "whatever is nearer than this plane is cut away: its depth along the direction of view, in world units",
+            "the near plane's depth along the direction of view, in world units: whatever is nearer is cut away",
             lens.near,
             (|controls| &mut controls.near) as fn(&mut LensControls) -> &mut Option<f64>,
         ),
         (
             "far",
-            "whatever is beyond this plane is cut away: its depth along the direction of view, in world units",
+            "the far plane's depth along the direction of view, in world units: whatever is beyond is cut away",
             lens.far,
             |controls| &mut controls.far,
         ),

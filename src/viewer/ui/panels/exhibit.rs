@@ -78,7 +78,7 @@ pub(super) fn show(
                 let now = showing.method.map(|method| method.info());
                 let now = now.map(|info| (info.name, info.precision));
                 plot::show(ui, &family(rows, subject.value, now));
-                ui.weak("Pixels: this view's. Dashed: f32. Solid: f64 or exact. Black: Sightline's. Thick: the method that picks now.");
+                ui.weak("In pixels of this view. Dashed: f32. Solid: f64 or exact. Black: Sightline's. Thick: the method that picks now.");
                 ui.label(others(rows));
             }
             None => {

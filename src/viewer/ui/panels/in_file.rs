@@ -143,7 +143,7 @@ pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &m
     });
     if let Some(wrong) = wrong {
         ui.colored_label(ui.visuals().error_fg_color, wrong)
-            .hint("nothing has such a number");
+            .hint("numbers are whole and begin at 1");
     }
     if let Some(said) = said {
         let text = match state.says_of_sought() {

@@ -80,7 +80,7 @@ fn does(matrix: Matrix, row: usize) -> &'static str {
 
 /// What the determinant of a model matrix says.
 pub(super) const VOLUMES: &str =
-    "its size says how many times as large volumes become, its sign whether the object is mirrored";
+    "volumes are multiplied by its absolute value; where it is negative, the object is mirrored";
 
 /// What a determinant says about volumes and handedness.
 pub(super) fn determinant(

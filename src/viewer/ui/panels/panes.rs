@@ -166,7 +166,7 @@ fn about(state: &State, stage: Stage) -> (String, &'static str) {
             };
             (
                 text,
-                "right-handed; depth runs along the ray, which the inverse of M brought here",
+                "right-handed; depth runs along the ray, which the inverse of M takes to this space",
             )
         }
         Stage::World => (

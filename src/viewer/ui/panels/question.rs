@@ -28,7 +28,7 @@ pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut
     if !measured.is_empty() {
         let of = names(&measured);
         text.push(format!(
-            "Measures are in no file: those of {of} would be gone, but can be copied."
+            "No file holds measures: those of {of} will be lost unless you copy them first."
         ));
     }
     Modal::new(Id::unique("question")).show(ctx, |ui| {

@@ -64,7 +64,7 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         Some(1) => "1 more pick".to_owned(),
         Some(more) => format!("{more} more picks"),
     };
-    let hint = "through the next three picks: the side that sees them run counter-clockwise stays; click again to cancel";
+    let hint = "lay the plane through the next three picks; the side from which they run counter-clockwise is kept; click again to cancel";
     let name = "section by three points";
     let next = Action::SectionByPoints(wanted.is_none());
     button(&word, name, hint, true, &|| Some(next));
