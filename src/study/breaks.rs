@@ -82,15 +82,15 @@ pub fn breaks_on(exhibit: &str) -> impl Iterator<Item = &'static Break> {
 }
 
 /// The rows of all methods of a break's step, in the break's family and on the view's own rays (the family [`SCENE`]). Errors
-/// in pixels are converted to pixels of the view.
+/// in pixels are converted to pixels of the view. `None` once `go_on`, which is asked now and then, says no.
 #[must_use]
-pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
+pub fn rows(of: &Break, scene: &Scene, view: View, go_on: &dyn Fn() -> bool) -> Option<Vec<Row>> {
     // Enough that some go through the one column of pixels on which `along_a_face` breaks.
     const RAYS: usize = 6000;
     let camera = &view.camera;
     let px = px_angle(&view, camera.eye().distance(camera.target()));
     let own = SceneRays::new(scene, view, RAYS, Effort::QUICK.seed);
-    let mut rows = of.step.rows(of.family, Effort::QUICK, Some(&own));
+    let mut rows = (of.step).rows(of.family, Effort::QUICK, Some(&own), go_on)?;
     for row in rows.iter_mut().filter(|row| row.family != SCENE) {
         if row.info.step.wrong_unit == "px" {
             row.worst_wrong *= PX / px;
@@ -99,7 +99,7 @@ pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
             row.worst_error *= PX / px;
         }
     }
-    rows
+    Some(rows)
 }
 
 /// The methods besides Sightline's whose mistakes cannot be seen on the scene: every decision is right, and every error is

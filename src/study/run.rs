@@ -233,11 +233,18 @@ fn workloads<'a, C: Case>(
     })
 }
 
-/// The rows that [`run`] has for one family of a step, and for the family [`SCENE`] of a scene; untimed.
-pub fn family<C: Case>(name: &str, effort: Effort, scene: Option<&SceneRays>) -> Vec<Row> {
+/// The rows that [`run`] has for one family of a step, and for the family [`SCENE`] of a scene; untimed. `go_on` is asked
+/// before each workload; `None` once it says no.
+pub fn family<C: Case>(
+    name: &str,
+    effort: Effort,
+    scene: Option<&SceneRays>,
+    go_on: &dyn Fn() -> bool,
+) -> Option<Vec<Row>> {
     let mut workloads = all_workloads::<C>(effort, scene);
     workloads.retain(|work| [name, SCENE].contains(&work.family));
-    workloads.iter().flat_map(judge).collect()
+    let rows = workloads.iter().map(|work| go_on().then(|| judge(work)));
+    Some(rows.collect::<Option<Vec<_>>>()?.concat())
 }
 
 /// A row for each method's answers to the cases of one workload.

@@ -43,6 +43,9 @@ pub trait Step: Case {
     fn pick(click: &Click<'_>, run: fn(&Self) -> Self::Answer) -> Option<Found>;
 }
 
+/// [`run::family`] of a step.
+type FamilyRows = fn(&str, Effort, Option<&SceneRays>, &dyn Fn() -> bool) -> Option<Vec<Row>>;
+
 /// A [`Step`] as a value.
 #[derive(Clone, Copy, Debug)]
 pub struct AnyStep {
@@ -50,7 +53,7 @@ pub struct AnyStep {
     pub about: About,
     methods: fn() -> Vec<MethodInfo>,
     pick: fn(usize, &Click<'_>) -> Option<Found>,
-    rows: fn(&str, Effort, Option<&SceneRays>) -> Vec<Row>,
+    rows: FamilyRows,
 }
 
 impl AnyStep {
@@ -71,10 +74,17 @@ impl AnyStep {
         (self.methods)()
     }
 
-    /// The rows of all its methods in one of its families, and on a scene's own rays.
+    /// The rows of all its methods in one of its families, and on a scene's own rays. `None` once `go_on`, which is asked
+    /// now and then, says no.
     #[must_use]
-    pub fn rows(self, family: &str, effort: Effort, scene: Option<&SceneRays>) -> Vec<Row> {
-        (self.rows)(family, effort, scene)
+    pub fn rows(
+        self,
+        family: &str,
+        effort: Effort,
+        scene: Option<&SceneRays>,
+        go_on: &dyn Fn() -> bool,
+    ) -> Option<Vec<Row>> {
+        (self.rows)(family, effort, scene, go_on)
     }
 }
 

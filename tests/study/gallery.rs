@@ -6,11 +6,14 @@ use sightline::{
     scene::{self, Loaded, Progress, gallery::GALLERY},
     study::{
         self, Effort, Report, Row, SCENE, SceneRays,
-        breaks::{self, BREAKS, breaks_on},
+        breaks::{self, BREAKS, Break, breaks_on},
         step::Precision::{F32, F64},
     },
 };
-use std::path::{Path, PathBuf};
+use std::{
+    cell::Cell,
+    path::{Path, PathBuf},
+};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/gallery")
@@ -29,6 +32,12 @@ pub fn view_of(loaded: &Loaded, width: u32, height: u32) -> View {
         sides: Sides::Both,
         section: None,
     }
+}
+
+/// What the window charts beside a scene.
+fn rows_of(broken: &Break, loaded: &Loaded) -> Vec<Row> {
+    let view = view_of(loaded, 801, 600);
+    breaks::rows(broken, &loaded.scene, view, &|| true).expect("nobody stops it")
 }
 
 fn study_of(scene: &str) -> Report {
@@ -109,7 +118,8 @@ fn every_scene_of_the_folder_is_in_the_gallery_and_breaks_something() {
             cases: 1,
             ..Effort::QUICK
         };
-        let families = broken.step.rows(broken.family, effort, None);
+        let families = (broken.step).rows(broken.family, effort, None, &|| true);
+        let families = families.expect("nobody stops it");
         assert!(families.len() > 1, "no such family: {broken:?}");
         assert!(names_contain(broken.exhibit), "no such scene: {broken:?}");
     }
@@ -141,6 +151,18 @@ fn the_gallery_opens_as_its_files_do() {
     assert!(said.contains("needles"), "{said}");
 }
 
+/// Who leaves a scene of the gallery waits for no more of its chart than what is under way.
+#[test]
+fn a_chart_that_nobody_wants_any_more_ends() {
+    let broken = &BREAKS[0];
+    let path = format!("gallery:{}", broken.exhibit).into();
+    let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
+    let asked = Cell::new(0);
+    let go_on = || asked.replace(asked.get() + 1) < 1;
+    let rows = breaks::rows(broken, &loaded.scene, view_of(&loaded, 801, 600), &go_on);
+    assert!(rows.is_none() && asked.get() == 2, "{asked:?}");
+}
+
 /// The chart beside a scene fits it: the curve, in the view's pixels, passes near the figure of the scene's own rays.
 #[test]
 fn the_chart_matches_the_picture() {
@@ -148,7 +170,7 @@ fn the_chart_matches_the_picture() {
     for broken in &BREAKS {
         let path = format!("gallery:{}", broken.exhibit).into();
         let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
-        let rows = breaks::rows(broken, &loaded.scene, view_of(&loaded, 801, 600));
+        let rows = rows_of(broken, &loaded);
         let own = rows
             .iter()
             .filter(|row| row.info.key() == (broken.method, broken.precision));
@@ -205,7 +227,7 @@ fn others_that_are_as_good_are_named() {
     for broken in &BREAKS {
         let path = format!("gallery:{}", broken.exhibit).into();
         let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
-        let rows = breaks::rows(broken, &loaded.scene, view_of(&loaded, 801, 600));
+        let rows = rows_of(broken, &loaded);
         let good: Vec<_> = breaks::as_good(&rows).map(|row| row.info.key()).collect();
         assert!(
             !good.contains(&(broken.method, broken.precision)),

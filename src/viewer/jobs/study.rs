@@ -9,11 +9,15 @@ use crate::{
         breaks::{self, Break},
     },
 };
+use std::sync::Arc;
 
 /// A chart of what breaks, done or under way.
 pub(in crate::viewer) struct Chart {
     of: &'static Break,
-    job: Job<Vec<Row>>,
+    job: Job<Option<Vec<Row>>>,
+    /// The work stops once this is dropped with the chart: who walks through the gallery waits for no chart of the scenes
+    /// before.
+    _wanted: Arc<()>,
     /// Its rows, once they are there.
     pub rows: Option<Vec<Row>>,
 }
@@ -26,9 +30,13 @@ impl Chart {
         view: View,
         wake: impl FnOnce() + Send + 'static,
     ) -> Self {
+        let wanted = Arc::new(());
+        let chart = Arc::downgrade(&wanted);
+        let work = move || breaks::rows(of, &scene, view, &|| chart.strong_count() > 0);
         Self {
             of,
-            job: Job::start(move || breaks::rows(of, &scene, view), wake),
+            job: Job::start(work, wake),
+            _wanted: wanted,
             rows: None,
         }
     }
@@ -36,7 +44,7 @@ impl Chart {
     /// Takes the chart when it is there.
     pub fn poll(&mut self) {
         if let Some(Ok(rows)) = self.job.poll() {
-            self.rows = Some(rows);
+            self.rows = rows;
         }
     }
 
