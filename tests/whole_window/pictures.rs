@@ -14,50 +14,53 @@ use sightline::{
     viewer::{Offscreen, Options, model::Views, picture_of_views},
 };
 use std::path::{Path, PathBuf};
+use tempfile::TempDir;
 
 /// A part of the window: left, top, width, height in points.
 type Part = [u32; 4];
 
-/// The window in the state of the picture, with a text in place of [`ROW`], and the part shown.
-fn shown(name: &str, text: &str) -> (Offscreen, Part) {
-    let (mut window, _folder) = row_as(text, 1.0);
+/// The window in the state of the picture, with a text in place of [`ROW`], the part shown, and the folder of its file:
+/// while that is there, no message says that the file is gone.
+fn shown(name: &str, text: &str) -> (Offscreen, Part, TempDir) {
+    let (mut window, folder) = row_as(text, 1.0);
     click(&mut window, MIDDLE);
     // The cursor leaves the window, so that nothing is hovered.
     window.send([Event::PointerGone]);
-    match name {
-        "panels" => (window, [960, 0, 320, 720]),
+    let part = match name {
+        "panels" => [960, 0, 320, 720],
         "light" => {
             window.set_theme(egui::Theme::Light);
-            (window, [960, 0, 320, 720])
+            [960, 0, 320, 720]
         }
         // The menu of further tools is open over the right panels, in the smallest window.
         "small" => {
             window.resize(px([640, 400], 1.0));
             click_on(&mut window, "more");
             window.send([Event::PointerGone]);
-            (window, [0, 0, 640, 400])
+            [0, 0, 640, 400]
         }
         "gallery" => {
-            let mut window = open(vec!["gallery:stretched".into()], 1.0);
+            window = open(vec!["gallery:stretched".into()], 1.0);
             press_key(&mut window, Modifiers::NONE, Key::M);
             click(&mut window, pos2(681.0, 330.0));
             window.send([Event::PointerGone]);
-            (window, [0, 0, 970, 690])
+            [0, 0, 970, 690]
         }
         "section" => {
             press_key(&mut window, Modifiers::NONE, Key::Num9);
             press_key(&mut window, Modifiers::NONE, Key::Z);
-            (window, [260, 0, 1020, 720])
+            [260, 0, 1020, 720]
         }
         "pipeline" => {
             press_key(&mut window, Modifiers::NONE, Key::P);
-            (window, [0, 25, 280, 670])
+            [0, 25, 280, 670]
         }
         _ => {
             press_key(&mut window, Modifiers::NONE, Key::H);
-            (window, [150, 0, 980, 720])
+            [150, 0, 980, 720]
         }
-    }
+    };
+    (window, part, folder)
 }
 
 /// The parts of panels that lie over the scene, opaque and the same with every driver. Counts of pixels are left out,
@@ -93,7 +96,7 @@ fn holds([left, top, width, height]: Part, [x, y]: [u32; 2]) -> bool {
 /// A picture for a golden, of a text in place of [`ROW`], and which of its pixels belong to panels. The scene's pixels
 /// do not count, because another driver draws them otherwise.
 fn pictured(name: &str, text: &str) -> (Image<Rgb>, Vec<bool>) {
-    let (mut window, [left, top, width, height]) = shown(name, text);
+    let (mut window, [left, top, width, height], _folder) = shown(name, text);
     let whole = window.picture().expect("a picture");
     let scene = scene_part(&window, whole.size().height());
     let over = over_the_scene(name);

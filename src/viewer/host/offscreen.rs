@@ -16,6 +16,7 @@ use crate::{
         ui::Notice,
     },
 };
+use egui::accesskit::TreeUpdate;
 use std::{
     path::PathBuf,
     sync::{
@@ -42,6 +43,10 @@ pub struct Offscreen {
     time_s: f64,
     copied: Option<String>,
     controls: Vec<Control>,
+    /// The last pass's accessibility tree, until [`Self::controls`] is made of it.
+    tree: Option<TreeUpdate>,
+    /// Whether passes that no other follows at once make that tree.
+    tells_controls: bool,
     at_rest: bool,
     theme: Option<egui::Theme>,
 }
@@ -75,10 +80,11 @@ impl Offscreen {
             time_s: 0.0,
             copied: None,
             controls: Vec::new(),
+            tree: None,
+            tells_controls: true,
             at_rest: false,
             theme: None,
         };
-        window.app.context.enable_accesskit();
         window.settle();
         window
     }
@@ -86,6 +92,7 @@ impl Offscreen {
     /// Runs a pass for each event, then waits for the jobs that these began. Positions are in points. Nothing is drawn.
     /// Unless a picture is late, events act as if the wanted picture were on screen.
     pub fn send(&mut self, events: impl IntoIterator<Item = egui::Event>) {
+        self.make_tree(false);
         for event in events {
             if self.app.picture.behind.is_none() {
                 self.app.state.see(Seen::Wanted);
@@ -99,6 +106,7 @@ impl Offscreen {
     /// Runs a pass for each event, as a window does with those that come while it draws: what was drawn last is on screen
     /// all the time.
     pub fn send_undrawn(&mut self, events: impl IntoIterator<Item = egui::Event>) {
+        self.make_tree(false);
         for event in events {
             let input = self.input(vec![event]);
             self.pass(input);
@@ -134,11 +142,9 @@ impl Offscreen {
     /// Turns the accessibility tree on or off. It is on at first. While it is off, [`Offscreen::controls`] stay as they
     /// were.
     pub fn tell_controls(&mut self, tells: bool) {
+        self.tells_controls = tells;
         if tells {
-            self.app.context.enable_accesskit();
             self.settle();
-        } else {
-            self.app.context.disable_accesskit();
         }
     }
 
@@ -283,8 +289,10 @@ impl Offscreen {
 
     fn draw_after(&mut self, events: Vec<egui::Event>) -> Result<bool, GpuError> {
         let input = self.input(events);
+        self.make_tree(self.tells_controls);
         let Frame { platform, drawn } = self.app.frame(input, &mut self.picture);
         self.take_told(platform);
+        self.take_controls();
         self.at_rest = self.app.rest.is_settled;
         drawn
     }
@@ -369,14 +377,30 @@ impl Offscreen {
                 self.copied = Some(text);
             }
         }
-        if let Some(update) = platform.accesskit_update {
-            self.controls = controls(&update);
+        if platform.accesskit_update.is_some() {
+            self.tree = platform.accesskit_update;
+        }
+    }
+
+    fn take_controls(&mut self) {
+        if let Some(tree) = self.tree.take() {
+            self.controls = controls(&tree);
+        }
+    }
+
+    /// Whether the next passes make the accessibility tree. That takes as long as the panels themselves.
+    fn make_tree(&self, makes: bool) {
+        if makes {
+            self.app.context.enable_accesskit();
+        } else {
+            self.app.context.disable_accesskit();
         }
     }
 
     /// Runs passes until nothing moves and nothing is under way.
     pub(super) fn settle(&mut self) {
         let start = Instant::now();
+        self.make_tree(self.tells_controls);
         for _ in 0..MOST_PASSES {
             while self.app.is_busy() && start.elapsed() < LONGEST_WAIT {
                 // Only answers of dialogs are taken: tests set the theme themselves.
@@ -393,5 +417,6 @@ impl Offscreen {
                 break;
             }
         }
+        self.take_controls();
     }
 }
