@@ -81,11 +81,45 @@ impl Pyramid {
             .all(|(normal, on)| points.iter().any(|point| !(normal.dot(*point - *on) < 0.0)))
     }
 
+    /// The planes that a point lies beyond, a bit for each: none for NaN. Where a bit is set for all of some points, their
+    /// convex hull is outside.
+    #[inline]
+    pub fn beyond(&self, point: DVec3) -> u8 {
+        (self.planes.iter().rev()).fold(0, |bits, (normal, on)| {
+            bits << 1 | u8::from(normal.dot(point - *on) < 0.0)
+        })
+    }
+
     /// Whether part of a box may be inside: false only if all of it lies beyond one plane, never for NaN.
     pub fn may_meet(&self, bounds: &Aabb) -> bool {
         (self.planes.iter()).all(|(normal, on)| {
             let [to_min, to_max] = [bounds.min, bounds.max].map(|corner| *normal * (corner - *on));
             !(to_min.max(to_max).element_sum() < 0.0)
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::random::Random;
+
+    #[test]
+    fn points_beyond_one_plane_are_those_that_it_may_not_hold() {
+        let mut random = Random(11);
+        let mut counts = [0; 2];
+        for _ in 0..2_000 {
+            let planes = [(); 4].map(|()| (random.point(), random.point()));
+            let pyramid = Pyramid { planes };
+            let points = [(); 3].map(|()| 2.0 * random.point());
+            let beyond = points.map(|point| pyramid.beyond(point));
+            let is_outside = beyond[0] & beyond[1] & beyond[2] != 0;
+            assert_eq!(pyramid.may_hold(&points), !is_outside, "{pyramid:?}");
+            counts[usize::from(is_outside)] += 1;
+        }
+        assert!(counts.iter().all(|count| *count > 300), "{counts:?}");
+        let planes = [(DVec3::X, DVec3::ZERO); 4];
+        assert_eq!(Pyramid { planes }.beyond(DVec3::NAN), 0);
+        assert_eq!(Pyramid { planes }.beyond(DVec3::NEG_X), 0b1111);
     }
 }

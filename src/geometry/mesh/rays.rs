@@ -4,14 +4,14 @@
     reason = "what is not inlined into a walk is not compiled for its instructions"
 )]
 
-use super::{Mesh, MeshData};
+use super::{Mesh, MeshData, wide};
 use crate::geometry::{
     Aabb, Bvh, Entry, Hit, LocalRay, Pyramid, Sides, Simd, TriangleHit, TriangleTest, VertexRay,
     Visit, guarded_volume,
     shares::in_shares,
     triangle::{compare_t, filtered_volume, is_in_doubt, reaches_plane},
 };
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use std::{
     cmp::Ordering,
     ops::ControlFlow,
@@ -76,35 +76,56 @@ impl Mesh {
         self.data.triangles.len() < WORTH_A_TREE || self.tree.get().is_some() || self.few.is_some()
     }
 
-    /// The same mesh, for rays within one of these pyramids of object space. Each triangle is tested once against the
-    /// pyramids; rays are then tested only against the few triangles that they may meet. Rays outside the pyramids may
-    /// wrongly miss.
+    /// The same mesh, for rays within one of these pyramids of object space. Each vertex and each triangle is tested once
+    /// against each pyramid; rays are then tested only against the few triangles that they may meet. Rays outside the
+    /// pyramids may wrongly miss.
     #[must_use]
     pub(crate) fn narrowed(&self, pyramids: &[Pyramid]) -> Self {
-        let pyramids: Vec<_> = (pyramids.iter())
-            .map(|pyramid| pyramid.about(self.data.origin))
-            .collect();
-        let few = in_shares(self.data.triangles.len(), |share| {
-            let is_near = |corners: &[u32; 3]| {
-                // In `f32`, where least and greatest are exact.
-                let [a, b, c] = corners.map(|i| Vec3::from_array(self.data.positions[i as usize]));
-                let [min, max] = [a.min(b).min(c), a.max(b).max(c)].map(Vec3::as_dvec3);
-                let bounds = Aabb { min, max };
-                pyramids.iter().any(|pyramid| pyramid.may_meet(&bounds))
-            };
-            let all = (0..).zip(&self.data.triangles);
-            let share = all.skip(share.start).take(share.len());
-            let near = share.filter(|(_, corners)| is_near(corners));
-            near.map(|(triangle, _)| triangle).collect::<Vec<u32>>()
-        });
+        let near = |pyramid: &Pyramid| self.triangles_near(&pyramid.about(self.data.origin));
+        let few = match pyramids {
+            [] => Vec::new(),
+            [pyramid] => near(pyramid),
+            _ => {
+                let mut are_near = vec![false; self.data.triangles.len()];
+                for triangle in pyramids.iter().flat_map(near) {
+                    are_near[triangle as usize] = true;
+                }
+                let all = (0..).zip(are_near).filter(|(_, is_near)| *is_near);
+                all.map(|(triangle, _)| triangle).collect()
+            }
+        };
         Self {
             data: Arc::clone(&self.data),
             bounds: Arc::clone(&self.bounds),
             tree: OnceLock::new(),
             normals: OnceLock::new(),
             blocks: OnceLock::new(),
-            few: Some(few.concat()),
+            few: Some(few),
         }
+    }
+
+    /// The triangles that rays within a pyramid may meet, in order. The pyramid is about the vertices' (0, 0, 0).
+    fn triangles_near(&self, pyramid: &Pyramid) -> Vec<u32> {
+        let MeshData {
+            positions,
+            triangles,
+            ..
+        } = &*self.data;
+        let beyond = in_shares(positions.len(), |share| {
+            let positions = positions[share].iter();
+            let beyond = positions.map(|&position| pyramid.beyond(wide(position)));
+            beyond.collect::<Vec<u8>>()
+        });
+        let beyond = beyond.concat();
+        let near = in_shares(triangles.len(), |share| {
+            let all = (0..).zip(triangles).skip(share.start).take(share.len());
+            let near = all.filter(|(_, corners)| {
+                let [a, b, c] = corners.map(|corner| beyond[corner as usize]);
+                a & b & c == 0
+            });
+            near.map(|(triangle, _)| triangle).collect::<Vec<u32>>()
+        });
+        near.concat()
     }
 
     /// The nearest hit of an object-space ray on the parts that `accept` names; of ties, the lowest triangle. It is the

@@ -1,9 +1,9 @@
 //! Reads a face or a vertex from its file again: its line, its number, and the coordinates as they are written.
 //!
-//! Only some pieces of the file (`contents`) are read: the one with the face, and those with the vertices that the
-//! faces of this piece name. They are parsed by the loader's own rules (`text_lines`, `corners`, `triangulation`), so
-//! the face of a triangle is found by counting. The result must equal the stored mesh to the bit; otherwise the file
-//! has changed.
+//! Only some pieces of the file (`contents`) are read: the one with the face, and those with its vertices. They are parsed
+//! by the loader's own rules (`text_lines`, `corners`, `triangulation`), so the face of a triangle is found by counting.
+//! Where a piece has faces with fewer triangles than their corners suggest, all its faces are split again to be counted,
+//! which takes all their vertices. The result must equal the stored mesh to the bit; otherwise the file has changed.
 
 use super::{
     AgainError, Contents, FaceInFile, InFile, MOST_BYTES, VertexInFile,
@@ -21,7 +21,7 @@ use std::{
     io::{Read, Seek, SeekFrom},
     ops::Range,
     path::Path,
-    sync::Arc,
+    sync::{Arc, OnceLock},
 };
 
 /// How many pieces are kept in memory: those that were used last.
@@ -34,28 +34,36 @@ pub struct Again<'a> {
     mesh: &'a Mesh,
     progress: &'a Progress,
     text: Option<Text>,
-    pieces: Vec<(usize, Arc<Faces>)>,
+    pieces: Vec<(usize, Arc<Piece>)>,
 }
 
-/// The faces of a piece.
-struct Faces {
-    lines: Vec<FaceLine>,
-    /// The vertex number of each corner, face after face.
+/// A piece of the file, and where its vertices and faces are in it.
+struct Piece {
+    text: Vec<u8>,
+    vertices: Vec<Line>,
+    faces: Vec<Line>,
+    /// For each face, how many triangles of the mesh come before it; at the end, how many come before the next piece.
+    /// Counted when first needed.
+    triangles: OnceLock<Vec<u32>>,
+}
+
+/// A line with a vertex or a face.
+#[derive(Clone)]
+struct Line {
+    /// Where it is in the text of its piece, with the lines that continue it.
+    range: Range<usize>,
+    /// Its number in the file, from 1.
+    number: usize,
+    /// How many vertices of the file come before it.
+    vertices: usize,
+}
+
+/// A face as its line has it.
+struct Face {
+    /// The numbers of its vertices. If it is left out, only those that exist.
     corners: Vec<u32>,
-    /// The corners of each triangle, as indices into the corners of its face.
-    triangles: Vec<[u32; 3]>,
-    vertices: HashMap<u32, VertexInFile>,
-}
-
-struct FaceLine {
-    line: usize,
-    written: String,
-    /// Why the face is not in the mesh; `None` if it is.
+    /// Why the loader left it out; `None` if it did not.
     left_out: Option<String>,
-    /// The range of its corners in [`Faces::corners`]. If the face is left out, only corners whose vertices exist.
-    corners: Range<usize>,
-    /// Its triangles in the mesh.
-    triangles: Range<u32>,
 }
 
 impl<'a> Again<'a> {
@@ -104,12 +112,14 @@ impl<'a> Again<'a> {
     /// # Errors
     /// When the file cannot be read, or has changed since it was loaded.
     pub fn face_of(&mut self, triangle: u32) -> Result<FaceInFile, AgainError> {
+        self.check()?;
         let triangles = |start: &Start| start.triangles as usize;
         let piece = self.contents.holding(triangle as usize, triangles);
         let piece = piece.ok_or_else(|| self.changed())?;
-        let faces = self.faces(piece)?;
-        let index = (faces.lines).partition_point(|face| face.triangles.end <= triangle);
-        self.face_at(piece, &faces, index)
+        let lines = self.piece(piece)?;
+        let before = self.triangles(piece, &lines)?;
+        let index = before.partition_point(|&before| before <= triangle);
+        self.face_at(piece, &lines, index.wrapping_sub(1))
     }
 
     /// A face by its number among the `f` lines of the file, from 1. A face that is left out has no triangles.
@@ -122,9 +132,10 @@ impl<'a> Again<'a> {
         let Some(piece) = piece else {
             return Err(self.no_such("face", number, self.contents.faces()));
         };
-        let faces = self.faces(piece)?;
+        self.check()?;
+        let lines = self.piece(piece)?;
         let index = before - self.contents.piece(piece)[0].counts.faces;
-        self.face_at(piece, &faces, index)
+        self.face_at(piece, &lines, index)
     }
 
     /// A vertex by its number, from 1.
@@ -137,26 +148,42 @@ impl<'a> Again<'a> {
         let Some(place) = place.filter(|place| *place > 0) else {
             return Err(self.no_such("vertex", number, count));
         };
-        let mut found = self.vertices(&[place])?;
+        self.check()?;
+        let mut found = self.vertices(vec![place])?;
         found.remove(&place).ok_or_else(|| self.changed())
     }
 
-    fn face_at(&self, piece: usize, faces: &Faces, index: usize) -> Result<FaceInFile, AgainError> {
-        let [start, _] = self.contents.piece(piece);
-        let face = faces.lines.get(index).ok_or_else(|| self.changed())?;
-        let vertices = faces.corners[face.corners.clone()].iter();
-        let vertices = vertices.map(|number| faces.vertices.get(number).cloned());
+    /// The face at this index among those of a piece.
+    fn face_at(
+        &mut self,
+        piece: usize,
+        lines: &Piece,
+        index: usize,
+    ) -> Result<FaceInFile, AgainError> {
+        let line = lines.faces.get(index).ok_or_else(|| self.changed())?;
+        let before = self.triangles(piece, lines)?;
+        let triangles = before[index]..before[index + 1];
+        let (face, written) = lines.read(line, |text| {
+            let words = fields(text).map(|word| String::from_utf8_lossy(&text[word]));
+            let written = words.collect::<Vec<_>>().join(" ");
+            (self.face_line(text, line), written)
+        });
+        let known = self.vertices(face.corners.clone())?;
+        let (left_out, corners) = match face.split(&known, &mut Splitter::default()) {
+            Ok(corners) => (None, corners),
+            Err(why) => (Some(why), Vec::new()),
+        };
+        let vertices = face.corners.iter().map(|number| known.get(number).cloned());
         let vertices: Vec<_> = (vertices.collect::<Option<_>>()).ok_or_else(|| self.changed())?;
-        let of_piece = |triangle: u32| (triangle - start.triangles) as usize;
-        let triangles = of_piece(face.triangles.start)..of_piece(face.triangles.end);
+        let [start, _] = self.contents.piece(piece);
         let found = FaceInFile {
             face: start.counts.faces + index + 1,
-            line: face.line,
-            written: face.written.clone(),
-            left_out: face.left_out.clone(),
+            line: line.number,
+            written,
+            left_out,
             vertices,
-            triangles: face.triangles.clone(),
-            corners: faces.triangles[triangles].to_vec(),
+            triangles,
+            corners,
         };
         // The mesh has these positions to the bit, unless the file has changed.
         let is_stored = (found.triangles.clone())
@@ -165,122 +192,134 @@ impl<'a> Again<'a> {
                 let read = corners.map(|corner| found.vertices[corner as usize].position);
                 read == self.mesh.vertex_corners(triangle)
             });
-        if is_stored {
+        if is_stored && found.triangles.len() == found.corners.len() {
             Ok(found)
         } else {
             Err(self.changed())
         }
     }
 
-    /// The faces of a piece, each with its triangles in the mesh.
-    fn faces(&mut self, piece: usize) -> Result<Arc<Faces>, AgainError> {
-        // Also before a remembered piece is used.
-        self.check()?;
-        if let Some(at) = self.pieces.iter().position(|(known, _)| *known == piece) {
-            let found = self.pieces.remove(at);
-            let faces = Arc::clone(&found.1);
-            self.pieces.push(found);
-            return Ok(faces);
+    /// For each face of a piece, how many triangles of the mesh come before it; then how many come before the next
+    /// piece.
+    fn triangles<'p>(&mut self, piece: usize, lines: &'p Piece) -> Result<&'p [u32], AgainError> {
+        if let Some(known) = lines.triangles.get() {
+            return Ok(known);
         }
-        let faces = Arc::new(self.read_faces(piece)?);
-        if self.pieces.len() == REMEMBERED {
-            self.pieces.remove(0);
-        }
-        self.pieces.push((piece, Arc::clone(&faces)));
-        Ok(faces)
-    }
-
-    fn read_faces(&mut self, piece: usize) -> Result<Faces, AgainError> {
         let [start, next] = self.contents.piece(piece);
-        let (mut counts, known) = (start.counts, Some(self.contents.vertices()));
-        let text = self.text(piece)?;
-        let mut faces = Faces {
-            lines: Vec::new(),
-            corners: Vec::new(),
-            triangles: Vec::new(),
-            vertices: HashMap::new(),
+        let (is_plain, before) = (start.is_plain, start.triangles);
+        let (end, faces) = (next.triangles, lines.faces.iter());
+        let counts: Vec<usize> = if !is_plain {
+            self.counts_by_splitting(lines)?
+        } else if faces.len() == (end - before) as usize {
+            vec![1; faces.len()]
+        } else {
+            let corners = |line| lines.read(line, |text| fields(text).count());
+            faces.map(|line| corners(line).saturating_sub(2)).collect()
         };
-        let mut corners = Vec::new();
-        let mut lines = Lines::new(&text, counts.lines);
-        while let Some((line, text)) = lines.next() {
-            let keyword = fields(text).next().unwrap_or_default();
-            let rest = &text[keyword.end..];
-            match &text[keyword] {
-                b"v" => counts.vertices += 1,
-                b"vn" => counts.normals += 1,
-                b"f" => {
-                    let text = without_comment(rest);
-                    let read = read_corners(text, counts, known, &mut corners);
-                    let left_out = read.map_or_else(
-                        |bad| Some(bad.to_string()),
-                        |()| match corners.len() {
-                            0..3 => Some("it has less than three corners".to_owned()),
-                            3..=MOST_CORNERS => None,
-                            more => {
-                                Some(format!("it has {more} corners, the most is {MOST_CORNERS}"))
-                            }
-                        },
-                    );
-                    let words = fields(text).map(|word| String::from_utf8_lossy(&text[word]));
-                    let written = words.collect::<Vec<_>>().join(" ");
-                    if left_out.is_some() {
-                        corners = those_there(text, counts, known);
-                    }
-                    let begin = faces.corners.len();
-                    let numbers = corners.iter().map(|(vertex, _)| u32::try_from(*vertex));
-                    faces.corners.extend(numbers.map_while(Result::ok));
-                    faces.lines.push(FaceLine {
-                        line,
-                        written,
-                        left_out,
-                        corners: begin..faces.corners.len(),
-                        triangles: 0..0,
-                    });
-                }
-                _ => {}
-            }
-        }
-        let mut wanted = faces.corners.clone();
-        wanted.sort_unstable();
-        wanted.dedup();
-        faces.vertices = self.vertices(&wanted)?;
-        faces.split(start.triangles);
-        let triangles = (next.triangles - start.triangles) as usize;
-        if faces.triangles.len() == triangles {
-            Ok(faces)
+        let sums = counts.iter().scan(before, |sum, &count| {
+            *sum = sum.saturating_add(u32::try_from(count).unwrap_or(u32::MAX));
+            Some(*sum)
+        });
+        let all: Vec<u32> = std::iter::once(before).chain(sums).collect();
+        if all.last() == Some(&end) {
+            Ok(lines.triangles.get_or_init(|| all))
         } else {
             Err(self.changed())
         }
     }
 
-    /// Reads vertices by their numbers, from 1. The numbers must ascend.
-    fn vertices(&mut self, mut wanted: &[u32]) -> Result<HashMap<u32, VertexInFile>, AgainError> {
+    /// How many triangles each face of a piece has.
+    fn counts_by_splitting(&mut self, lines: &Piece) -> Result<Vec<usize>, AgainError> {
+        let faces = lines.faces.iter();
+        let faces: Vec<Face> = faces
+            .map(|line| lines.read(line, |text| self.face_line(text, line)))
+            .collect();
+        let corners = faces.iter().flat_map(|face| &face.corners).copied();
+        let known = self.vertices(corners.collect())?;
+        let mut splitter = Splitter::default();
+        let counts = faces.iter().map(|face| {
+            let corners = face.split(&known, &mut splitter);
+            corners.map_or(0, |corners| corners.len())
+        });
+        Ok(counts.collect())
+    }
+
+    /// Reads the face in the text after a line's keyword.
+    fn face_line(&self, text: &[u8], line: &Line) -> Face {
+        let before = Counts {
+            vertices: line.vertices,
+            ..Counts::default()
+        };
+        let known = Some(self.contents.vertices());
+        let mut corners = Vec::new();
+        let read = read_corners(text, before, known, &mut corners);
+        let left_out = read.map_or_else(
+            |bad| Some(bad.to_string()),
+            |()| match corners.len() {
+                0..3 => Some("it has less than three corners".to_owned()),
+                3..=MOST_CORNERS => None,
+                more => Some(format!("it has {more} corners, the most is {MOST_CORNERS}")),
+            },
+        );
+        if left_out.is_some() {
+            corners = those_there(text, before, known);
+        }
+        let numbers = corners.iter().map(|(vertex, _)| u32::try_from(*vertex));
+        Face {
+            corners: numbers.map_while(Result::ok).collect(),
+            left_out,
+        }
+    }
+
+    /// Reads vertices by their numbers, from 1.
+    fn vertices(&mut self, mut all: Vec<u32>) -> Result<HashMap<u32, VertexInFile>, AgainError> {
+        all.sort_unstable();
+        all.dedup();
         let origin = self.mesh.data().origin;
-        let mut found = HashMap::with_capacity(wanted.len());
+        let mut found = HashMap::with_capacity(all.len());
+        let mut wanted = &*all;
         while let Some(&first) = wanted.first() {
             let vertices = |start: &Start| start.counts.vertices;
             let piece = self.contents.holding(first as usize - 1, vertices);
             let piece = piece.ok_or_else(|| self.changed())?;
             let [start, next] = self.contents.piece(piece);
+            let before = start.counts.vertices;
             let here = wanted.partition_point(|number| *number as usize <= next.counts.vertices);
-            let mut here = wanted[..here].iter().copied().peekable();
-            wanted = &wanted[here.len()..];
-            let text = self.text(piece)?;
-            let mut number = u32::try_from(start.counts.vertices).unwrap_or(u32::MAX);
-            let mut lines = Lines::new(&text, start.counts.lines);
-            while let Some((line, text)) = lines.next() {
-                let keyword = fields(text).next().unwrap_or_default();
-                let rest = &text[keyword.end..];
-                if &text[keyword] == b"v" {
-                    number += 1;
-                    if here.next_if_eq(&number).is_some() {
-                        let rest = without_comment(rest);
-                        found.insert(number, VertexInFile::read(number, line, rest, origin));
-                    }
-                }
+            let (here, others) = wanted.split_at(here);
+            wanted = others;
+            let lines = self.piece(piece)?;
+            for &number in here {
+                let line = lines.vertices.get(number as usize - 1 - before);
+                let line = line.ok_or_else(|| self.changed())?;
+                let read = |text: &[u8]| VertexInFile::read(number, line.number, text, origin);
+                found.insert(number, lines.read(line, read));
             }
         }
         Ok(found)
+    }
+
+    /// A piece of the file.
+    fn piece(&mut self, piece: usize) -> Result<Arc<Piece>, AgainError> {
+        if let Some(at) = self.pieces.iter().position(|(known, _)| *known == piece) {
+            let found = self.pieces.remove(at);
+            let lines = Arc::clone(&found.1);
+            self.pieces.push(found);
+            return Ok(lines);
+        }
+        let text = self.text(piece)?;
+        let [start, _] = self.contents.piece(piece);
+        let lines = Arc::new(Piece::new(text, start.counts));
+        if self.pieces.len() == REMEMBERED {
+            self.pieces.remove(0);
+        }
+        self.pieces.push((piece, Arc::clone(&lines)));
+        Ok(lines)
+    }
+
+    /// How many pieces are in memory.
+    #[cfg(test)]
+    pub(super) fn pieces_read(&self) -> usize {
+        self.pieces.len()
     }
 
     /// The text of a piece.
@@ -298,7 +337,7 @@ impl<'a> Again<'a> {
             self.check()?;
             self.text = Some(Text::of(opened, bytes).map_err(unreadable)?);
         }
-        // This check also covers the pieces that were read before: pieces of two different files must not be mixed.
+        // Pieces of two different files must not be mixed.
         self.check()?;
         let mut text = Vec::with_capacity(to - from);
         match &mut self.text {
@@ -322,8 +361,8 @@ impl<'a> Again<'a> {
         }
     }
 
-    /// Checks that the file is still the one that was loaded. Pieces stay in memory, so the file is checked at each
-    /// use.
+    /// Checks that the file is still the one that was loaded. Pieces stay in memory, so the file is checked for each
+    /// answer.
     fn check(&self) -> Result<(), AgainError> {
         let now = Stamp::of(self.path)?;
         if self.contents.stamp == Some(now) {
@@ -360,39 +399,72 @@ fn those_there(text: &[u8], before: Counts, known: Option<usize>) -> Vec<(usize,
     all
 }
 
-impl Faces {
-    /// Finds the triangles of each face. `before` is the number of triangles of the mesh before them.
-    fn split(&mut self, before: u32) {
-        let mut splitter = Splitter::default();
-        for face in &mut self.lines {
-            let vertices = &self.corners[face.corners.clone()];
-            let position = |vertex: u32| self.vertices.get(&vertex).map(|vertex| vertex.position);
-            let nowhere = |vertex: &&u32| {
-                let vertex = self.vertices.get(vertex);
-                vertex.is_none_or(|vertex| vertex.value.is_none())
+impl Piece {
+    /// Finds the vertices and faces in the text of a piece. `before` counts what comes before it.
+    fn new(text: Vec<u8>, before: Counts) -> Self {
+        let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+        let mut lines = Lines::new(&text, before.lines);
+        let mut start = 0;
+        while let Some((number, line)) = lines.next() {
+            let keyword = &line[fields(line).next().unwrap_or_default()];
+            let [is_vertex, is_face] = [b"v", b"f"].map(|wanted| keyword == wanted);
+            let end = lines.taken();
+            let line = Line {
+                range: start..end,
+                number,
+                vertices: before.vertices + vertices.len(),
             };
-            let begin = self.triangles.len();
-            if face.left_out.is_some() {
-                // The reason is already known.
-            } else if let Some(vertex) = vertices.iter().find(nowhere) {
-                face.left_out = Some(format!("vertex {vertex} is not three finite numbers"));
-            } else {
-                let at = |vertex| position(vertex).unwrap_or_default();
-                let split = splitter.face(vertices, at);
-                face.left_out = (split.is_none())
-                    .then(|| "it has too many corners that repeat a vertex".to_owned());
-                let split = split.unwrap_or_default().iter();
-                let with_area = split.filter(|corners| {
-                    has_area(corners.map(|corner| at(vertices[corner as usize])))
-                });
-                self.triangles.extend(with_area);
-                if begin == self.triangles.len() && face.left_out.is_none() {
-                    face.left_out = Some("it has no area".to_owned());
-                }
+            start = end;
+            if is_vertex {
+                vertices.push(line);
+            } else if is_face {
+                faces.push(line);
             }
-            let [begin, end] = [begin, self.triangles.len()]
-                .map(|count| before + u32::try_from(count).unwrap_or(u32::MAX));
-            face.triangles = begin..end;
         }
+        Self {
+            text,
+            vertices,
+            faces,
+            triangles: OnceLock::new(),
+        }
+    }
+
+    /// Gives `read` the text of a line after its keyword, without its comment.
+    fn read<T>(&self, line: &Line, read: impl FnOnce(&[u8]) -> T) -> T {
+        let mut lines = Lines::new(&self.text[line.range.clone()], line.number - 1);
+        let (_, text) = lines.next().unwrap_or_default();
+        let keyword = fields(text).next().unwrap_or_default();
+        read(without_comment(&text[keyword.end..]))
+    }
+}
+
+impl Face {
+    /// Splits the face as the loader does. The triangles are indices into its corners.
+    ///
+    /// # Errors
+    /// Why it has no triangle.
+    fn split(
+        &self,
+        vertices: &HashMap<u32, VertexInFile>,
+        splitter: &mut Splitter,
+    ) -> Result<Vec<[u32; 3]>, String> {
+        if let Some(why) = &self.left_out {
+            return Err(why.clone());
+        }
+        let value = |vertex: &u32| vertices.get(vertex).and_then(|known| known.value);
+        if let Some(vertex) = (self.corners.iter()).find(|vertex| value(vertex).is_none()) {
+            return Err(format!("vertex {vertex} is not three finite numbers"));
+        }
+        let position = |vertex: u32| vertices.get(&vertex).map(|known| known.position);
+        let at = |vertex| position(vertex).unwrap_or_default();
+        let split = splitter.face(&self.corners, at);
+        let split = split.ok_or("it has too many corners that repeat a vertex")?;
+        let corner = |corner: u32| at(self.corners[corner as usize]);
+        let with_area = split.iter().filter(|corners| has_area(corners.map(corner)));
+        let with_area: Vec<_> = with_area.copied().collect();
+        if with_area.is_empty() {
+            return Err("it has no area".to_owned());
+        }
+        Ok(with_area)
     }
 }

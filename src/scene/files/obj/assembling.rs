@@ -64,7 +64,7 @@ pub(super) fn build(
         .reserve_exact(split.iter().map(|piece| piece.corners.len()).sum());
     for (piece, next) in split.into_iter().enumerate() {
         progress.advance(bytes)?;
-        contents.begin(piece, all.count());
+        contents.begin(piece, all.count(), (next.faces, next.are_plain()));
         all.append(next);
     }
     contents.end(all.count());
@@ -104,6 +104,10 @@ struct Triangles {
     /// For each cut, the number of triangles before it.
     before_cuts: Vec<u32>,
     left_out: LeftOut,
+    /// The number of faces.
+    faces: usize,
+    /// How many polygons were split into another number of triangles than two fewer than corners.
+    odd: usize,
 }
 
 impl Triangles {
@@ -114,7 +118,10 @@ impl Triangles {
         vertices: &Stored,
         progress: &Progress,
     ) -> Result<Self, Cancelled> {
-        let mut all = Self::default();
+        let mut all = Self {
+            faces: faces.count(),
+            ..Self::default()
+        };
         all.corners.reserve_exact(faces.corners.len() / 3);
         let mut cuts = cuts.iter().peekable();
         let mut splitter = Splitter::default();
@@ -152,11 +159,17 @@ impl Triangles {
                 all.left_out.repetitive += 1;
                 continue;
             };
+            all.odd += usize::from(triangles.len() + 2 != arity);
             for &corners in triangles {
                 all.add(&places, normals, corners, vertices);
             }
         }
         Ok(all)
+    }
+
+    /// Whether each face has two triangles fewer than corners.
+    fn are_plain(&self) -> bool {
+        self.odd == 0 && self.left_out.is_nothing()
     }
 
     fn count(&self) -> u32 {

@@ -3,7 +3,7 @@
 use super::{
     pieces::{Counts, Piece},
     survey::Survey,
-    wash::wash,
+    wash::{Washed, starts_coloured},
 };
 use std::path::Path;
 
@@ -50,11 +50,20 @@ impl Block {
         known: Option<usize>,
         is_shaded: bool,
     ) -> Result<(Self, Survey), tobj::LoadError> {
-        let washed = wash(&piece, known, is_shaded);
+        let options = tobj::LoadOptions::default();
+        let parse = |coloured| {
+            let mut washed = Washed::new(&piece, known, is_shaded, coloured);
+            let parsed = tobj::load_obj_buf(&mut washed, &options, no_materials);
+            (parsed, washed)
+        };
+        let (mut parsed, mut washed) = parse(is_shaded && starts_coloured(&piece));
+        if washed.lacks_colours() {
+            (parsed, washed) = parse(true);
+        }
+        let washed = washed.into_washer();
         let counts = [piece.before, piece.after];
         drop(piece);
-        let options = tobj::LoadOptions::default();
-        let (models, _) = tobj::load_obj_buf(&mut &*washed.text, &options, no_materials)?;
+        let (models, _) = parsed?;
         let mesh = models.into_iter().next().map(|model| model.mesh);
         let mesh = mesh.unwrap_or_default();
         let own = |values: &[f64], places: std::ops::Range<usize>| {
@@ -64,7 +73,8 @@ impl Block {
                 .to_vec()
         };
         let [vertices, normals] = [&washed.vertices, &washed.normals];
-        let past_naming = |indices: Vec<u32>| indices.into_iter().skip(washed.naming_corners);
+        let naming = washed.naming_corners();
+        let past_naming = |indices: Vec<u32>| indices.into_iter().skip(naming);
         let mut arities = mesh.face_arities;
         if arities.iter().skip(1).all(|&arity| arity == 3) {
             arities.clear();
@@ -83,12 +93,8 @@ impl Block {
                 normals: own(&mesh.normals, normals.of_own()),
             },
             faces: Faces {
-                corners: past_naming(mesh.indices)
-                    .map(|i| vertices.index(i))
-                    .collect(),
-                normals: past_naming(corner_normals)
-                    .map(|i| normals.index(i))
-                    .collect(),
+                corners: vertices.indices(past_naming(mesh.indices)),
+                normals: normals.indices(past_naming(corner_normals)),
                 arities,
                 with_normals: washed.with_normals,
             },

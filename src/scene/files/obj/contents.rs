@@ -25,6 +25,8 @@ pub(super) struct Start {
     pub counts: Counts,
     /// The number of triangles of the mesh.
     pub triangles: u32,
+    /// Whether each face of the piece has two triangles fewer than corners, as a polygon has: none is left out.
+    pub is_plain: bool,
 }
 
 /// Properties of a file that show whether it was changed.
@@ -68,6 +70,7 @@ impl Contents {
         let start = |counts| Start {
             counts,
             triangles: 0,
+            is_plain: false,
         };
         let mut starts = Vec::new();
         for [before, after] in pieces {
@@ -97,9 +100,18 @@ impl Contents {
         Some(self.stamp.as_ref()?.bytes)
     }
 
-    /// Records how many triangles come before a piece.
-    pub(super) fn begin(&mut self, piece: usize, triangles: u32) {
-        self.starts[piece].triangles = triangles;
+    /// Records how many triangles come before a piece, which has this many faces that `tobj` got, and whether each of
+    /// those has two triangles fewer than corners.
+    pub(super) fn begin(
+        &mut self,
+        piece: usize,
+        triangles: u32,
+        (faces, are_plain): (usize, bool),
+    ) {
+        let lines = self.starts[piece + 1].counts.faces - self.starts[piece].counts.faces;
+        let start = &mut self.starts[piece];
+        start.triangles = triangles;
+        start.is_plain = are_plain && faces == lines;
     }
 
     /// Records the total number of triangles.

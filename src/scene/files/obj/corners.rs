@@ -33,10 +33,65 @@ pub(super) fn read_corners(
     into: &mut Vec<(usize, Normal)>,
 ) -> Result<(), BadLine> {
     into.clear();
-    for at in fields(text) {
-        into.push(corner(&text[at], before, known)?);
+    let mut rest = text.trim_ascii_start();
+    while !rest.is_empty() {
+        let length = if let Some((read, length)) = plain_corner(rest, before, known) {
+            into.push(read);
+            length
+        } else {
+            let word = fields(rest).next().unwrap_or_default();
+            into.push(corner(&rest[word.clone()], before, known)?);
+            word.end
+        };
+        rest = rest[length..].trim_ascii_start();
     }
     Ok(())
+}
+
+/// [`corner`] for the first word of a text, and the length of the word. Nearly all corners take this fast path: `None` for
+/// the others.
+fn plain_corner(
+    text: &[u8],
+    before: Counts,
+    known: Option<usize>,
+) -> Option<((usize, Normal), usize)> {
+    let is_end = |at: usize| text.get(at).is_none_or(u8::is_ascii_whitespace);
+    let is_slash = |at: usize| text.get(at) == Some(&b'/');
+    let (vertex, mut at) = digits(text, 0);
+    if vertex == 0 || known.is_some_and(|known| vertex > known) {
+        return None;
+    }
+    let mut normal = 0;
+    if is_slash(at) {
+        (_, at) = digits(text, at + 1);
+        if is_slash(at) {
+            (normal, at) = digits(text, at + 1);
+            // A normal that is written as 0 is no plain one.
+            if normal > before.normals || normal == 0 && !is_slash(at - 1) {
+                return None;
+            }
+        }
+    }
+    let normal = match normal {
+        0 => Normal::Absent,
+        normal => Normal::There(normal),
+    };
+    is_end(at).then_some(((vertex, normal), at))
+}
+
+/// The number that some digits of a text write, from a position, and the position after them. So few are read that no
+/// number is too large.
+fn digits(text: &[u8], mut at: usize) -> (usize, usize) {
+    const MOST: usize = 9;
+    let mut value = 0;
+    let last = at.saturating_add(MOST);
+    while at < last
+        && let Some(digit @ b'0'..=b'9') = text.get(at)
+    {
+        value = 10 * value + usize::from(digit - b'0');
+        at += 1;
+    }
+    (value, at)
 }
 
 /// The vertex and the normal that a corner names. Its texture coordinate must be an integer or empty; whether it exists

@@ -18,6 +18,13 @@ pub(super) struct LeftOut {
     pub repetitive: usize,
 }
 
+impl LeftOut {
+    /// Whether all of the file is in the mesh.
+    pub fn is_nothing(&self) -> bool {
+        [self.without_area, self.nowhere, self.repetitive] == [0; 3]
+    }
+}
+
 /// The error for a file without a single triangle.
 pub(super) fn nothing(path: &Path, survey: &Survey, left_out: &LeftOut) -> ObjError {
     let file = path.to_owned();

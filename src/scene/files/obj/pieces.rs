@@ -115,6 +115,9 @@ impl Iterator for Pieces<'_> {
 /// # Errors
 /// When a line, complete or not, is binary data.
 fn whole_lines(text: &[u8], before: Counts, is_all: bool) -> Result<(usize, Counts), Stop> {
+    if let Some(found) = whole_plain_lines(text, before).filter(|_| !is_all) {
+        return Ok(found);
+    }
     let mut lines = Lines::new(text, before.lines);
     let (mut length, mut after) = (0, before);
     let mut counts = before;
@@ -136,4 +139,32 @@ fn whole_lines(text: &[u8], before: Counts, is_all: bool) -> Result<(usize, Coun
         }
     }
     Ok((length, after))
+}
+
+/// The same for a text whose lines all begin with their keyword, end in LF or in CR LF, and are not continued; `None` for
+/// any other text, or for one that may be binary.
+fn whole_plain_lines(text: &[u8], before: Counts) -> Option<(usize, Counts)> {
+    let (_, complete) = text.split_last()?;
+    let length = memchr::memrchr(b'\n', complete)? + 1;
+    let text = &text[..length];
+    if memchr::memchr2(b'\\', 0, text).is_some() {
+        return None;
+    }
+    let mut after = before;
+    after.bytes += length;
+    let (mut start, mut returns) = (0, 0);
+    for end in memchr::memchr_iter(b'\n', text) {
+        match &text[start..=end] {
+            [b'v', next, ..] if next.is_ascii_whitespace() => after.vertices += 1,
+            [b'v', b'n', next, ..] if next.is_ascii_whitespace() => after.normals += 1,
+            [b'f', next, ..] if next.is_ascii_whitespace() => after.faces += 1,
+            [b'\n'] | [b'\r', b'\n'] => {}
+            [first, ..] if first.is_ascii_whitespace() => return None,
+            _ => {}
+        }
+        after.lines += 1;
+        returns += usize::from(text[start..end].ends_with(b"\r"));
+        start = end + 1;
+    }
+    (memchr::memchr_iter(b'\r', text).count() == returns).then_some((length, after))
 }

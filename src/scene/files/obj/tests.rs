@@ -3,6 +3,7 @@
 mod again;
 #[path = "../../../../tests/common/real_files.rs"]
 mod real_files;
+mod shortcuts;
 
 use super::{ObjError, ObjFile, PIECE, Stamp, decode, load, open, read};
 use crate::{

@@ -12,6 +12,8 @@ pub(super) struct Lines<'a> {
     text: &'a [u8],
     taken: usize,
     ends: usize,
+    /// Whether the text has a backslash.
+    may_continue: bool,
     joined: Vec<u8>,
 }
 
@@ -22,6 +24,7 @@ impl<'a> Lines<'a> {
             text,
             taken: 0,
             ends: before,
+            may_continue: memchr::memchr(b'\\', text).is_some(),
             joined: Vec::new(),
         }
     }
@@ -30,7 +33,7 @@ impl<'a> Lines<'a> {
     pub fn next(&mut self) -> Option<(usize, &[u8])> {
         let number = self.ends + 1;
         let mut line = self.unjoined()?;
-        if !is_continued(line) {
+        if !self.may_continue || !is_continued(line) {
             return Some((number, line));
         }
         self.joined.clear();

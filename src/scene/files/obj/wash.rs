@@ -1,4 +1,4 @@
-//! Cleans the lines of a piece and writes them as a small OBJ file of its own, for `tobj`.
+//! Cleans the lines of a piece and gives them to `tobj` as a small OBJ file of its own.
 //!
 //! `tobj` gets vertices, normals and faces, all in one object and without materials. It gets no line that it would
 //! refuse: a vertex or a normal that cannot be read becomes NaN, so that the others keep their numbers, and a face that
@@ -8,6 +8,8 @@
 //! by places in the piece ([`Places`]). A vertex of another piece is replaced by a stand-in at the end of the text;
 //! [`Places`] also stores which vertex that is. `tobj` returns only the vertices and normals that faces use, in the
 //! order of their use. So the text begins with an extra face that names every vertex and every normal of the piece.
+//!
+//! Each line is made when `tobj` asks for it. The whole text is never in memory.
 
 use super::{
     BadLine,
@@ -17,19 +19,62 @@ use super::{
     places::Places,
     survey::Survey,
     text_lines::Lines,
-    words::{Number, fields},
+    words::{Number, fields, three_plain_numbers},
 };
-use std::ops::Range;
+use std::{
+    io::{self, BufRead, Read},
+    ops::Range,
+};
 
 /// The longest name of an object or group, in characters. Longer names are cut.
 const LONGEST_NAME: usize = 120;
 
-/// The cleaned lines of a piece.
-pub(super) struct Washed {
-    /// A file for `tobj`.
-    pub text: Vec<u8>,
-    /// The number of corners of the extra first face.
-    pub naming_corners: usize,
+/// The cleaned lines of a piece: a file for `tobj`.
+pub(super) struct Washed<'a> {
+    lines: Lines<'a>,
+    washer: Washer,
+    next: Next,
+    /// A line of which `taken` bytes were read, for readers that do not ask for lines.
+    line: String,
+    taken: usize,
+}
+
+/// What comes next in the text.
+enum Next {
+    /// The extra vertex.
+    Unnamed,
+    /// The extra face.
+    Naming,
+    /// The lines of the piece.
+    Lines,
+    /// So many stand-ins were written.
+    StandIns(usize),
+}
+
+/// The colours of vertices in the text: all vertices have one or none has. Those without a colour in the file are white.
+#[derive(Clone, Copy, PartialEq)]
+enum Colours {
+    None,
+    /// None is written, but a vertex of the file has one.
+    Lacking,
+    All,
+}
+
+/// What cleaning the lines of a piece finds.
+pub(super) struct Washer {
+    /// The counts before the current line.
+    before: Counts,
+    /// The number of vertices in the file, if it is known.
+    known: Option<usize>,
+    /// Whether normals and colours are written.
+    is_shaded: bool,
+    colours: Colours,
+    /// Whether the piece may have comments.
+    may_have_comments: bool,
+    /// The vertex and the normal of each corner of the current face.
+    corners: Vec<(usize, Normal)>,
+    /// How many corners the faces before it have.
+    corners_before: usize,
     /// The places of vertices in the text.
     pub vertices: Places,
     /// The places of normals in the text.
@@ -40,110 +85,181 @@ pub(super) struct Washed {
     pub survey: Survey,
 }
 
-/// Cleans the lines of a piece. `known` is the number of vertices in the file, if it is known. Then faces that name a
-/// higher vertex are left out. Normals and colours are checked, but they are written only if `is_shaded`.
-pub(super) fn wash(piece: &Piece, known: Option<usize>, is_shaded: bool) -> Washed {
-    let Piece { before, after, .. } = piece;
-    let normals_after = if is_shaded { after } else { before }.normals;
-    let mut washer = Washer {
-        before: *before,
-        known,
-        is_shaded,
-        coloured: false,
-        washed: Washed {
-            text: Vec::with_capacity(piece.text.len() + piece.text.len() / 2),
-            naming_corners: 0,
-            vertices: Places::new(1, before.vertices, after.vertices),
-            normals: Places::new(0, before.normals, normals_after),
-            with_normals: Vec::new(),
-            survey: Survey::default(),
-        },
-        corners: Vec::new(),
-    };
-    washer.name_all();
-    let mut lines = Lines::new(&piece.text, before.lines);
-    while let Some((number, line)) = lines.next() {
-        washer.before.lines = number - 1;
-        washer.sort(line);
-    }
-    washer.stand_in();
-    let mut washed = washer.washed;
-    washed.survey.faces = washed.with_normals.len();
-    washed
-}
-
-/// Cleans the lines of a piece, one after another.
-struct Washer {
-    /// The counts before the current line.
-    before: Counts,
-    /// The number of vertices in the file, if it is known.
-    known: Option<usize>,
-    /// Whether normals and colours are written.
-    is_shaded: bool,
-    /// Whether vertices have colours. In the text, all have one or none has. Vertices without a colour in the file are
-    /// white.
-    coloured: bool,
-    washed: Washed,
-    /// The vertex and the normal of each corner of the current face.
-    corners: Vec<(usize, Normal)>,
-}
-
 /// The coordinates of a vertex or normal that cannot be read.
-const NOWHERE: &[u8] = b" nan nan nan";
+const NOWHERE: &str = " nan nan nan";
 /// The coordinates of a stand-in for a vertex or normal of another piece.
-const STAND_IN: &[u8] = b" 0 0 0";
+const STAND_IN: &str = " 0 0 0";
 /// The colour of a vertex without one.
-const WHITE: &[u8] = b" 1 1 1";
+const WHITE: &str = " 1 1 1";
+/// The length of a corner of a face in the text, unless it is in a large piece or names a normal.
+const CORNER_BYTES: usize = 7;
+
+impl<'a> Washed<'a> {
+    /// The cleaned lines of a piece. `known` is the number of vertices in the file, if it is known. Then faces that name a
+    /// higher vertex are left out. Normals and colours are checked, but they are written only if `is_shaded`. Where a
+    /// vertex has a colour, but those before it have none, the text ends with an error unless it is `coloured`.
+    pub fn new(piece: &'a Piece, known: Option<usize>, is_shaded: bool, coloured: bool) -> Self {
+        let Piece { before, after, .. } = piece;
+        let normals_after = if is_shaded { after } else { before }.normals;
+        Self {
+            lines: Lines::new(&piece.text, before.lines),
+            washer: Washer {
+                before: *before,
+                known,
+                is_shaded,
+                colours: if coloured {
+                    Colours::All
+                } else {
+                    Colours::None
+                },
+                may_have_comments: memchr::memchr(b'#', &piece.text).is_some(),
+                corners: Vec::new(),
+                corners_before: 0,
+                vertices: Places::new(1, before.vertices, after.vertices),
+                normals: Places::new(0, before.normals, normals_after),
+                with_normals: Vec::new(),
+                survey: Survey::default(),
+            },
+            next: Next::Unnamed,
+            line: String::new(),
+            taken: 0,
+        }
+    }
+
+    /// What was found in the lines, once all are read.
+    pub fn into_washer(self) -> Washer {
+        let mut washer = self.washer;
+        washer.survey.faces = washer.with_normals.len();
+        washer
+    }
+
+    /// Whether a vertex has a colour, but the text has none.
+    pub fn lacks_colours(&self) -> bool {
+        self.washer.colours == Colours::Lacking
+    }
+
+    /// Writes the next line with its end. Writes nothing at the end of the text.
+    fn write_line(&mut self, into: &mut String) -> io::Result<()> {
+        let washer = &mut self.washer;
+        match &mut self.next {
+            Next::Unnamed => {
+                washer.write_vertex(STAND_IN, false, into);
+                self.next = Next::Naming;
+            }
+            Next::Naming => {
+                washer.name_all(into);
+                self.next = Next::Lines;
+            }
+            Next::Lines => {
+                let empty = into.len();
+                while into.len() == empty {
+                    let Some((number, line)) = self.lines.next() else {
+                        self.next = Next::StandIns(0);
+                        return self.write_line(into);
+                    };
+                    washer.before.lines = number - 1;
+                    washer.sort(line, into);
+                    if washer.colours == Colours::Lacking {
+                        return Err(io::ErrorKind::InvalidData.into());
+                    }
+                }
+            }
+            Next::StandIns(written) => {
+                let vertices = washer.vertices.stand_ins();
+                if *written < vertices {
+                    washer.write_vertex(STAND_IN, false, into);
+                } else if *written < vertices + washer.normals.stand_ins() {
+                    washer.write_normal(STAND_IN, into);
+                }
+                *written += 1;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl BufRead for Washed<'_> {
+    fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        if self.taken == self.line.len() {
+            let mut line = std::mem::take(&mut self.line);
+            line.clear();
+            self.taken = 0;
+            let written = self.write_line(&mut line);
+            self.line = line;
+            written?;
+        }
+        Ok(&self.line.as_bytes()[self.taken..])
+    }
+
+    fn consume(&mut self, bytes: usize) {
+        self.taken += bytes;
+    }
+
+    /// `tobj` asks for lines. A line is made where it is asked for.
+    fn read_line(&mut self, into: &mut String) -> io::Result<usize> {
+        let before = into.len();
+        if self.taken < self.line.len() {
+            into.push_str(&self.line[self.taken..]);
+            self.taken = self.line.len();
+        } else {
+            self.write_line(into)?;
+        }
+        Ok(into.len() - before)
+    }
+}
+
+impl Read for Washed<'_> {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        let read = self.fill_buf()?.read(into)?;
+        self.consume(read);
+        Ok(read)
+    }
+}
 
 impl Washer {
+    /// The number of corners of the extra face.
+    pub fn naming_corners(&self) -> usize {
+        self.normals.own().max(1) + self.vertices.own()
+    }
+
     /// Writes the extra first face, which names every vertex and normal of the piece, and an extra vertex that only
     /// this face names.
-    fn name_all(&mut self) {
-        self.write_vertex(STAND_IN, false);
-        let Washed {
-            text,
-            vertices,
-            normals,
-            ..
-        } = &mut self.washed;
-        text.push(b'f');
+    fn name_all(&self, into: &mut String) {
+        let Self {
+            vertices, normals, ..
+        } = self;
+        into.reserve(CORNER_BYTES * self.naming_corners());
+        into.push('f');
         if normals.own() == 0 {
-            write_corner(text, 1, None);
+            write_corner(into, 1, None);
         }
         for normal in normals.of_own() {
-            write_corner(text, 1, Some(normal));
+            write_corner(into, 1, Some(normal));
         }
         for vertex in vertices.of_own() {
-            write_corner(text, vertex, None);
+            write_corner(into, vertex, None);
         }
-        text.push(b'\n');
-        self.washed.naming_corners = normals.own().max(1) + vertices.own();
+        into.push('\n');
     }
 
-    /// Writes the vertices and normals that stand in for those of other pieces.
-    fn stand_in(&mut self) {
-        for _ in 0..self.washed.vertices.stand_ins() {
-            self.write_vertex(STAND_IN, false);
-        }
-        for _ in 0..self.washed.normals.stand_ins() {
-            self.write_normal(STAND_IN);
-        }
-    }
-
-    /// Handles a line according to its keyword.
-    fn sort(&mut self, line: &[u8]) {
+    /// Handles a line according to its keyword. Writes what `tobj` gets of it, if anything.
+    fn sort(&mut self, line: &[u8], into: &mut String) {
         let keyword = fields(line).next().unwrap_or_default();
         let end = keyword.end;
+        let values = || match &line[end..] {
+            values if self.may_have_comments => without_comment(values),
+            values => values,
+        };
         match &line[keyword] {
-            b"v" => self.vertex(without_comment(&line[end..])),
-            b"vn" => self.normal(without_comment(&line[end..])),
-            b"f" => self.face(without_comment(&line[end..])),
+            b"v" => self.vertex(values(), into),
+            b"vn" => self.normal(values(), into),
+            b"f" => self.face(values(), into),
             b"o" => self.say(Said::Object(short_rest(&line[end..]))),
             b"g" => self.say(Said::Group(short_rest(&line[end..]))),
             b"usemtl" => self.say(Said::Material(rest(&line[end..]), self.number())),
             b"mtllib" => self.say(Said::Library(rest(&line[end..]), self.number())),
-            b"l" | b"p" => self.washed.survey.points_and_lines += 1,
-            b"curv" | b"curv2" | b"surf" => self.washed.survey.free_form += 1,
+            b"l" | b"p" => self.survey.points_and_lines += 1,
+            b"curv" | b"curv2" | b"surf" => self.survey.free_form += 1,
             _ => {}
         }
     }
@@ -154,94 +270,78 @@ impl Washer {
     }
 
     fn say(&mut self, said: Said) {
-        let face = self.washed.with_normals.len();
-        self.washed.survey.said.push((face, said));
+        let face = self.with_normals.len();
+        self.survey.said.push((face, said));
     }
 
     fn note(&mut self, what: BadLine) {
-        self.washed.survey.note(self.number(), what);
+        self.survey.note(self.number(), what);
     }
 
-    /// Writes the three coordinates of a vertex, and a colour if this vertex or an earlier one has one. A fourth
-    /// coordinate, a weight for free-form curves, is dropped.
-    fn vertex(&mut self, values: &[u8]) {
-        let mut words: [Range<usize>; 6] = Default::default();
-        let mut count = 0;
-        for (word, found) in words.iter_mut().zip(fields(values)) {
-            *word = found;
-            count += 1;
+    fn vertex(&mut self, values: &[u8], into: &mut String) {
+        let read = read_vertex(values);
+        match read {
+            Vertex::Unreadable => self.note(BadLine::Vertex),
+            Vertex::NotFinite => self.note(BadLine::NotFinite),
+            _ => {}
         }
-        let are = |words: &[Range<usize>], least| {
-            let mut kinds = words.iter().map(|word| Number::of(&values[word.clone()]));
-            kinds.all(|kind| kind >= least)
-        };
-        if count < 3 || !are(&words[..3], Number::Endless) {
-            self.note(BadLine::Vertex);
-            self.write_vertex(NOWHERE, false);
-        } else if !are(&words[..3], Number::Finite) {
-            self.note(BadLine::NotFinite);
-            self.write_vertex(NOWHERE, false);
-        } else if self.is_shaded && count == 6 && are(&words[3..], Number::Endless) {
-            self.write_vertex(&values[..words[5].end], true);
-        } else {
-            self.write_vertex(&values[..words[2].end], false);
+        match read {
+            Vertex::Coloured { end, .. } if self.is_shaded => {
+                if self.colours == Colours::None {
+                    self.colours = Colours::Lacking;
+                }
+                self.write_vertex(text(&values[..end]), true, into);
+            }
+            Vertex::Plain { end } | Vertex::Coloured { plain_end: end, .. } => {
+                self.write_vertex(text(&values[..end]), false, into);
+            }
+            _ => self.write_vertex(NOWHERE, false, into),
         }
         self.before.vertices += 1;
-        self.washed.survey.vertices += 1;
+        self.survey.vertices += 1;
     }
 
-    fn write_vertex(&mut self, values: &[u8], have_colour: bool) {
-        if have_colour && !self.coloured {
-            self.coloured = true;
-            self.washed.text = whitened(&self.washed.text);
+    fn write_vertex(&self, values: &str, have_colour: bool, into: &mut String) {
+        into.reserve(values.len() + WHITE.len() + 2);
+        into.push('v');
+        into.push_str(values);
+        if self.colours == Colours::All && !have_colour {
+            into.push_str(WHITE);
         }
-        let text = &mut self.washed.text;
-        text.push(b'v');
-        text.extend_from_slice(values);
-        if self.coloured && !have_colour {
-            text.extend_from_slice(WHITE);
-        }
-        text.push(b'\n');
+        into.push('\n');
     }
 
-    fn normal(&mut self, values: &[u8]) {
+    fn normal(&mut self, values: &[u8], into: &mut String) {
         let words = fields(values).take(3);
         let numbers = words.filter(|word| Number::of(&values[word.clone()]) >= Number::Endless);
         let ends: Vec<usize> = numbers.map(|word| word.end).collect();
         if let [_, _, end] = *ends {
-            self.write_normal(&values[..end]);
+            self.write_normal(text(&values[..end]), into);
         } else {
             self.note(BadLine::Normal);
-            self.write_normal(NOWHERE);
+            self.write_normal(NOWHERE, into);
         }
         self.before.normals += 1;
     }
 
-    fn write_normal(&mut self, values: &[u8]) {
+    fn write_normal(&self, values: &str, into: &mut String) {
         if !self.is_shaded {
             return;
         }
-        let text = &mut self.washed.text;
-        text.extend_from_slice(b"vn");
-        text.extend_from_slice(values);
-        text.push(b'\n');
+        into.reserve(values.len() + 3);
+        into.push_str("vn");
+        into.push_str(values);
+        into.push('\n');
     }
 
     /// Checks the corners of a face and writes it. `tobj` would refuse a bad corner without naming its line, and would
     /// give a corner without a normal that of the corner before.
-    fn face(&mut self, corners: &[u8]) {
+    fn face(&mut self, corners: &[u8], into: &mut String) {
         let corners = read_corners(corners, self.before, self.known, &mut self.corners);
         if let Err(fault) = corners {
             return self.note(fault);
         }
-        let Washed {
-            text,
-            vertices,
-            normals,
-            survey,
-            with_normals,
-            ..
-        } = &mut self.washed;
+        let survey = &mut self.survey;
         if self.corners.len() < 3 {
             survey.points_and_lines += 1;
             return;
@@ -255,38 +355,93 @@ impl Washer {
             self.is_shaded && normals_named.all(|normal| matches!(normal, Normal::There(_)));
         let bad_normals = self.corners.iter().any(|(_, n)| *n == Normal::Nowhere);
         survey.bad_normals += usize::from(bad_normals);
-        text.push(b'f');
-        for (vertex, normal) in &self.corners {
+        let normal_bytes = if all_there { CORNER_BYTES } else { 0 };
+        into.reserve((CORNER_BYTES + normal_bytes) * self.corners.len() + 2);
+        into.push('f');
+        for (at, (vertex, normal)) in (self.corners_before..).zip(&self.corners) {
             survey.highest_vertex = survey.highest_vertex.max(*vertex);
             let normal = match normal {
-                Normal::There(normal) if all_there => Some(normals.of(*normal)),
+                Normal::There(normal) if all_there => Some(self.normals.of(*normal, at)),
                 _ => None,
             };
-            write_corner(text, vertices.of(*vertex), normal);
+            write_corner(into, self.vertices.of(*vertex, at), normal);
         }
-        text.push(b'\n');
-        with_normals.push(all_there);
+        self.corners_before += self.corners.len();
+        into.push('\n');
+        self.with_normals.push(all_there);
     }
 }
 
-/// Gives every vertex of a text the colour white. None of them has a colour yet.
-fn whitened(text: &[u8]) -> Vec<u8> {
-    let lines = text.split_inclusive(|&b| b == b'\n');
-    let white = lines.flat_map(|line| match line {
-        [b'v', next, ..] if *next != b'n' => [&line[..line.len() - 1], WHITE, b"\n"],
-        _ => [line, b"", b""],
-    });
-    white.collect::<Vec<_>>().concat()
+/// Whether the first vertex of a piece has a colour.
+pub(super) fn starts_coloured(piece: &Piece) -> bool {
+    if piece.before.vertices == piece.after.vertices {
+        return false;
+    }
+    let mut lines = Lines::new(&piece.text, 0);
+    while let Some((_, line)) = lines.next() {
+        let keyword = fields(line).next().unwrap_or_default();
+        let values = without_comment(&line[keyword.end..]);
+        if &line[keyword] == b"v" {
+            return matches!(read_vertex(values), Vertex::Coloured { .. });
+        }
+    }
+    false
+}
+
+/// What the values of a vertex are.
+#[derive(Clone, Copy)]
+enum Vertex {
+    /// Fewer than three coordinates, or one that is no number.
+    Unreadable,
+    /// A coordinate is infinite or NaN.
+    NotFinite,
+    /// Three coordinates up to `end`. A fourth one, a weight for free-form curves, is dropped.
+    Plain { end: usize },
+    /// Three coordinates up to `plain_end`, and a colour up to `end`.
+    Coloured { plain_end: usize, end: usize },
+}
+
+fn read_vertex(values: &[u8]) -> Vertex {
+    // Nearly all vertices take this fast path.
+    if let Some(end) = three_plain_numbers(values) {
+        return Vertex::Plain { end };
+    }
+    let mut words: [Range<usize>; 6] = Default::default();
+    let mut count = 0;
+    for (word, found) in words.iter_mut().zip(fields(values)) {
+        *word = found;
+        count += 1;
+    }
+    let are = |words: &[Range<usize>], least| {
+        let mut kinds = words.iter().map(|word| Number::of(&values[word.clone()]));
+        kinds.all(|kind| kind >= least)
+    };
+    let plain_end = words[2].end;
+    if count < 3 || !are(&words[..3], Number::Endless) {
+        Vertex::Unreadable
+    } else if !are(&words[..3], Number::Finite) {
+        Vertex::NotFinite
+    } else if count == 6 && are(&words[3..], Number::Endless) {
+        let end = words[5].end;
+        Vertex::Coloured { plain_end, end }
+    } else {
+        Vertex::Plain { end: plain_end }
+    }
+}
+
+/// The text of numbers.
+fn text(numbers: &[u8]) -> &str {
+    std::str::from_utf8(numbers).unwrap_or(NOWHERE)
 }
 
 /// Writes a corner of a face by the places of its vertex and its normal.
-fn write_corner(text: &mut Vec<u8>, vertex: usize, normal: Option<usize>) {
+fn write_corner(into: &mut String, vertex: usize, normal: Option<usize>) {
     let mut digits = itoa::Buffer::new();
-    text.push(b' ');
-    text.extend_from_slice(digits.format(vertex).as_bytes());
+    into.push(' ');
+    into.push_str(digits.format(vertex));
     if let Some(normal) = normal {
-        text.extend_from_slice(b"//");
-        text.extend_from_slice(digits.format(normal).as_bytes());
+        into.push_str("//");
+        into.push_str(digits.format(normal));
     }
 }
 

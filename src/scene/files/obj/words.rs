@@ -32,8 +32,9 @@ impl Number {
         let point = unsigned.iter().position(|&b| b == b'.');
         let (whole, part) = unsigned.split_at(point.unwrap_or(unsigned.len()));
         let mut digits = whole.iter().chain(part.iter().skip(1));
-        // Nearly all words take this fast path: without an exponent, fewer than 300 whole digits make a finite number.
-        let few = whole.len() < 300 && whole.len() + part.len() > usize::from(point.is_some());
+        // Nearly all words take this fast path.
+        let few =
+            whole.len() < MOST_WHOLE && whole.len() + part.len() > usize::from(point.is_some());
         if few && digits.all(u8::is_ascii_digit) {
             return Self::Finite;
         }
@@ -44,6 +45,36 @@ impl Number {
         }
     }
 }
+
+/// The end of three numbers without exponents on a line that has nothing else; `None` where there may be more to it.
+pub(super) fn three_plain_numbers(line: &[u8]) -> Option<usize> {
+    let mut at = 0;
+    for _ in 0..3 {
+        at += count(&line[at..], u8::is_ascii_whitespace);
+        at += usize::from(line.get(at) == Some(&b'-'));
+        let whole = count(&line[at..], u8::is_ascii_digit);
+        at += whole;
+        let mut part = 0;
+        if line.get(at) == Some(&b'.') {
+            part = count(&line[at + 1..], u8::is_ascii_digit);
+            at += 1 + part;
+        }
+        let is_end = line.get(at).is_none_or(u8::is_ascii_whitespace);
+        if !is_end || whole >= MOST_WHOLE || whole + part == 0 {
+            return None;
+        }
+    }
+    line[at..].trim_ascii().is_empty().then_some(at)
+}
+
+/// How many bytes at the start of a text are of a kind.
+fn count(text: &[u8], is_of_it: impl Fn(&u8) -> bool) -> usize {
+    let end = text.iter().position(|byte| !is_of_it(byte));
+    end.unwrap_or(text.len())
+}
+
+/// A number without an exponent is finite if it has fewer whole digits.
+const MOST_WHOLE: usize = 300;
 
 /// Parses an index of a face and returns it counted from 1. Negative indices count back from `count`. The result may be
 /// greater than `count`. `None` if the text is no valid index.

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::scene::{FileError, Progress};
 use glam::DVec3;
-use std::{fs, path::Path};
+use std::{fmt::Write as _, fs, path::Path};
 
 /// The lines of a text, with any of the three line ends, as an editor numbers them.
 fn editor_lines(text: &str) -> Vec<String> {
@@ -166,6 +166,43 @@ fn files_from_elsewhere_say_where_a_triangle_is_from() {
         counts[0] > 80 && counts[1] > 3_500 && counts[2] > 3_000,
         "{counts:?}"
     );
+}
+
+/// Where no face is left out, faces are not split again, so their other vertices are not needed.
+#[test]
+fn a_triangle_takes_the_pieces_of_its_face_and_of_its_vertices_alone() {
+    const COUNT: usize = 1_999;
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("some.obj");
+    // On a parabola no three vertices are in line. Faces that follow each other are far apart.
+    let mut vertices = String::new();
+    for x in 0..=COUNT + 3 {
+        writeln!(vertices, "v {x} {} 0", x * x).expect("text");
+    }
+    let face = |i: usize| match 1 + 617 * i % COUNT {
+        a if i.is_multiple_of(3) => format!("f {a} {} {} {}\n", a + 1, a + 2, a + 3),
+        a => format!("f {a} {} {}\n", a + 1, a + 2),
+    };
+    let faces: String = (0..COUNT).map(face).collect();
+    let with_flat = faces.replace("9 ", "9 1 1 ");
+    for (faces, is_plain) in [(faces, true), (with_flat, false)] {
+        let text = format!("{vertices}{faces}");
+        fs::write(&path, &text).expect("written");
+        let mut file = read_in(1 << 10, &path, text.as_bytes()).expect("it loads");
+        file.contents.stamp = Stamp::of(&path).ok();
+        let progress = Progress::default();
+        let again = || Again::new(&path, &file.contents, &file.mesh, &progress);
+        let count = u32::try_from(file.mesh.data().triangles.len()).expect("few");
+        let mut most = 0;
+        for triangle in (0..count).step_by(97) {
+            let mut again = again();
+            let face = again.face_of(triangle).expect("it is there");
+            assert!(face.triangles.contains(&triangle));
+            most = most.max(again.pieces_read());
+        }
+        // The vertices of a face follow each other: they lie in one piece or in two.
+        assert_eq!(most <= 3, is_plain, "{most}");
+    }
 }
 
 #[test]
