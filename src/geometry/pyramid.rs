@@ -81,8 +81,8 @@ impl Pyramid {
             .all(|(normal, on)| points.iter().any(|point| !(normal.dot(*point - *on) < 0.0)))
     }
 
-    /// The planes that a point lies beyond, a bit for each: none for NaN. Where a bit is set for all of some points, their
-    /// convex hull is outside.
+    /// The planes that a point lies beyond, a bit for each: none for NaN. Where a bit is set for all of some points,
+    /// their convex hull is outside.
     #[inline]
     pub fn beyond(&self, point: DVec3) -> u8 {
         (self.planes.iter().rev()).fold(0, |bits, (normal, on)| {

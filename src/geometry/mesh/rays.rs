@@ -76,9 +76,9 @@ impl Mesh {
         self.data.triangles.len() < WORTH_A_TREE || self.tree.get().is_some() || self.few.is_some()
     }
 
-    /// The same mesh, for rays within one of these pyramids of object space. Each vertex and each triangle is tested once
-    /// against each pyramid; rays are then tested only against the few triangles that they may meet. Rays outside the
-    /// pyramids may wrongly miss.
+    /// The same mesh, for rays within one of these pyramids of object space. Each vertex and each triangle is tested
+    /// once against each pyramid; rays are then tested only against the few triangles that they may meet. Rays
+    /// outside the pyramids may wrongly miss.
     #[must_use]
     pub(crate) fn narrowed(&self, pyramids: &[Pyramid]) -> Self {
         let near = |pyramid: &Pyramid| self.triangles_near(&pyramid.about(self.data.origin));

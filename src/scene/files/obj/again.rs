@@ -1,9 +1,10 @@
 //! Reads a face or a vertex from its file again: its line, its number, and the coordinates as they are written.
 //!
-//! Only some pieces of the file (`contents`) are read: the one with the face, and those with its vertices. They are parsed
-//! by the loader's own rules (`text_lines`, `corners`, `triangulation`), so the face of a triangle is found by counting.
-//! Where a piece has faces with fewer triangles than their corners suggest, all its faces are split again to be counted,
-//! which takes all their vertices. The result must equal the stored mesh to the bit; otherwise the file has changed.
+//! Only some pieces of the file (`contents`) are read: the one with the face, and those with its vertices. They are
+//! parsed by the loader's own rules (`text_lines`, `corners`, `triangulation`), so the face of a triangle is found by
+//! counting. Where a piece has faces with fewer triangles than their corners suggest, all its faces are split again
+//! to be counted, which takes all their vertices. The result must equal the stored mesh to the bit; otherwise the
+//! file has changed.
 
 use super::{
     AgainError, Contents, FaceInFile, InFile, MOST_BYTES, VertexInFile,

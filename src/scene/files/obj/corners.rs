@@ -48,8 +48,8 @@ pub(super) fn read_corners(
     Ok(())
 }
 
-/// [`corner`] for the first word of a text, and the length of the word. Nearly all corners take this fast path: `None` for
-/// the others.
+/// [`corner`] for the first word of a text, and the length of the word. Nearly all corners take this fast path:
+/// `None` for the others.
 fn plain_corner(
     text: &[u8],
     before: Counts,

@@ -141,8 +141,8 @@ fn whole_lines(text: &[u8], before: Counts, is_all: bool) -> Result<(usize, Coun
     Ok((length, after))
 }
 
-/// The same for a text whose lines all begin with their keyword, end in LF or in CR LF, and are not continued; `None` for
-/// any other text, or for one that may be binary.
+/// The same for a text whose lines all begin with their keyword, end in LF or in CR LF, and are not continued; `None`
+/// for any other text, or for one that may be binary.
 fn whole_plain_lines(text: &[u8], before: Counts) -> Option<(usize, Counts)> {
     let (_, complete) = text.split_last()?;
     let length = memchr::memrchr(b'\n', complete)? + 1;

@@ -10,15 +10,15 @@ const MOST: usize = 1 << 9;
 /// file names (for vertices only), then the piece's own, then stand-ins for those of other pieces that its faces name.
 /// Places and numbers count from 1.
 ///
-/// A few stand-ins are enough, because a corner is found again by its position among the corners: it is known from which
-/// corner on a stand-in stands for which number.
+/// A few stand-ins are enough, because a corner is found again by its position among the corners: it is known from
+/// which corner on a stand-in stands for which number.
 pub(super) struct Places {
     /// How many places come before the piece's own.
     unnamed: usize,
     /// The numbers, in the file, of the piece's own.
     own: Range<usize>,
-    /// For each remainder of a number by [`MOST`], its stand-in from 0, and the number that it stands for now. Empty until
-    /// there is one.
+    /// For each remainder of a number by [`MOST`], its stand-in from 0, and the number that it stands for now. Empty
+    /// until there is one.
     by_remainder: Vec<Option<(usize, usize)>>,
     stand_ins: usize,
     /// Each corner from which on its stand-in stands for another number, and that number.
@@ -74,8 +74,8 @@ impl Places {
         self.unnamed + self.own.len() + 1 + *stand_in
     }
 
-    /// Converts the indices that `tobj` gives for all corners to indices in the file, from 0. `tobj` sorts by first use,
-    /// which is the order of the places.
+    /// Converts the indices that `tobj` gives for all corners to indices in the file, from 0. `tobj` sorts by first
+    /// use, which is the order of the places.
     pub fn indices(&self, made: impl Iterator<Item = u32>) -> Vec<u32> {
         // A mesh never has a larger index: faces that name one are left out.
         let index = |number: usize| u32::try_from(number - 1).unwrap_or(u32::MAX);

@@ -51,7 +51,8 @@ enum Next {
     StandIns(usize),
 }
 
-/// The colours of vertices in the text: all vertices have one or none has. Those without a colour in the file are white.
+/// The colours of vertices in the text: all vertices have one or none has. Those without a colour in the file are
+/// white.
 #[derive(Clone, Copy, PartialEq)]
 enum Colours {
     None,
@@ -95,9 +96,10 @@ const WHITE: &str = " 1 1 1";
 const CORNER_BYTES: usize = 7;
 
 impl<'a> Washed<'a> {
-    /// The cleaned lines of a piece. `known` is the number of vertices in the file, if it is known. Then faces that name a
-    /// higher vertex are left out. Normals and colours are checked, but they are written only if `is_shaded`. Where a
-    /// vertex has a colour, but those before it have none, the text ends with an error unless it is `coloured`.
+    /// The cleaned lines of a piece. `known` is the number of vertices in the file, if it is known. Then faces that
+    /// name a higher vertex are left out. Normals and colours are checked, but they are written only if `is_shaded`.
+    /// Where a vertex has a colour, but those before it have none, the text ends with an error unless it is
+    /// `coloured`.
     pub fn new(piece: &'a Piece, known: Option<usize>, is_shaded: bool, coloured: bool) -> Self {
         let Piece { before, after, .. } = piece;
         let normals_after = if is_shaded { after } else { before }.normals;
