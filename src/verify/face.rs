@@ -49,9 +49,24 @@ impl Face {
         shared.is_some() && !self.touched(other).is_empty()
     }
 
-    /// Where it touches another face of its batch, edge to edge or in a point: the corners of each that lie exactly on
-    /// an edge of the other. Two of them are the ends of what the edges have in common. None where the faces overlap.
+    /// Where it touches another face of its batch, edge to edge or in a point: two points are the ends of what the edges
+    /// have in common. None where the faces overlap.
     pub fn touched(&self, other: &Self) -> Vec<DVec3> {
+        let touched = self.on_both(other);
+        if self.overlaps_from(other, &touched) {
+            Vec::new()
+        } else {
+            touched
+        }
+    }
+
+    /// Whether it overlaps another face of its batch where both have a corner on the other's edge.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        self.overlaps_from(other, &self.on_both(other))
+    }
+
+    /// The corners of each of two faces that lie exactly on an edge of the other.
+    fn on_both(&self, other: &Self) -> Vec<DVec3> {
         let mut touched: Vec<DVec3> = Vec::new();
         for (face, its_other) in [(self, other), (other, self)] {
             let on_edge = (face.corners.iter().copied()).filter(|at| its_other.has_on_outline(*at));
@@ -61,9 +76,12 @@ impl Face {
                 }
             }
         }
-        let overlaps =
-            touched.len() > 2 || touched.first().is_some_and(|at| self.overlaps(other, *at));
-        if overlaps { Vec::new() } else { touched }
+        touched
+    }
+
+    /// Whether it overlaps a face that it touches in these points.
+    fn overlaps_from(&self, other: &Self, touched: &[DVec3]) -> bool {
+        touched.len() > 2 || (touched.first()).is_some_and(|at| self.overlaps_at(other, *at))
     }
 
     fn has_on_outline(&self, point: DVec3) -> bool {
@@ -73,7 +91,7 @@ impl Face {
     }
 
     /// Whether both are triangles that overlap arbitrarily near a point on the outlines of both.
-    fn overlaps(&self, other: &Self, at: DVec3) -> bool {
+    fn overlaps_at(&self, other: &Self, at: DVec3) -> bool {
         let triangle = |face: &Self| <[DVec3; 3]>::try_from(face.corners.as_slice());
         match (triangle(self), triangle(other)) {
             (Ok(a), Ok(b)) => overlap_at(at, a, b),

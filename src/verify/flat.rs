@@ -66,7 +66,7 @@ impl Flat<'_> {
         let ends: Vec<_> = (ends_vertex_space.iter())
             .map(|&corner| self.corner(corner))
             .collect();
-        outline(self.space.view(), self.grid_px, self.px, &ends)
+        outline(self.space, self.grid_px, self.px, &ends)
             .is_some_and(|outline| outline.reason().is_some())
     }
 

@@ -38,6 +38,9 @@ use std::collections::HashSet;
 /// under a matrix of condition 1e14 a normal is off by some hundredths.
 const LEAST_COSINE: f64 = 1.0 / 16.0;
 
+/// A patch is compared with so many patches of a sheet, the latest ones. At the tip of a fan, more may meet.
+const MOST_COMPARED: usize = 64;
+
 /// Finds where surfaces of a scene lie in one place, in a view.
 pub struct Places<'a> {
     surfaces: Surfaces<'a>,
@@ -48,6 +51,44 @@ pub struct Places<'a> {
 struct Patch {
     batch: usize,
     face: Option<Face>,
+}
+
+/// What a patch counts as.
+#[derive(Clone, Copy)]
+enum Counted {
+    /// Not in one place with the picked surface.
+    Not,
+    /// A surface by itself, whose outline is elsewhere.
+    Apart,
+    /// The first patch of a sheet.
+    NewSheet(usize),
+    /// One more patch of a sheet that counts already.
+    OfSheet(usize),
+}
+
+/// The surfaces whose outlines pass the position. Each is a sheet of patches that touch there, none of which overlaps
+/// another.
+#[derive(Default)]
+struct Sheets(Vec<Vec<Patch>>);
+
+impl Sheets {
+    /// Adds a patch to the first sheet from this index on that it goes on, or else as a new one.
+    fn join(&mut self, from: usize, patch: &Patch, surfaces: &Surfaces, px: DVec2) -> Counted {
+        let goes_on = |sheet: &Vec<Patch>| {
+            let mut latest = sheet.iter().rev().take(MOST_COMPARED);
+            let touches = latest
+                .clone()
+                .any(|other| patch.touches(other, surfaces, px));
+            touches && !latest.any(|other| patch.overlaps(other))
+        };
+        let found = (self.0.iter().skip(from)).position(goes_on);
+        if let Some(sheet) = found.map(|at| from + at) {
+            self.0[sheet].push(patch.clone());
+            return Counted::OfSheet(sheet);
+        }
+        self.0.push(vec![patch.clone()]);
+        Counted::NewSheet(self.0.len() - 1)
+    }
 }
 
 /// The surfaces that drawing cannot tell from the picked one at a pixel position; `None` where there are none, or no
@@ -93,30 +134,45 @@ impl<'a> Places<'a> {
         let Some(picked) = self.surfaces.of_hit(px, first, nearest.face.as_ref()) else {
             return Vec::new();
         };
-        // The surfaces found so far whose outlines pass here.
-        let mut outlines = Vec::new();
-        outlines.extend(is_on_outline(&picked).then(|| nearest.clone()));
-        let (mut found, mut last, mut counts) = (vec![*first], nearest.clone(), true);
+        let mut sheets = Sheets::default();
+        let first_is = if is_on_outline(&picked) {
+            sheets.join(0, &nearest, &self.surfaces, px)
+        } else {
+            Counted::Apart
+        };
+        let (mut found, mut last, mut last_is) = (vec![*first], nearest.clone(), first_is);
         let mut solids = HashSet::from([first.object]);
         for hit in near {
             if hit.hit.on_triangle.is_none() && !solids.insert(hit.object) {
                 continue;
             }
             let patch = Patch::of(scene, hit);
-            // Identical triangles follow each other and share an answer.
-            if patch.face.is_none() || patch != last {
-                let surface = self.surfaces.of_hit(px, hit, patch.face.as_ref());
-                let surface = surface.filter(|other| {
-                    picked.stored.is_in_one_place(&other.stored)
-                        && (picked.stored.is_in_one_place_unmoved(&other.stored)
-                            || !nearest.shares_a_corner(&patch))
-                });
-                let is_on_outline = surface.as_ref().is_some_and(is_on_outline);
-                let touches = |other| patch.touches(other, &self.surfaces, px);
-                counts = surface.is_some() && !(is_on_outline && outlines.iter().any(touches));
-                outlines.extend((counts && is_on_outline).then(|| patch.clone()));
-                last = patch;
-            }
+            last_is = match last_is {
+                // Identical triangles follow each other and have the same surface.
+                known if patch.face.is_some() && patch == last => match known {
+                    Counted::OfSheet(sheet) | Counted::NewSheet(sheet) => {
+                        sheets.join(sheet + 1, &patch, &self.surfaces, px)
+                    }
+                    Counted::Apart | Counted::Not => known,
+                },
+                _ => {
+                    let surface = self.surfaces.of_hit(px, hit, patch.face.as_ref());
+                    let surface = surface.filter(|other| {
+                        picked.stored.is_in_one_place(&other.stored)
+                            && (picked.stored.is_in_one_place_unmoved(&other.stored)
+                                || !nearest.shares_a_corner(&patch))
+                    });
+                    match surface {
+                        None => Counted::Not,
+                        Some(surface) if is_on_outline(&surface) => {
+                            sheets.join(0, &patch, &self.surfaces, px)
+                        }
+                        Some(_) => Counted::Apart,
+                    }
+                }
+            };
+            last = patch;
+            let counts = matches!(last_is, Counted::Apart | Counted::NewSheet(_));
             found.extend(counts.then_some(*hit));
         }
         if found.len() > 1 { found } else { Vec::new() }
@@ -153,6 +209,11 @@ impl Patch {
     fn shares_a_corner(&self, other: &Self) -> bool {
         let faces = self.faces_of_batch(other);
         faces.is_some_and(|[a, b]| a.shares_a_corner(b))
+    }
+
+    fn overlaps(&self, other: &Self) -> bool {
+        let faces = self.faces_of_batch(other);
+        faces.is_some_and(|[a, b]| a.overlaps(b))
     }
 
     /// Whether both touch at a position on the outlines of both.

@@ -4,7 +4,7 @@ use super::{
     OUTLINE_CEILING_PX,
     bound::{self, Outline, Reason, Stored},
     interpolation,
-    projection::{project, shift_px, w},
+    projection::{project_about, shift_px, w},
     section::Sectioned,
     surface::{Depths, Source, Surface, ViewRay},
 };
@@ -61,12 +61,8 @@ pub(super) fn polygon(
     let normal = (b - a).cross(c - a);
     let past_near = ray.depth_on(a, normal);
     let clipped = clipping_error(view, corners);
-    let errors = corners.iter().map(|at| at.error);
-    let error = errors.fold(ViewError::default(), ViewError::max) + clipped;
-    let exact = corners
-        .iter()
-        .all(|corner| depths.clips_exactly(corner.view.z));
-    let cut_error = depths.near_error(&error, exact);
+    let error = greatest_error(corners, clipped);
+    let cut_error = cut_error(&depths, corners, &error);
     let seen = seen_from(corners, nearest(view, cut_error));
     let ends = depth_ends(&seen)?;
     let seen_views: Vec<DVec3> = seen.iter().map(|corner| corner.at.view).collect();
@@ -178,14 +174,35 @@ fn seen_from(corners: &[Corner], past_near: f64) -> Vec<SeenCorner> {
     )
 }
 
-/// The part of a segment, or of a single corner, behind the near plane as an outline; `None` when there is none.
-pub(super) fn outline(view: &View, grid_px: f64, px: DVec2, ends: &[Corner]) -> Option<Outline> {
-    let seen = clip(ends, |corner| corner.view.z, Corner::lerp);
+/// The part of a segment, or of a single corner, that drawing may take for behind the near plane, as an outline; `None`
+/// when there is none.
+pub(super) fn outline(
+    space: &ViewSpace,
+    grid_px: f64,
+    px: DVec2,
+    ends: &[Corner],
+) -> Option<Outline> {
+    let view = space.view();
+    let clipped = clipping_error(view, ends);
+    let cut_error = cut_error(&Depths::new(space), ends, &greatest_error(ends, clipped));
+    let seen = seen_from(ends, nearest(view, cut_error));
     // A segment that begins in front of the plane leaves a third corner, equal to the first.
     let from = seen.first()?;
     let to = seen.get(1).unwrap_or(from);
-    let clipped = clipping_error(view, ends);
-    Some(edge(view, grid_px, px, [*from, *to], clipped))
+    Some(edge(view, grid_px, px, [from.at, to.at], clipped))
+}
+
+/// The largest error of any corner, with that of clipping.
+fn greatest_error(corners: &[Corner], clipped: ViewError) -> ViewError {
+    let errors = corners.iter().map(|at| at.error);
+    errors.fold(ViewError::default(), ViewError::max) + clipped
+}
+
+/// How far drawing may misplace the near plane on a shape with these corners.
+fn cut_error(depths: &Depths, corners: &[Corner], error: &ViewError) -> f64 {
+    let mut corners = corners.iter();
+    let exact = corners.all(|corner| depths.clips_exactly(corner.view.z));
+    depths.near_error(error, exact)
 }
 
 impl Corner {
@@ -224,24 +241,29 @@ fn covers(ray: &ViewRay, corners: &[Corner]) -> bool {
 /// The edge between two corners, neither in front of the near plane.
 ///
 /// Drawing moves the point at share `s` of the edge by `1 - s` times the first end's error plus `s` times the second's.
+///
+/// A near plane just before the eye may cut an edge at a corner that is shown so far out that its position in the picture
+/// loses the distance. So everything is computed from homogeneous coordinates about the pixel.
 fn edge(view: &View, grid_px: f64, px: DVec2, [a, b]: [Corner; 2], clipped: ViewError) -> Outline {
-    let [from, to] = [a, b].map(|corner| project(view, corner.view));
-    let along = to - from;
-    let s = (px - from).dot(along) / along.length_squared();
-    // An edge seen end-on has no length: both ends are equally near.
-    let s_px = if s.is_nan() { 0.0 } else { s.clamp(0.0, 1.0) };
-    // The share in space, from the share in the picture: ends are weighted by 1 / w.
+    let [from, to] = [a, b].map(|corner| project_about(view, px, corner.view));
     let [wa, wb] = [a, b].map(|corner| w(view, corner.view));
-    let s = s_px * wa / (s_px * wa + (1.0 - s_px) * wb);
+    // Along the edge as the picture shows it.
+    let along = to * wa - from * wb;
+    let (before, after) = (from.dot(along), to.dot(along));
+    let (s, distance_px) = if after <= 0.0 && before < 0.0 {
+        (1.0, to.length() / wb)
+    } else if before < 0.0 {
+        let s = before / (before - after);
+        (s, from.perp_dot(to).abs() / along.length())
+    } else {
+        // Also an edge seen end-on, whose ends are equally near.
+        (0.0, from.length() / wa)
+    };
+    let error = a.error.lerp(b.error, s) + clipped;
     Outline {
-        distance_px: px.distance(from + s_px * along),
+        distance_px,
         grid_px,
-        f32_px: shift_px(
-            view,
-            px,
-            wa + s * (wb - wa),
-            &(a.error.lerp(b.error, s) + clipped),
-        ),
+        f32_px: shift_px(view, px, wa + s * (wb - wa), &error),
     }
 }
 

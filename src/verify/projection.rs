@@ -17,6 +17,13 @@ pub(super) fn project(view: &View, point: DVec3) -> DVec2 {
     view.px_of(point.truncate(), w(view, point))
 }
 
+/// [`project`] in homogeneous coordinates about a pixel: the way from `px` to the position, times w.
+pub(super) fn project_about(view: &View, px: DVec2, point: DVec3) -> DVec2 {
+    let half_px = 0.5 * view.viewport.size_px();
+    let per_length = half_px / view.half_extent() * DVec2::new(1.0, -1.0);
+    per_length * point.truncate() + (half_px - px) * w(view, point)
+}
+
 /// How far, in pixels, a view-space error moves a point of this w and pixel. Errors of x and y count times the focal
 /// length over w. In perspective an error of z moves the point towards or away from the picture's middle. The
 /// projection's roundings are added: those of its factor, of two products and of the reciprocal of w are 8 U relative

@@ -10,7 +10,7 @@ use crate::{
 };
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3, dvec2, dvec3};
 use sightline::{
-    camera::{DepthMapping, Lens, View},
+    camera::{Camera, DepthMapping, Lens, View},
     geometry::Placement,
     image::Id,
     pick::{self, InOnePlace, MOST_NAMED, SceneHit},
