@@ -131,7 +131,8 @@ fn flags_in(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// A row's flags are its command's, and the camera's flags are those of the commands that the sentence about them names.
+/// A row's flags are its command's, and the camera's flags are those of the commands that the sentence about them
+/// names.
 #[test]
 fn each_command_takes_the_flags_that_are_named_for_it() {
     let text = readme();

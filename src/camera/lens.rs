@@ -123,7 +123,8 @@ impl Lens {
         }
     }
 
-    /// What the depth buffer stores for a view depth: NDC z, to within a few roundings, and in [0, 1] between the planes.
+    /// What the depth buffer stores for a view depth: NDC z, to within a few roundings, and in [0, 1] between the
+    /// planes.
     #[must_use]
     pub fn ndc_depth(&self, depth: f64) -> f64 {
         let Self { near, far, .. } = *self;

@@ -196,8 +196,8 @@ impl Camera {
         &self.lens
     }
 
-    /// Half the picture's height: at view depth 1 in perspective (the tangent of half the field of view), in world units
-    /// in orthographic projection.
+    /// Half the picture's height: at view depth 1 in perspective (the tangent of half the field of view), in world
+    /// units in orthographic projection.
     #[must_use]
     pub fn half_height(&self) -> f64 {
         self.half_height

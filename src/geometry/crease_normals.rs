@@ -9,8 +9,8 @@ use std::ops::Range;
 pub struct CornerNormals {
     /// Unit normals in object space.
     pub normals: Vec<[f32; 3]>,
-    /// For each triangle, the index into `normals` of each of its corners. Empty where each vertex has one normal, at its
-    /// own index, and where there are no normals.
+    /// For each triangle, the index into `normals` of each of its corners. Empty where each vertex has one normal, at
+    /// its own index, and where there are no normals.
     pub corners: Vec<[u32; 3]>,
 }
 

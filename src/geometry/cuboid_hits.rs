@@ -9,9 +9,9 @@ use super::{
 use glam::DVec3;
 
 impl Cuboid {
-    /// Where `ray` enters (front) and leaves the cube within its interval, nearest first. The cube is closed: a ray that
-    /// touches an edge or corner enters there and leaves nowhere. Where faces meet, the one across the lowest axis is
-    /// hit.
+    /// Where `ray` enters (front) and leaves the cube within its interval, nearest first. The cube is closed: a ray
+    /// that touches an edge or corner enters there and leaves nowhere. Where faces meet, the one across the lowest axis
+    /// is hit.
     ///
     /// Decided in `f64` where rounding cannot change the answer, else by exact arithmetic.
     #[must_use]
@@ -84,8 +84,8 @@ fn is_bounded_across(d: f64, d_error: f64, [enter, leave]: [Approximate; 2]) -> 
         && enter.error + leave.error < f64::INFINITY
 }
 
-/// The hits of a ray that is parallel, or nearly so, to some slabs. Such a slab bounds nothing if the ray stays inside it
-/// for as long as it is inside the others.
+/// The hits of a ray that is parallel, or nearly so, to some slabs. Such a slab bounds nothing if the ray stays inside
+/// it for as long as it is inside the others.
 #[cold]
 fn along_slabs(
     ray: &LocalRay,

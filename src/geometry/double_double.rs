@@ -1,9 +1,9 @@
-//! Arithmetic in pairs of `f64`, and vectors and matrices of `f64` or of such pairs. One `f64` is too coarse far from the
-//! eye, through a long lens or under a model matrix that flattens.
+//! Arithmetic in pairs of `f64`, and vectors and matrices of `f64` or of such pairs. One `f64` is too coarse far from
+//! the eye, through a long lens or under a model matrix that flattens.
 //!
 //! A double-double is an unevaluated sum of two `f64`, with a relative error of about 2^-104 (Dekker, "A floating-point
-//! technique for extending the available precision", 1971; Hida, Li & Bailey, "Library for double-double and quad-double
-//! arithmetic", 2007).
+//! technique for extending the available precision", 1971; Hida, Li & Bailey, "Library for double-double and
+//! quad-double arithmetic", 2007).
 
 use super::binary::power_of_two_below;
 use glam::{DMat3, DVec3};

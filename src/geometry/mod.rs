@@ -8,9 +8,9 @@
 //! * A hit counts when `t_min <= t < t_max` and, for a world-space ray, its [`Section`] keeps it; nothing else clips.
 //! * **The exact ray** is the ray that the stored numbers define, without rounding. A [`Ray`] is exact as it stands. A
 //!   [`WorldRay`] holds the numbers that a pixel's ray is made of ([`PixelGrid`]); a [`PlacedRay`] also holds the model
-//!   matrix that it went through. Both bound the error of their rounded numbers. Shapes decide as exact arithmetic would
-//!   for the exact ray: hit or miss, front or back, in the interval or not, which is nearest ([`crate::pick`] has the
-//!   contract).
+//!   matrix that it went through. Both bound the error of their rounded numbers. Shapes decide as exact arithmetic
+//!   would for the exact ray: hit or miss, front or back, in the interval or not, which is nearest ([`crate::pick`] has
+//!   the contract).
 //! * **Barycentrics** `[s1, s2, s3]` weight the corners in order: `point = s1 v1 + s2 v2 + s3 v3`, sum 1.
 //! * **Winding** is counter-clockwise seen from outside; normals point outwards and are never flipped
 //!   towards the ray. A hit is at the *front* when `direction . normal < 0`.

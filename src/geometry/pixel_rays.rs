@@ -12,11 +12,11 @@ fn is_moderate(factor: f64) -> bool {
 }
 
 impl PixelGrid {
-    /// The ray through a position in pixels, with the interval of view depth that counts. The direction is not normalised,
-    /// so `t` is view depth.
+    /// The ray through a position in pixels, with the interval of view depth that counts. The direction is not
+    /// normalised, so `t` is view depth.
     ///
-    /// With `a = (h / H) ((2 px - W) R + (H - 2 py) U)`: `eye + t (F + a)` in perspective, `eye + a + t F` in orthographic
-    /// projection.
+    /// With `a = (h / H) ((2 px - W) R + (H - 2 py) U)`: `eye + t (F + a)` in perspective, `eye + a + t F` in
+    /// orthographic projection.
     #[inline]
     #[must_use]
     pub fn ray(&self, px: DVec2, interval: [f64; 2]) -> WorldRay<'static> {

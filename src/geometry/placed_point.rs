@@ -4,8 +4,8 @@ use super::Placement;
 use glam::{DAffine3, DVec3};
 
 /// An exact point of a shape: a share of the way from one point of object space to another, both given about an origin
-/// there, and the model matrix that takes it to the world. Where a number is not finite, it has no place (NaN), and no ray
-/// goes through it.
+/// there, and the model matrix that takes it to the world. Where a number is not finite, it has no place (NaN), and no
+/// ray goes through it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlacedPoint {
     pub(super) model: DAffine3,

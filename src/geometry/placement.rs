@@ -184,13 +184,13 @@ impl Placement {
 /// The inverse in `f64`; an upper bound on the error of its products, relative to row sum times the vector's largest
 /// component; and whether it mirrors. `None` where `f64` finds no inverse or no bound.
 ///
-/// Let `X` be the computed inverse and `E = A X - I`. The exact inverse is `X - A^-1 E`, so that `|X - A^-1|` is at most
-/// `|X| |E| / (1 - |E|)` (Higham, "Accuracy and Stability of Numerical Algorithms", 2002, 14.1): each entry is off by its
-/// row's sum times the largest entry of `E`, and a product takes three of them. `E` is itself rounded, by three products
-/// and three sums.
+/// Let `X` be the computed inverse and `E = A X - I`. The exact inverse is `X - A^-1 E`, so that `|X - A^-1|` is at
+/// most `|X| |E| / (1 - |E|)` (Higham, "Accuracy and Stability of Numerical Algorithms", 2002, 14.1): each entry is off
+/// by its row's sum times the largest entry of `E`, and a product takes three of them. `E` is itself rounded, by three
+/// products and three sums.
 fn rounded_inverse(matrix: DMat3) -> Option<(DMat3, f64, bool)> {
-    // Columns, then rows are scaled to about 1 by powers of two, which rounds nothing. The determinant of a tiny or huge
-    // model then neither vanishes nor overflows, and that of a flat one keeps its digits.
+    // Columns, then rows are scaled to about 1 by powers of two, which rounds nothing. The determinant of a tiny or
+    // huge model then neither vanishes nor overflows, and that of a flat one keeps its digits.
     let columns = scales(matrix);
     let unit = matrix * columns;
     let rows = scales(unit.transpose());

@@ -17,8 +17,8 @@ impl Pyramid {
     /// around it. The pyramid holds everything that a ray at least a pixel inside the rectangle meets.
     ///
     /// That pixel is the margin for rounding: `None` where it is less than 16 times the error of planes and points. Let
-    /// `s` be the largest component of a side, off by `e`, and `d` that of a direction, off by `f`. A normal is then off
-    /// by `6 U d s + 2 (d e + s f)` in each component.
+    /// `s` be the largest component of a side, off by `e`, and `d` that of a direction, off by `f`. A normal is then
+    /// off by `6 U d s + 2 (d e + s f)` in each component.
     pub fn new(corners: &[LocalRay; 4], side_px: f64) -> Option<Self> {
         const ROOM: f64 = 16.0;
         let mut planes = [(DVec3::ZERO, DVec3::ZERO); 4];
@@ -40,8 +40,8 @@ impl Pyramid {
             let normal = d.cross(side);
             let normal_error = 6.0 * U * d_max * s_max + 2.0 * (d_max * side_error + s_max * f);
             let size = normal.abs().element_sum();
-            // How far a point is from the plane for each pixel. In a pyramid that is at t = 1, and it grows in proportion
-            // to t.
+            // How far a point is from the plane for each pixel. In a pyramid that is at t = 1, and it grows in
+            // proportion to t.
             let pixel = normal.dot(outwards).abs() / side_px;
             let start = 4.0 * U * o_max + p;
             let is_wide = if is_pyramid {

@@ -8,9 +8,9 @@ use super::{
 };
 
 impl ThroughPoint {
-    /// The ray of the picture through the point: [`PixelGrid::ray`](super::PixelGrid::ray) at the position that shows it,
-    /// which need not be an `f64`. Its exact line passes through the exact point, at its exact depth. `None` where the
-    /// point lies at or behind the eye in perspective, or where the axes span no space.
+    /// The ray of the picture through the point: [`PixelGrid::ray`](super::PixelGrid::ray) at the position that shows
+    /// it, which need not be an `f64`. Its exact line passes through the exact point, at its exact depth. `None` where
+    /// the point lies at or behind the eye in perspective, or where the axes span no space.
     ///
     /// Each number is the exact one to within three roundings, which are its bound.
     #[must_use]

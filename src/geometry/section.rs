@@ -80,8 +80,8 @@ impl Section {
         )
     }
 
-    /// Whether three finite points may be on one line up to rounding. A picked point's coordinates are each off by a few
-    /// units in the last place of the largest.
+    /// Whether three finite points may be on one line up to rounding. A picked point's coordinates are each off by a
+    /// few units in the last place of the largest.
     #[must_use]
     pub fn may_be_on_one_line(points: [DVec3; 3]) -> bool {
         let [a, b, c] = points;
@@ -94,8 +94,8 @@ impl Section {
         !(normal.length() > 8.0 * U + lost(b - a) + lost(c - a))
     }
 
-    /// The same with c raised until it keeps these points of an object, given about an origin in object space. The first
-    /// step is the largest rounding error of c.
+    /// The same with c raised until it keeps these points of an object, given about an origin in object space. The
+    /// first step is the largest rounding error of c.
     ///
     /// # Errors
     /// When no finite c keeps them.

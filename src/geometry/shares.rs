@@ -46,8 +46,8 @@ pub(crate) fn on_all_cores<T, R: Send>(
 /// microsecond.
 pub(super) const PIECE: usize = 1 << 15;
 
-/// The results of `work` on the pieces of `0..count`, in order, on all cores, for as long as `go_on` lets it. `weight` is
-/// the share of all these pieces in the work that `go_on` knows.
+/// The results of `work` on the pieces of `0..count`, in order, on all cores, for as long as `go_on` lets it. `weight`
+/// is the share of all these pieces in the work that `go_on` knows.
 pub(crate) fn in_pieces<T: Send, E: Send>(
     count: usize,
     weight: f64,
@@ -79,7 +79,8 @@ pub(crate) fn in_shares<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T 
     on_all_cores(shares.map(|first| first..(first + share).min(count)), work)
 }
 
-/// Threads that run at once; 1 where the system does not tell. It is asked once: on Linux, the answer takes reading files.
+/// Threads that run at once; 1 where the system does not tell. It is asked once: on Linux, the answer takes reading
+/// files.
 pub(crate) fn cores() -> usize {
     static CORES: OnceLock<usize> = OnceLock::new();
     *CORES.get_or_init(|| thread::available_parallelism().map_or(1, NonZero::get))

@@ -8,10 +8,10 @@ impl Aabb {
     /// of the ray from `t_min` to `end`, both included. The box's corners are `f32`; `inverse` is `1 / direction`.
     ///
     /// Let `U` be half of `f64::EPSILON`. The distance to a slab's plane has the right sign and a relative error of at
-    /// most `2 U` (`VertexRay::to`). `inverse` and the product add `U` each: `4 U` in all. Widening by `12 U` covers that
-    /// and its own rounding (after Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013, whose `2 ulp` leaves the subtraction
-    /// to padded boxes). Where the ray is parallel to a slab, `inverse` is infinite and the signs decide. If its origin
-    /// lies on the slab's plane, `0 * inf` is NaN, which loses every comparison.
+    /// most `2 U` (`VertexRay::to`). `inverse` and the product add `U` each: `4 U` in all. Widening by `12 U` covers
+    /// that and its own rounding (after Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013, whose `2 ulp` leaves the
+    /// subtraction to padded boxes). Where the ray is parallel to a slab, `inverse` is infinite and the signs decide.
+    /// If its origin lies on the slab's plane, `0 * inf` is NaN, which loses every comparison.
     ///
     /// An inexact ray is off by its origin's error plus its direction's error times the distance to the box. The box is
     /// grown by twice that.
@@ -43,8 +43,8 @@ impl Aabb {
 }
 
 /// Slab test: the `t` at which a ray enters a box before its interval ends; `None` where it misses. Both ends of each
-/// slab are widened by a relative `widen`. `ways` lead from the ray's origin to the least and greatest corner; `inverse`
-/// is `1 / direction`.
+/// slab are widened by a relative `widen`. `ways` lead from the ray's origin to the least and greatest corner;
+/// `inverse` is `1 / direction`.
 pub(crate) fn entry(
     ways: [DVec3; 2],
     inverse: DVec3,

@@ -26,15 +26,15 @@ impl Sphere {
 
 /// The hits as far as `f64` decides them.
 ///
-/// The line meets the sphere where its moment `c = o x d` is no longer than `r |d|`, and then at
-/// `t = (-o.d -+ sqrt(r^2 d.d - c.c)) / d.d`. Nothing is divided before the decision, and far away nothing cancels as in
-/// `b^2 - a c` (Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems 2019, ch. 7).
+/// The line meets the sphere where its moment `c = o x d` is no longer than `r |d|`, and then at `t = (-o.d -+ sqrt(r^2
+/// d.d - c.c)) / d.d`. Nothing is divided before the decision, and far away nothing cancels as in `b^2 - a c` (Haines
+/// et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems 2019, ch. 7).
 ///
 /// Bounds. Let `O` and `D` be the largest components of `o` and `d`, and `p` and `f` their errors. A component of `c`
-/// errs by `4 U O D` (two products, and a difference of at most `2 O D`) and by `2 (O f + D p + p f)`: together `e`. The
-/// square of `c` then errs by `2 |c|_1 e + 3 e^2` and rounds by `3 U` of itself; `d.d` by `2 |d|_1 f + 3 f^2` and `3 U`;
-/// `o.d` by `|o|_1 f + |d|_1 p + 3 p f` and `3 U |o|_1 D`. The root of a number that is above its error `g` errs by less
-/// than `g / root`. Each sum is taken with a little more than that, for its own roundings.
+/// errs by `4 U O D` (two products, and a difference of at most `2 O D`) and by `2 (O f + D p + p f)`: together `e`.
+/// The square of `c` then errs by `2 |c|_1 e + 3 e^2` and rounds by `3 U` of itself; `d.d` by `2 |d|_1 f + 3 f^2` and
+/// `3 U`; `o.d` by `|o|_1 f + |d|_1 p + 3 p f` and `3 U |o|_1 D`. The root of a number that is above its error `g` errs
+/// by less than `g / root`. Each sum is taken with a little more than that, for its own roundings.
 #[inline]
 fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     /// Squares of larger directions have all their digits.

@@ -24,8 +24,9 @@ impl Square {
 
 /// The hit as far as `f64` decides it.
 ///
-/// The line meets the plane `z = 0` at `x = (o_x d_z - o_z d_x) / d_z`, which is compared without dividing. Two products
-/// and their difference round by `2 U` of their sizes. Errors `p` of `o` and `f` of `d` add their part of each product.
+/// The line meets the plane `z = 0` at `x = (o_x d_z - o_z d_x) / d_z`, which is compared without dividing. Two
+/// products and their difference round by `2 U` of their sizes. Errors `p` of `o` and `f` of `d` add their part of each
+/// product.
 #[inline]
 fn filter(ray: &LocalRay) -> Result<Option<Hit>, InDoubt> {
     let Ray {

@@ -62,7 +62,8 @@ pub(super) fn is_in_doubt(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
     !is_missed(ray, corners) && filter(ray, corners).is_err()
 }
 
-/// Whether the ray reaches the triangle's plane within its interval and no later than `limit`, or runs along it; exactly.
+/// Whether the ray reaches the triangle's plane within its interval and no later than `limit`, or runs along it;
+/// exactly.
 pub(super) fn reaches_plane(ray: &VertexRay, corners: [DVec3; 3], limit: f64) -> bool {
     let exactly = ray.exactly();
     let triangle = Corners {
@@ -73,17 +74,17 @@ pub(super) fn reaches_plane(ray: &VertexRay, corners: [DVec3; 3], limit: f64) ->
     exact::reaches_plane(&exactly.line, &triangle, &ray.ray, limit)
 }
 
-/// An upper bound on the error of each of a triangle's [`volumes`]: `s` is the largest component of its edges, `m` of its
-/// corners as seen from the ray.
+/// An upper bound on the error of each of a triangle's [`volumes`]: `s` is the largest component of its edges, `m` of
+/// its corners as seen from the ray.
 ///
 /// A volume is `d . (p x e)`, with `p` a corner and `e` an edge. `p` errs by `2 U m` and by the origin's error `o`, `e`
 /// by `U s`. A product of two components then errs by at most `(4 U m + o) s`: `2 U m s + o s` through `p`, `U m s`
 /// through `e`, `U m s` by its own rounding. A component of `p x e` errs by `(10 U m + 2 o) s` (two products, and a
 /// difference of at most `2 m s`). Its product with a component of `d` errs by `(12 U m + 2 o) s |d_i|`. The sum over
-/// three components rounds twice and errs by `(16 U m + 2 o) s |d|_1`, where `|d|_1` is the sum of the components' sizes.
-/// An error `f` of each component of `d` adds `6 (m + o) s f`. Using 20 for 16 and 7 for 6 more than covers terms in
-/// `U^2` and the rounding of the bound itself. (A static filter in the sense of Shewchuk 1997.) The bound grows with the
-/// distance times the size, not with the distance squared.
+/// three components rounds twice and errs by `(16 U m + 2 o) s |d|_1`, where `|d|_1` is the sum of the components'
+/// sizes. An error `f` of each component of `d` adds `6 (m + o) s f`. Using 20 for 16 and 7 for 6 more than covers
+/// terms in `U^2` and the rounding of the bound itself. (A static filter in the sense of Shewchuk 1997.) The bound
+/// grows with the distance times the size, not with the distance squared.
 #[inline(always)]
 fn volume_bound(ray: &VertexRay, m: f64, s: f64) -> f64 {
     let [o, f] = ray.errors;
@@ -170,9 +171,9 @@ fn filter(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, I
 /// `t = N . a / N . d` with `N` the cross product of two edges, and a bound on its error; `a` is the first corner as
 /// seen from the ray.
 ///
-/// With `s` the largest component of the edges, which round by at most `U s`, a component of `N` errs by `8 U s^2` and is
-/// at most `2 s^2`. `N . d` then errs by `14 U s^2 |d|_1` and, for an error `f` of each component of `d`, by `6 s^2 f`;
-/// `N . a`, with `a` to within `2 U` and the origin's error `o`, by `18 U s^2 |a|_1 + 6 s^2 o`. The quotient of two
+/// With `s` the largest component of the edges, which round by at most `U s`, a component of `N` errs by `8 U s^2` and
+/// is at most `2 s^2`. `N . d` then errs by `14 U s^2 |d|_1` and, for an error `f` of each component of `d`, by `6 s^2
+/// f`; `N . a`, with `a` to within `2 U` and the origin's error `o`, by `18 U s^2 |a|_1 + 6 s^2 o`. The quotient of two
 /// numbers that err by `e_n` and `e_d` errs by `(e_n + |t| e_d) / (|N . d| - e_d)`. Where `e_d` is at most
 /// [`HALF_OF_THE_DIGITS`] of `N . d`, dividing by `|N . d|` instead changes that by as small a share; otherwise no bound
 /// is returned. 16 instead of 14, 20 instead of 18 and 7 instead of 6 absorb this share and second-order terms. Twelve
@@ -228,7 +229,8 @@ pub(crate) fn overlap((a, a_error): (f64, f64), (b, b_error): (f64, f64)) -> boo
     !(a + a_error < b - b_error || b + b_error < a - a_error)
 }
 
-/// `d . (p x e)` for each edge `e` and the corner `p` that it starts at; the first edge is opposite to the first corner.
+/// `d . (p x e)` for each edge `e` and the corner `p` that it starts at; the first edge is opposite to the first
+/// corner.
 #[inline(always)]
 fn volumes(d: DVec3, [a, b, c]: [DVec3; 3], [bc, ca, ab]: [DVec3; 3]) -> [f64; 3] {
     [(b, bc), (c, ca), (a, ab)].map(|(p, e)| d.dot(p.cross(e)))

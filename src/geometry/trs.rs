@@ -36,7 +36,8 @@ impl Trs {
     }
 
     /// The parts of a matrix; `None` where it shears or flattens an axis. A mirroring matrix has a negative x scale.
-    /// Where the y rotation is a quarter turn, rotations about x and z have the same effect, and all of it is given as x.
+    /// Where the y rotation is a quarter turn, rotations about x and z have the same effect, and all of it is given as
+    /// x.
     #[must_use]
     pub fn of(model: DAffine3) -> Option<Self> {
         let m = model.matrix3;
@@ -55,8 +56,8 @@ impl Trs {
         if !is_rotation {
             return None;
         }
-        // Each angle is found after the one before is undone. Together they then make the matrix, even where single ones
-        // are undetermined.
+        // Each angle is found after the one before is undone. Together they then make the matrix, even where single
+        // ones are undetermined.
         let z = r.x_axis.y.atan2(r.x_axis.x);
         let (sin, cos) = z.sin_cos();
         let y = (-r.x_axis.z).atan2(cos * r.x_axis.x + sin * r.x_axis.y);

@@ -8,8 +8,8 @@ const LARGE: f64 = power_of_two(200);
 
 /// A ray in the space of a mesh's vertices, with no digit lost on the way from object space.
 ///
-/// `ray.origin - vertex_origin` rounds. The rounding error is kept, so that decisions are about the ray in object space:
-/// here it starts at `ray.origin + tail`.
+/// `ray.origin - vertex_origin` rounds. The rounding error is kept, so that decisions are about the ray in object
+/// space: here it starts at `ray.origin + tail`.
 #[derive(Clone, Copy, Debug)]
 pub struct VertexRay<'a> {
     /// The ray, its origin rounded.
@@ -18,8 +18,8 @@ pub struct VertexRay<'a> {
     pub tail: DVec3,
     /// `|tail| / U`: the length whose rounding may be as large as `tail`.
     pub(super) tail_as_length: f64,
-    /// The sum of the direction's absolute components; infinite where products could overflow, so that rounding bounds do
-    /// not hold.
+    /// The sum of the direction's absolute components; infinite where products could overflow, so that rounding bounds
+    /// do not hold.
     pub(super) taxicab: f64,
     /// How far a component of origin and tail, and of the direction, may be from the exact ray's.
     pub(super) errors: [f64; 2],
@@ -87,9 +87,9 @@ impl<'a> VertexRay<'a> {
 
     /// From the ray's origin to a vertex (of `f32` components), each component to within `2 U` of itself.
     ///
-    /// Where the first difference cancels by half or more it is exact (Sterbenz) and only the second rounds. Otherwise it
-    /// is at least half of `ray.origin`, hence `|tail| <= U |ray.origin| <= 2 U |difference|`: subtracting it changes
-    /// nothing that matters to a relative bound, and each difference rounds once.
+    /// Where the first difference cancels by half or more it is exact (Sterbenz) and only the second rounds. Otherwise
+    /// it is at least half of `ray.origin`, hence `|tail| <= U |ray.origin| <= 2 U |difference|`: subtracting it
+    /// changes nothing that matters to a relative bound, and each difference rounds once.
     #[inline]
     pub(super) fn to(&self, vertex: DVec3) -> DVec3 {
         (vertex - self.ray.origin) - self.tail

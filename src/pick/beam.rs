@@ -1,5 +1,5 @@
-//! Chooses the part of a scene that rays are tested against: all of it, or what the rays through one tile of the picture
-//! may meet, found once per tile.
+//! Chooses the part of a scene that rays are tested against: all of it, or what the rays through one tile of the
+//! picture may meet, found once per tile.
 
 use crate::{
     camera::View,

@@ -11,9 +11,10 @@
 //! (Weyl). These eigenvalues are those of `C^T C` times factors that differ from 1 by at most the norm of `Q^T Q - 1`
 //! (Ostrowski). Both norms are 0 where L stretches along the axes. Under a uniform scale s the area is pi s^2.
 //!
-//! `R_G` is computed from `R_F` and `R_D`, with the middle one of the three as last argument, so that no term is negative
-//! (DLMF 19.21.10). `R_F` and `R_D` come from duplication (DLMF 19.26.18 and 19.26.20): each step divides the differences
-//! of the three by four. All steps are sums, products, quotients and roots of non-negative numbers, each cut off after
+//! `R_G` is computed from `R_F` and `R_D`, with the middle one of the three as last argument, so that no term is
+//! negative (DLMF 19.21.10). `R_F` and `R_D` come from duplication (DLMF 19.26.18 and 19.26.20): each step divides the
+//! differences of the three by four. All steps are sums, products, quotients and roots of non-negative numbers, each
+//! cut off after
 //! [`BITS`] bits, so relative errors add up: over fewer than 2^40 steps, to less than 2^-120.
 
 use super::measure::Measured;
@@ -26,8 +27,8 @@ use std::f64::consts::PI;
 
 /// Bits of each number.
 const BITS: i64 = 160;
-/// Duplication ends when the three differ by less than 2^[`ALIKE`] of their size. `R_F` and `R_D` then lie between their
-/// values where all three are the least and where all three are the largest.
+/// Duplication ends when the three differ by less than 2^[`ALIKE`] of their size. `R_F` and `R_D` then lie between
+/// their values where all three are the least and where all three are the largest.
 const ALIKE: i64 = -80;
 /// A generous relative bound on all that is cut off.
 const CUT_OFF: f64 = f64::EPSILON / 1024.0;

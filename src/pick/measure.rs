@@ -170,8 +170,8 @@ pub fn polygon_area(polygon: &[ExactPoint], triangles: &[[u32; 3]]) -> Measured 
     Measured::of(&sum, error)
 }
 
-/// The area of a range of a mesh's triangles under a placement, as the file writes them. Storing them as `f32` about the
-/// mesh's origin moves a corner by at most `d`, computed below. The area of a triangle with the sides p and q then
+/// The area of a range of a mesh's triangles under a placement, as the file writes them. Storing them as `f32` about
+/// the mesh's origin moves a corner by at most `d`, computed below. The area of a triangle with the sides p and q then
 /// changes by at most d (|p| + |q|) + 2 d^2.
 ///
 /// # Panics

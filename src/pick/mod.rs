@@ -23,8 +23,8 @@
 //! given by its own numbers ([`Ray`](crate::geometry::Ray)) is taken as exact.
 //!
 //! **The answer.** A hit counts where `near <= t < far`, each hit on its own: where the near plane cuts a sphere, the
-//! exit counts and the entry does not. A [`Section`](crate::geometry::Section) keeps a hit whose exact point has
-//! `n . p + c >= 0` (closed), for the stored n and c. With [`Sides::Front`](crate::geometry::Sides::Front) only front hits
+//! exit counts and the entry does not. A [`Section`](crate::geometry::Section) keeps a hit whose exact point has `n . p
+//! + c >= 0` (closed), for the stored n and c. With [`Sides::Front`](crate::geometry::Sides::Front) only front hits
 //! count. The pick is the hit with the least t on the visible objects; of equal ones, that on the first object, then on
 //! the first triangle. [`all`] has every hit in this order, a solid's entry before its exit.
 //!
@@ -39,16 +39,16 @@
 //! * The sphere of radius 1/2 lies about the origin. The ray enters it (front) and leaves it (back). A tangent ray hits
 //!   it once, and not from the front.
 //!
-//! **Front** is decided in object space: a hit is at the front where the ray runs against the outward normal there, also
-//! under a mirroring matrix. A singular matrix is refused, as is one whose inverse does not fit into `f64`
+//! **Front** is decided in object space: a hit is at the front where the ray runs against the outward normal there,
+//! also under a mirroring matrix. A singular matrix is refused, as is one whose inverse does not fit into `f64`
 //! ([`PlacementError`](crate::geometry::PlacementError)).
 //!
 //! # What a record adds
 //!
 //! [`Pick`] says where the hit lies and how sure it is. `t` is the exact parameter rounded once (and kept below far);
-//! `gap`, the difference to the next hit, is rounded once, too. `exact` says whether exact arithmetic had to decide; this
-//! does not depend on whether a tree is built. `edge_px` and `differs_px` say how many pixels away the nearest edge and
-//! the nearest other answer are.
+//! `gap`, the difference to the next hit, is rounded once, too. `exact` says whether exact arithmetic had to decide;
+//! this does not depend on whether a tree is built. `edge_px` and `differs_px` say how many pixels away the nearest
+//! edge and the nearest other answer are.
 //!
 //! The order of picks is exact however close two surfaces lie; a drawing's is not. Where surfaces lie so close to the
 //! nearest one that drawing may show any of them, the answer names them ([`InOnePlace`], found by

@@ -75,8 +75,8 @@ fn by_exact_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Orde
     compare_surfaces(ray, &surface(scene, a), &surface(scene, b))
 }
 
-/// Whether two hits of one ray have the same `t` because of what was hit: the same surface, or two coplanar ones. This is
-/// cheaper than comparing their parameters.
+/// Whether two hits of one ray have the same `t` because of what was hit: the same surface, or two coplanar ones. This
+/// is cheaper than comparing their parameters.
 pub(super) fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
     if !a.overlaps(b) {
         return false;
@@ -88,9 +88,9 @@ pub(super) fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
     }
 }
 
-/// Whether an object, or one triangle of it (number, and corners about the mesh's origin), comes no earlier than a hit on
-/// every ray that meets both. That is so where it is not earlier in order and is the same surface, coincides with it or
-/// is coplanar with it.
+/// Whether an object, or one triangle of it (number, and corners about the mesh's origin), comes no earlier than a hit
+/// on every ray that meets both. That is so where it is not earlier in order and is the same surface, coincides with it
+/// or is coplanar with it.
 pub(super) fn comes_later(
     scene: &Scene,
     hit: &SceneHit,

@@ -2,8 +2,8 @@
 //!
 //! This is decided exactly, as picks are: by what the picture's ray through the point picks. (See
 //! [`ThroughPoint::ray`](crate::geometry::ThroughPoint::ray); its pixel position need not be an `f64`.) A point is seen
-//! where the pick lies at the point, and hidden where the pick lies before it. Otherwise no shown surface passes through
-//! the point: its faces are culled, of a hidden object, or seen edge-on.
+//! where the pick lies at the point, and hidden where the pick lies before it. Otherwise no shown surface passes
+//! through the point: its faces are culled, of a hidden object, or seen edge-on.
 
 use super::{NamedSurface, SceneHit, closest, nearest::first_on, order::surface};
 use crate::{

@@ -1,5 +1,5 @@
-//! Makes the pipelines: which shader draws what in which pass. Pipelines and shader modules are made at first use, since
-//! they take milliseconds and most programs need few.
+//! Makes the pipelines: which shader draws what in which pass. Pipelines and shader modules are made at first use,
+//! since they take milliseconds and most programs need few.
 
 use super::{
     abilities::Numbers,

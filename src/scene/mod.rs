@@ -172,8 +172,8 @@ impl Scene {
         self.sums.all().visible_bounds
     }
 
-    /// Whether a condition holds for the box about some visible object. It must hold for a box if it holds for one inside
-    /// that box. Also true when the search would take too long.
+    /// Whether a condition holds for the box about some visible object. It must hold for a box if it holds for one
+    /// inside that box. Also true when the search would take too long.
     pub(crate) fn any_visible(&self, holds: impl Fn(&Aabb) -> bool) -> bool {
         self.sums.any_visible(&self.objects, &self.bounds, holds)
     }

@@ -93,8 +93,8 @@ impl Sums {
         &self.all
     }
 
-    /// Whether a condition holds for the box about some visible object. It must hold for a box if it holds for one inside
-    /// that box. Also true after [`MOST_ASKED`] objects.
+    /// Whether a condition holds for the box about some visible object. It must hold for a box if it holds for one
+    /// inside that box. Also true after [`MOST_ASKED`] objects.
     pub fn any_visible(
         &self,
         objects: &[Object],

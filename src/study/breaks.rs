@@ -26,8 +26,8 @@ pub struct Break {
     pub family: &'static str,
     /// The parameter's value on the scene.
     pub value: f64,
-    /// A lower bound of what goes wrong on the scene's own rays: the wrong decisions in per cent or, where all decisions are
-    /// right, the worst error of a value in the step's unit.
+    /// A lower bound of what goes wrong on the scene's own rays: the wrong decisions in per cent or, where all
+    /// decisions are right, the worst error of a value in the step's unit.
     pub least: f64,
 }
 
@@ -81,8 +81,8 @@ pub fn breaks_on(exhibit: &str) -> impl Iterator<Item = &'static Break> {
     BREAKS.iter().filter(move |known| known.exhibit == exhibit)
 }
 
-/// The rows of all methods of a break's step, in the break's family and on the view's own rays (the family [`SCENE`]). Errors
-/// in pixels are converted to pixels of the view. `None` once `go_on`, which is asked now and then, says no.
+/// The rows of all methods of a break's step, in the break's family and on the view's own rays (the family [`SCENE`]).
+/// Errors in pixels are converted to pixels of the view. `None` once `go_on`, which is asked now and then, says no.
 #[must_use]
 pub fn rows(of: &Break, scene: &Scene, view: View, go_on: &dyn Fn() -> bool) -> Option<Vec<Row>> {
     // Enough that some go through the one column of pixels on which `along_a_face` breaks.
@@ -102,8 +102,8 @@ pub fn rows(of: &Break, scene: &Scene, view: View, go_on: &dyn Fn() -> bool) -> 
     Some(rows)
 }
 
-/// The methods besides Sightline's whose mistakes cannot be seen on the scene: every decision is right, and every error is
-/// below half a pixel, a degree or a ten-thousandth.
+/// The methods besides Sightline's whose mistakes cannot be seen on the scene: every decision is right, and every error
+/// is below half a pixel, a degree or a ten-thousandth.
 pub fn as_good(rows: &[Row]) -> impl Iterator<Item = &Row> {
     let least = |row: &Row| match row.info.step.error_unit {
         "px" => 0.5,
@@ -116,7 +116,8 @@ pub fn as_good(rows: &[Row]) -> impl Iterator<Item = &Row> {
     own.filter(move |row| row.wrong() == 0 && row.worst_error < least(row))
 }
 
-/// Every method that a scene of the gallery can be picked by: first those that break on it, then the others of their steps.
+/// Every method that a scene of the gallery can be picked by: first those that break on it, then the others of their
+/// steps.
 pub fn swaps(exhibit: &str) -> Vec<Swap> {
     let broken = breaks_on(exhibit).filter_map(Break::swap);
     let all = breaks_on(exhibit).flat_map(|known| {

@@ -22,7 +22,8 @@ pub fn budget(rays: &SceneRays, view: &View, report: &Report, budget_px: f64) ->
     lines.join("\n") + "\n"
 }
 
-/// The error of a pick: the sum of the errors of its ray, of the transform to object space, and of the worst shape's test.
+/// The error of a pick: the sum of the errors of its ray, of the transform to object space, and of the worst shape's
+/// test.
 fn total(chain: &[Estimate], of: fn(&Estimate) -> f64) -> f64 {
     let (shapes, steps): (Vec<&Estimate>, Vec<&Estimate>) =
         chain.iter().partition(|step| step.is_of_shape());
@@ -34,7 +35,8 @@ fn px(estimate: &Estimate) -> f64 {
     estimate.px
 }
 
-/// Starts with every step in `f32` and moves the one with the largest error to `f64` until the total is within the budget.
+/// Starts with every step in `f32` and moves the one with the largest error to `f64` until the total is within the
+/// budget.
 fn chain(narrow: &[Estimate], wide: &[Estimate], budget_px: f64) -> Vec<Estimate> {
     let mut chain = narrow.to_vec();
     while total(&chain, px) > budget_px {

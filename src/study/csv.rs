@@ -1,4 +1,5 @@
-//! The study as CSV: one table with a line for each method at each value of each parameter, one with a line for each method.
+//! The study as CSV: one table with a line for each method at each value of each parameter, one with a line for each
+//! method.
 
 use super::{prelude::*, timing::processor};
 use std::fmt::Write;
@@ -12,8 +13,8 @@ pub const COLUMNS: &str = "step,method,precision,sightlines,family,parameter,val
 pub const SUMMARY_COLUMNS: &str = "step,method,precision,ours,ordinary_ns,worst_ns,wrong_rate,wrong_rate_high,median_error,\
                                    p999_error,worst_error,on_front,reason";
 
-/// The whole report: RFC 4180 with a header line. Measured numbers have two digits, so that machines whose tangents differ
-/// in the last bit agree; the error of a value that is NaN is `inf`.
+/// The whole report: RFC 4180 with a header line. Measured numbers have two digits, so that machines whose tangents
+/// differ in the last bit agree; the error of a value that is NaN is `inf`.
 #[must_use]
 pub fn csv(report: &Report) -> String {
     let rows = report.rows.iter().map(|row| {
@@ -29,8 +30,9 @@ pub fn csv(report: &Report) -> String {
     lines(COLUMNS, rows)
 }
 
-/// A line for each method over all of the report's workloads. Time and `median_error` are those of the ordinary workload, the
-/// other errors those of the worst. `on_front`: no method that is at most as wrong is more than a tenth faster.
+/// A line for each method over all of the report's workloads. Time and `median_error` are those of the ordinary
+/// workload, the other errors those of the worst. `on_front`: no method that is at most as wrong is more than a tenth
+/// faster.
 #[must_use]
 pub fn summary_csv(report: &Report) -> String {
     let steps = report.steps().into_iter();

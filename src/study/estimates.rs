@@ -1,13 +1,13 @@
-//! Computes upper bounds of the error in pixels that each step's floating-point method adds to a pick, over a scene's own
-//! rays.
+//! Computes upper bounds of the error in pixels that each step's floating-point method adds to a pick, over a scene's
+//! own rays.
 //!
 //! Each step has one sound method: it is wrong by a few roundings at most. Let u be half an ulp of 1 in the method's
 //! precision. For the first two steps the bounds are those of Sightline's methods ([`super::methods`]): they count the
-//! roundings of the same formulas and are proportional to u. In `f32`, the rounded coordinates of object and eye add to that.
-//! A shape's test decides as if the ray passed aside by at most this distance:
+//! roundings of the same formulas and are proportional to u. In `f32`, the rounded coordinates of object and eye add to
+//! that. A shape's test decides as if the ray passed aside by at most this distance:
 //!
-//! * sphere, Hearn & Baker: 8u of the distance for the line's point nearest to the centre, 2u of the distance for the rest;
-//!   4u for the radius;
+//! * sphere, Hearn & Baker: 8u of the distance for the line's point nearest to the centre, 2u of the distance for the
+//!   rest; 4u for the radius;
 //! * box: 5u of the distance and a side for each of two slabs;
 //! * square: 12u of the distance to its furthest corner, and in `f32` 2u of the world coordinates;
 //! * triangle, Woop: 8u for a corner's sheared coordinates and 6u for the edge function, both of the furthest corner's

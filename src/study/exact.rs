@@ -156,8 +156,8 @@ impl Exact3 {
     }
 }
 
-/// The angle between two directions in radians. Small angles, which matter, have all digits of an `f64`. Infinite for an
-/// answer that is 0 or not finite.
+/// The angle between two directions in radians. Small angles, which matter, have all digits of an `f64`. Infinite for
+/// an answer that is 0 or not finite.
 #[must_use]
 pub fn angle(truth: &Exact3, answer: [f64; 3]) -> f64 {
     if !answer.iter().all(|c| c.is_finite()) || answer.iter().all(|c| *c == 0.0) {

@@ -38,8 +38,8 @@ pub enum SaveError {
     Size(#[from] CameraError),
 }
 
-/// Writes a report's tables and charts into a folder, with separate files for a scene's own rays. Each file is written whole
-/// or not at all: where there is no room, an earlier run's files stay.
+/// Writes a report's tables and charts into a folder, with separate files for a scene's own rays. Each file is written
+/// whole or not at all: where there is no room, an earlier run's files stay.
 ///
 /// # Errors
 /// When a file cannot be written.

@@ -1,5 +1,5 @@
-//! Speed against accuracy: runs the known methods for each step of a pick over workloads that stress them, compares their
-//! answers with exact truth, and times them.
+//! Speed against accuracy: runs the known methods for each step of a pick over workloads that stress them, compares
+//! their answers with exact truth, and times them.
 //!
 //! ```text
 //! methods (the registry), their workloads -> run -> Report -> table, csv, chart
@@ -7,35 +7,36 @@
 //! a scene, often of the gallery + swap (a method) -> a pick with the method's mistakes
 //! ```
 //!
-//! Each step is one file or folder under [`methods`]: its methods, its workloads (seeded families with one parameter each)
-//! and its truth, from exact arithmetic ([`exact`], [`truth`]) that shares no code with any method. To add a method, add an
-//! entry to its step's list: tests, tables and charts read that list.
+//! Each step is one file or folder under [`methods`]: its methods, its workloads (seeded families with one parameter
+//! each) and its truth, from exact arithmetic ([`exact`], [`truth`]) that shares no code with any method. To add a
+//! method, add an entry to its step's list: tests, tables and charts read that list.
 //!
 //! Workloads use only sums, products, quotients and square roots, which every machine rounds alike: one seed gives one
-//! workload everywhere. The results are rounded to `f32`, so that methods of both precisions get the same numbers; only a
-//! camera's axes, and what is computed from them, stay `f64`.
+//! workload everywhere. The results are rounded to `f32`, so that methods of both precisions get the same numbers; only
+//! a camera's axes, and what is computed from them, stay `f64`.
 //!
 //! # What the charts teach
 //!
-//! **Precision is not slow.** In a chart of speed against error, a formula takes the same time in `f32` and in `f64`, and its
-//! errors are nine powers of ten apart. A processor with both in hardware saves next to nothing by `f32` on single rays;
-//! `f32` pays where many rays are computed at once.
+//! **Precision is not slow.** In a chart of speed against error, a formula takes the same time in `f32` and in `f64`,
+//! and its errors are nine powers of ten apart. A processor with both in hardware saves next to nothing by `f32` on
+//! single rays; `f32` pays where many rays are computed at once.
 //!
-//! **Coordinates lose more than formulas do.** Most digits are lost before any shape is tested. A ray made from a point in
-//! the world, or by the inverse of a matrix that holds the eye's position, loses more digits the further the eye is from
-//! the origin. The same ray as a sum of directions loses none. So: first subtract what is large and alike (eye,
+//! **Coordinates lose more than formulas do.** Most digits are lost before any shape is tested. A ray made from a point
+//! in the world, or by the inverse of a matrix that holds the eye's position, loses more digits the further the eye is
+//! from the origin. The same ray as a sum of directions loses none. So: first subtract what is large and alike (eye,
 //! translation, centre), then multiply.
 //!
 //! **A test for equality is a test of rounding.** Three areas that should add up to a fourth do so for only some of the
-//! hits; the rest are lost. A tolerance brings back the hits in a triangle's middle, but moves the triangle's edges. Signs
-//! need no tolerance: the side of an edge on which a ray passes is one sign, the same for both triangles at the edge.
+//! hits; the rest are lost. A tolerance brings back the hits in a triangle's middle, but moves the triangle's edges.
+//! Signs need no tolerance: the side of an edge on which a ray passes is one sign, the same for both triangles at the
+//! edge.
 //!
-//! **A mesh leaks where two of its triangles disagree.** Each of them may miss a ray at their edge by a rounding. A test that
-//! computes the same number for the edge from either triangle closes this leak; a corner needs more.
+//! **A mesh leaks where two of its triangles disagree.** Each of them may miss a ray at their edge by a rounding. A
+//! test that computes the same number for the edge from either triangle closes this leak; a corner needs more.
 //!
 //! **Rounding fails at edges, exact arithmetic does not.** In `f64` only ties are still decided wrongly: rays exactly
-//! through an edge, which whole-number coordinates produce. A bound on the rounding says when a sign is certain. Otherwise
-//! exact arithmetic decides. This is so rare that it costs next to nothing.
+//! through an edge, which whole-number coordinates produce. A bound on the rounding says when a sign is certain.
+//! Otherwise exact arithmetic decides. This is so rare that it costs next to nothing.
 //!
 //! **Subtract squares late.** `b^2 - 4ac` loses a far sphere's outline; the distance of the centre from the line keeps
 //! it. A surface seen edge-on has a poor distance by any formula: that problem is ill-conditioned, and only more digits
@@ -46,8 +47,8 @@
 //!
 //! **Near and far are planes.** A test on the distance makes spheres of them and is wrong in a wide picture's corners.
 //!
-//! **Half of a depth buffer is empty.** Standard depth spends most of its numbers on the first few units in front of the eye.
-//! Reversed, the same 32 bits are as precise at any distance as an `f32` can be.
+//! **Half of a depth buffer is empty.** Standard depth spends most of its numbers on the first few units in front of
+//! the eye. Reversed, the same 32 bits are as precise at any distance as an `f32` can be.
 //!
 //! **A whole pick is only as good as its worst step**, and a tree saves more time than all of the above together.
 

@@ -1,5 +1,5 @@
-//! Makes random numbers for workloads. Only integer arithmetic and correctly rounded operations are used, so the numbers are
-//! the same on every machine.
+//! Makes random numbers for workloads. Only integer arithmetic and correctly rounded operations are used, so the
+//! numbers are the same on every machine.
 
 use super::real::V3;
 use glam::DVec2;
@@ -20,7 +20,8 @@ impl Random {
         random
     }
 
-    /// The stream of a seed and a name (hashed by FNV-1a), so that a new family leaves the streams of the others as they are.
+    /// The stream of a seed and a name (hashed by FNV-1a), so that a new family leaves the streams of the others as
+    /// they are.
     #[must_use]
     pub fn named(seed: u64, names: &[&str]) -> Self {
         let bytes = names.iter().flat_map(|name| name.bytes().chain([0]));

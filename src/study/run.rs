@@ -233,8 +233,8 @@ fn workloads<'a, C: Case>(
     })
 }
 
-/// The rows that [`run`] has for one family of a step, and for the family [`SCENE`] of a scene; untimed. `go_on` is asked
-/// before each workload; `None` once it says no.
+/// The rows that [`run`] has for one family of a step, and for the family [`SCENE`] of a scene; untimed. `go_on` is
+/// asked before each workload; `None` once it says no.
 pub fn family<C: Case>(
     name: &str,
     effort: Effort,

@@ -55,7 +55,8 @@ impl SceneRays {
             .map(|(ray, hit)| (ray, &objects[hit.object], hit))
     }
 
-    /// Every ray in world space with a random visible object of a wanted shape, hit or not, and [`px_angle`] at its distance.
+    /// Every ray in world space with a random visible object of a wanted shape, hit or not, and [`px_angle`] at its
+    /// distance.
     pub(super) fn rays_at(&self, wanted: fn(&Shape) -> bool) -> Vec<(&Placement, Ray, f64)> {
         let objects = self.world.scene.objects().iter();
         let objects: Vec<_> = objects.filter(|o| o.visible && wanted(&o.shape)).collect();

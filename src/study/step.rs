@@ -131,8 +131,8 @@ pub struct Family<C> {
     pub parameter: &'static str,
     /// Its values, harmless first.
     pub values: &'static [f64],
-    /// Makes a case at a value of the parameter. Its numbers fit in `f32`, so that methods of both precisions get the same;
-    /// only a camera's axes, and what is computed from them, do not.
+    /// Makes a case at a value of the parameter. Its numbers fit in `f32`, so that methods of both precisions get the
+    /// same; only a camera's axes, and what is computed from them, do not.
     pub make: fn(&mut Random, f64) -> C,
 }
 
@@ -265,8 +265,8 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
     fn truth(&self) -> Self::Truth;
     /// Compares an answer with the truth.
     fn judge(&self, truth: &Self::Truth, answer: &Self::Answer) -> Verdict;
-    /// An upper bound of the error of Sightline's method; 0 where nothing rounds. Each step derives its own. The method's
-    /// decisions are always right.
+    /// An upper bound of the error of Sightline's method; 0 where nothing rounds. Each step derives its own. The
+    /// method's decisions are always right.
     fn bound(&self, _: &Self::Truth) -> f64 {
         0.0
     }

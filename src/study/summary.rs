@@ -69,9 +69,9 @@ impl<'a> Summary<'a> {
         interval(self.sum(Row::wrong), self.sum(|row| row.cases))[1]
     }
 
-    /// Whether the method is on the Pareto front of speed and accuracy: every method that is more than a tenth faster on the
-    /// ordinary workload is more wrong, in decisions or in the error that one value of a thousand exceeds. Where nothing is
-    /// timed, no method may be better in one of the two and at least as good in the other.
+    /// Whether the method is on the Pareto front of speed and accuracy: every method that is more than a tenth faster
+    /// on the ordinary workload is more wrong, in decisions or in the error that one value of a thousand exceeds. Where
+    /// nothing is timed, no method may be better in one of the two and at least as good in the other.
     pub(super) fn is_on_front(&self, others: &[Self]) -> bool {
         let key = |of: &Self| [of.wrong_rate(), of.p999_error()];
         let own = key(self);

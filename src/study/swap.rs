@@ -1,5 +1,5 @@
-//! Makes a whole pick in which a method of the registry does one step and Sightline does all others. This shows the method's
-//! mistakes on a scene.
+//! Makes a whole pick in which a method of the registry does one step and Sightline does all others. This shows the
+//! method's mistakes on a scene.
 
 use super::{
     methods::{
@@ -74,8 +74,8 @@ impl AnyStep {
         (self.methods)()
     }
 
-    /// The rows of all its methods in one of its families, and on a scene's own rays. `None` once `go_on`, which is asked
-    /// now and then, says no.
+    /// The rows of all its methods in one of its families, and on a scene's own rays. `None` once `go_on`, which is
+    /// asked now and then, says no.
     #[must_use]
     pub fn rows(
         self,
@@ -151,8 +151,8 @@ impl<'a> Click<'a> {
         }
     }
 
-    /// The nearest visible hit. Objects whose shape `is_about` are tested by `meet`, which gets the ray in object space; all
-    /// others by Sightline.
+    /// The nearest visible hit. Objects whose shape `is_about` are tested by `meet`, which gets the ray in object
+    /// space; all others by Sightline.
     fn nearest<Hits: IntoIterator<Item = Hit>>(
         &self,
         is_about: impl Fn(&Shape) -> bool,
@@ -174,8 +174,9 @@ impl<'a> Click<'a> {
     }
 }
 
-/// The first hit in a ray's interval, by a method that finds the first hit at or after a ray's start. The method first runs
-/// from `t = 0`, or from `t_min` if that is negative. If its hit lies before the interval, it runs again from `t_min`.
+/// The first hit in a ray's interval, by a method that finds the first hit at or after a ray's start. The method first
+/// runs from `t = 0`, or from `t_min` if that is negative. If its hit lies before the interval, it runs again from
+/// `t_min`.
 fn first(ray: &Ray, method: impl Fn(&Ray) -> Option<f64>) -> Option<f64> {
     let from = |start: f64| {
         let origin = ray.at(start);

@@ -154,8 +154,8 @@ fn notes(text: &mut String, step: About, summaries: &[Summary<'_>]) {
     }
 }
 
-/// Names the fastest method whose mistakes no picture shows: no wrong decision, and no error above a twentieth of a pixel, a
-/// quarter of a degree or a ten-thousandth.
+/// Names the fastest method whose mistakes no picture shows: no wrong decision, and no error above a twentieth of a
+/// pixel, a quarter of a degree or a ten-thousandth.
 fn need(step: About, summaries: &[Summary<'_>]) -> Option<String> {
     let most = match step.error_unit {
         "px" => 0.05,

@@ -1,12 +1,12 @@
 //! Times methods side by side.
 //!
-//! All methods answer the cases of one workload. Each round shuffles the cases, so that the processor cannot learn their
-//! branches, and the methods, so that other work on the machine slows all of them alike. Methods take turns over so few cases
-//! that the first-level cache holds them: memory is not timed. The time of an empty call is subtracted. The result is the
-//! median over the rounds, with the quartiles.
+//! All methods answer the cases of one workload. Each round shuffles the cases, so that the processor cannot learn
+//! their branches, and the methods, so that other work on the machine slows all of them alike. Methods take turns over
+//! so few cases that the first-level cache holds them: memory is not timed. The time of an empty call is subtracted.
+//! The result is the median over the rounds, with the quartiles.
 //!
-//! The methods also answer the same few cases over and over in one order, which the processor does learn. The difference
-//! between both times is the cost of mispredicted branches.
+//! The methods also answer the same few cases over and over in one order, which the processor does learn. The
+//! difference between both times is the cost of mispredicted branches.
 
 use super::{random::Random, step::Case};
 use std::{env::consts::ARCH, fs, hint::black_box, sync::OnceLock, time::Instant};
@@ -41,8 +41,8 @@ const CACHED_BYTES: usize = 16 << 10;
 /// Shorter times are lost in the time of the loop itself.
 const LEAST_NS: f64 = 0.1;
 
-/// Times each method of a step over the same cases, in the registry's order; `None` for a method that cannot run here. A
-/// method that answers for a whole picture at once is timed by [`Case::whole_picture`].
+/// Times each method of a step over the same cases, in the registry's order; `None` for a method that cannot run here.
+/// A method that answers for a whole picture at once is timed by [`Case::whole_picture`].
 pub fn time<C: Case>(mut cases: Vec<C>, rounds: usize, random: &mut Random) -> Vec<Option<Time>> {
     let methods: Vec<_> = C::methods().collect();
     let mut times = vec![None; methods.len()];

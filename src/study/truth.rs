@@ -1,5 +1,5 @@
-//! The truth: computes by exact arithmetic where rays meet shapes, and how far off another answer is. It shares no code with
-//! any method or with [`crate::geometry`].
+//! The truth: computes by exact arithmetic where rays meet shapes, and how far off another answer is. It shares no code
+//! with any method or with [`crate::geometry`].
 
 use super::{
     exact::{Exact, Exact3},
@@ -12,7 +12,8 @@ use std::{cmp::Ordering, f64::consts::FRAC_PI_2};
 pub const UNIT: f64 = 0.5 * f64::EPSILON;
 /// Half an ulp of 1 in `f32`.
 pub const UNIT_F32: f64 = 0.5 * f32::EPSILON as f64;
-/// The largest relative error of a `t` that Sightline's shapes accept from `f64`. They compute a less certain `t` exactly.
+/// The largest relative error of a `t` that Sightline's shapes accept from `f64`. They compute a less certain `t`
+/// exactly.
 pub(super) const CERTAIN: f64 = 1.0 / 67_108_864.0;
 
 /// A ray in exact numbers. Shapes include their edges and rims.
@@ -65,7 +66,8 @@ impl Line {
         self.plane(&(b - &a).cross(&(c - &a)), &a)
     }
 
-    /// Where it enters and leaves a sphere about the origin. A touching ray does both at one point, neither from the front.
+    /// Where it enters and leaves a sphere about the origin. A touching ray does both at one point, neither from the
+    /// front.
     #[must_use]
     pub fn sphere(&self, radius: &Exact) -> Vec<Meeting> {
         let (o, d) = (&self.origin, &self.direction);
@@ -83,8 +85,8 @@ impl Line {
         vec![at(&b - &root, !root.is_zero()), at(b + root, false)]
     }
 
-    /// Where it meets the faces of a cube about the origin. A face is skipped if the ray runs in its plane: its rim also
-    /// belongs to the faces beside it.
+    /// Where it meets the faces of a cube about the origin. A face is skipped if the ray runs in its plane: its rim
+    /// also belongs to the faces beside it.
     #[must_use]
     pub fn cube(&self, half: &Exact) -> Vec<Meeting> {
         let (o, d) = (&self.origin.0, &self.direction.0);
@@ -108,9 +110,9 @@ impl Line {
         met
     }
 
-    /// Where it meets the parallelogram with sides u and v about a middle. With r from the middle to the ray's start and
-    /// N = u x v, the coordinate along u is `-r.(d x v) / d.N`, and along v `r.(d x u) / d.N`. Both are compared without
-    /// dividing.
+    /// Where it meets the parallelogram with sides u and v about a middle. With r from the middle to the ray's start
+    /// and N = u x v, the coordinate along u is `-r.(d x v) / d.N`, and along v `r.(d x u) / d.N`. Both are compared
+    /// without dividing.
     #[must_use]
     pub fn parallelogram(&self, middle: &Exact3, [u, v]: [&Exact3; 2]) -> Option<Meeting> {
         let (r, normal) = (&self.origin - middle, u.cross(v));
@@ -133,7 +135,8 @@ pub(super) fn first_ahead(met: impl IntoIterator<Item = Meeting>) -> Option<f64>
     ahead.min().map(|t| t.to_f64())
 }
 
-/// For each component of `p x q`, the sum of the magnitudes of its two terms. The component's rounding is relative to this.
+/// For each component of `p x q`, the sum of the magnitudes of its two terms. The component's rounding is relative to
+/// this.
 pub(super) fn cross_sizes(p: V3<f64>, q: V3<f64>) -> V3<f64> {
     let (p, q) = (p.abs(), q.abs());
     V3::new(
@@ -164,8 +167,8 @@ pub(super) fn segment_angle(o: V3<f64>, d: V3<f64>, from: V3<f64>, to: V3<f64>) 
     angle(d, p).min(angle(d, q))
 }
 
-/// The angle between two directions, at most a right angle. Its tangent stands for it, because only small angles matter:
-/// the tangent needs only quotients and roots, which every machine rounds alike.
+/// The angle between two directions, at most a right angle. Its tangent stands for it, because only small angles
+/// matter: the tangent needs only quotients and roots, which every machine rounds alike.
 fn angle(a: V3<f64>, b: V3<f64>) -> f64 {
     let (sin, cos) = (a.cross(b).length(), a.dot(b));
     if cos > 0.0 {

@@ -49,8 +49,8 @@ impl Face {
         shared.is_some() && !self.touched(other).is_empty()
     }
 
-    /// Where it touches another face of its batch, edge to edge or in a point: two points are the ends of what the edges
-    /// have in common. None where the faces overlap.
+    /// Where it touches another face of its batch, edge to edge or in a point: two points are the ends of what the
+    /// edges have in common. None where the faces overlap.
     pub fn touched(&self, other: &Self) -> Vec<DVec3> {
         let touched = self.on_both(other);
         if self.overlaps_from(other, &touched) {

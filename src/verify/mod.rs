@@ -32,8 +32,8 @@
 //!
 //! # What the bounds assume
 //!
-//! * The driver's `f32` sums, products and conversions are rounded once, in any order, fused or not; a division takes 2.5
-//!   units in the last place (WGSL's rules).
+//! * The driver's `f32` sums, products and conversions are rounded once, in any order, fused or not; a division takes
+//!   2.5 units in the last place (WGSL's rules).
 //! * Corners move by at most half a grid step along each axis. Direct3D requires a grid of 1/256 pixel, Vulkan of 1/16,
 //!   and wgpu does not report it: each device's grid is measured ([`Rasteriser::grid_px`](crate::render::Rasteriser)).
 //! * A pixel is covered when its centre lies within the edges through the rounded corners. Clipping at the picture's

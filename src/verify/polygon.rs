@@ -242,8 +242,8 @@ fn covers(ray: &ViewRay, corners: &[Corner]) -> bool {
 ///
 /// Drawing moves the point at share `s` of the edge by `1 - s` times the first end's error plus `s` times the second's.
 ///
-/// A near plane just before the eye may cut an edge at a corner that is shown so far out that its position in the picture
-/// loses the distance. So everything is computed from homogeneous coordinates about the pixel.
+/// A near plane just before the eye may cut an edge at a corner that is shown so far out that its position in the
+/// picture loses the distance. So everything is computed from homogeneous coordinates about the pixel.
 fn edge(view: &View, grid_px: f64, px: DVec2, [a, b]: [Corner; 2], clipped: ViewError) -> Outline {
     let [from, to] = [a, b].map(|corner| project_about(view, px, corner.view));
     let [wa, wb] = [a, b].map(|corner| w(view, corner.view));

@@ -21,8 +21,8 @@ pub struct Options {
     pub hidden: Vec<usize>,
     /// The window's size in physical pixels; `None` for what is remembered, or else 1280 x 720 logical ones.
     pub size: Option<Viewport>,
-    /// The file that remembers, from one run to the next, the window, its panels and what was opened; `None` for a window
-    /// that remembers nothing.
+    /// The file that remembers, from one run to the next, the window, its panels and what was opened; `None` for a
+    /// window that remembers nothing.
     pub memory: Option<PathBuf>,
     /// Which views of the first scene show. Beside all but the camera's picture, the matrices show too.
     pub views: Views,

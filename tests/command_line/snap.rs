@@ -197,8 +197,8 @@ fn the_edges_of_a_polygon_with_a_hole_are_its_own() {
     }
 }
 
-/// A polygon with a hole from a real file. Both positions are near the hole's edge from vertex 32 to vertex 35: the first
-/// a little inside the ring, the second on the edge.
+/// A polygon with a hole from a real file. Both positions are near the hole's edge from vertex 32 to vertex 35: the
+/// first a little inside the ring, the second on the edge.
 #[test]
 fn the_edge_of_a_hole_in_a_real_file_is_where_the_file_has_it() {
     let Some(shared) = real_files() else {

@@ -128,8 +128,8 @@ const OF_ALL_OBJECTS: [(&str, &str); 4] = [
     ("overlay_lines.rs", "None=>scene.batches(),"),
 ];
 
-/// Panels are laid out in each pass, and what stands over the scene is made for each picture, so they go through no list
-/// of all objects.
+/// Panels are laid out in each pass, and what stands over the scene is made for each picture, so they go through no
+/// list of all objects.
 #[test]
 fn panels_and_pictures_go_through_no_list_of_all_objects() {
     let (mut seen, mut named) = (0, 0);

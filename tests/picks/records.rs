@@ -1,4 +1,5 @@
-//! The fields of a record agree with each other, with the picture and with exact arithmetic, wherever eye and scene are.
+//! The fields of a record agree with each other, with the picture and with exact arithmetic, wherever eye and scene
+//! are.
 
 use super::{
     common::{Random, assert_close, assert_near, perspective, scene_of, view},

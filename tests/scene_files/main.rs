@@ -431,8 +431,8 @@ fn errors_are_in_words_for_people() {
     }
 }
 
-/// A file without objects opens and shows nothing, so one line says why. A file with a camera alone lacks nothing beside
-/// files with objects.
+/// A file without objects opens and shows nothing, so one line says why. A file with a camera alone lacks nothing
+/// beside files with objects.
 #[test]
 fn what_a_scene_file_without_objects_lacks_is_said() {
     let folder = tempfile::tempdir().expect("a folder");

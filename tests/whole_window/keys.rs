@@ -308,7 +308,8 @@ fn a_typed_eye_leaves_the_horizon_level() {
     );
 }
 
-/// An up vector is typed number by number. What was typed stays, also numbers that are refused until the others are there.
+/// An up vector is typed number by number. What was typed stays, also numbers that are refused until the others are
+/// there.
 #[test]
 fn an_up_vector_is_what_was_typed() {
     let texts = |window: &Offscreen| {

@@ -169,8 +169,8 @@ fn a_large_scene_moves_by_rays() {
     }
 }
 
-/// In software an exact picture of a large scene takes many passes. A drag that begins meanwhile does not wait for them.
-/// Other adapters never draw coarsely.
+/// In software an exact picture of a large scene takes many passes. A drag that begins meanwhile does not wait for
+/// them. Other adapters never draw coarsely.
 #[test]
 fn an_exact_picture_under_way_gives_way_to_motion() {
     // A million triangles: more than software draws in a pass.

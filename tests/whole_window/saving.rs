@@ -1,5 +1,5 @@
-//! A scene file names the meshes beside it by their names alone, the dialog suggests where to save, and what waits for a
-//! save goes on once it is done.
+//! A scene file names the meshes beside it by their names alone, the dialog suggests where to save, and what waits for
+//! a save goes on once it is done.
 
 use super::{
     nothing_lost::{corners, edit, is_asked, is_marked, shown},

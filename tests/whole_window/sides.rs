@@ -1,4 +1,5 @@
-//! The panels of a side can all be reached, nothing in them is cut off, and the matrices give back the room that they took.
+//! The panels of a side can all be reached, nothing in them is cut off, and the matrices give back the room that they
+//! took.
 
 use super::*;
 
@@ -37,7 +38,8 @@ fn the_pick_can_be_read_beside_the_matrices() {
     assert!(tops[3] < 690.0 - 100.0, "{tops:?}");
 }
 
-/// In a window that the matrices make narrow, controls end within their side, and the numbers of a vector stand in a line.
+/// In a window that the matrices make narrow, controls end within their side, and the numbers of a vector stand in a
+/// line.
 #[test]
 fn nothing_is_cut_off_beside_the_matrices() {
     let mut window = demo(SIZE);

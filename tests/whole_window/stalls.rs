@@ -265,8 +265,8 @@ fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
     }
 }
 
-/// Draws frames until Esc has ended a phase of opening a file, at a share of it that its bar shows. Returns false if the
-/// file was there before that.
+/// Draws frames until Esc has ended a phase of opening a file, at a share of it that its bar shows. Returns false if
+/// the file was there before that.
 fn is_ended(window: &mut Offscreen, phase: &str) -> bool {
     let begun = Instant::now();
     loop {
@@ -284,8 +284,8 @@ fn is_ended(window: &mut Offscreen, phase: &str) -> bool {
     }
 }
 
-/// Esc ends both phases of opening a mesh file: reading it, and taking it into graphics memory. The old scene stays, and
-/// what was given up is not uploaded later.
+/// Esc ends both phases of opening a mesh file: reading it, and taking it into graphics memory. The old scene stays,
+/// and what was given up is not uploaded later.
 #[test]
 fn esc_ends_reading_a_mesh_and_taking_it_into_graphics_memory() {
     let folder = tempfile::tempdir().expect("a folder");

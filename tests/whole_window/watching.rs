@@ -124,7 +124,8 @@ fn a_file_that_is_only_touched_changes_nothing() {
     });
 }
 
-/// Where the objects differ, the view's leaps can still be undone, and so can what is about objects that are still there.
+/// Where the objects differ, the view's leaps can still be undone, and so can what is about objects that are still
+/// there.
 #[test]
 fn only_steps_about_objects_that_are_gone_are_forgotten() {
     let (mut window, folder) = row(1.0);
@@ -193,8 +194,8 @@ fn only_what_changed_is_named_and_closed_warnings_stay_closed() {
     });
 }
 
-/// A file that another program takes away is told of, once. What is on screen stays, and can be saved. A file that is back
-/// is read.
+/// A file that another program takes away is told of, once. What is on screen stays, and can be saved. A file that is
+/// back is read.
 #[test]
 fn a_file_that_is_gone_is_told_of_and_read_once_it_is_back() {
     let (mut window, folder) = row(1.0);

@@ -84,8 +84,8 @@ pub(super) fn build(
     })
 }
 
-/// The power of two that scales coordinates so that products of them neither underflow nor overflow; `None` where scaling
-/// would change a coordinate.
+/// The power of two that scales coordinates so that products of them neither underflow nor overflow; `None` where
+/// scaling would change a coordinate.
 fn scale(positions: &[[f32; 3]]) -> Option<f32> {
     const SAFE: f32 = 1_073_741_824.0; // 2^30
     let coordinates = positions.as_flattened();

@@ -2,8 +2,8 @@
 //!
 //! A node has eight boxes and a leaf eight triangles, so that one instruction handles eight numbers (Wald, Benthin &
 //! Boulos, "Getting rid of packets", RT 2008; Embree's layout). Boxes and triangles are tested in `f32`, with a proven
-//! bound on the rounding errors ([`tree_ray`]): the ray certainly misses whatever is rejected. The caller decides the rest in
-//! `f64`, so the answer is the same to the bit, whichever instructions there are.
+//! bound on the rounding errors ([`tree_ray`]): the ray certainly misses whatever is rejected. The caller decides the
+//! rest in `f64`, so the answer is the same to the bit, whichever instructions there are.
 
 #![allow(
     clippy::inline_always,
@@ -82,9 +82,9 @@ impl Bvh {
         build::build(positions, triangles, Instructions::of(simd)?, stop)
     }
 
-    /// Calls `visit` with every triangle that `ray` may hit, nearer boxes first. In the ray's space, the vertices' origin
-    /// lies at `center`. `visit` returns the new end of the ray's interval. Boxes that begin beyond it are skipped; boxes
-    /// that begin *at* it are not, so that all ties are seen.
+    /// Calls `visit` with every triangle that `ray` may hit, nearer boxes first. In the ray's space, the vertices'
+    /// origin lies at `center`. `visit` returns the new end of the ray's interval. Boxes that begin beyond it are
+    /// skipped; boxes that begin *at* it are not, so that all ties are seen.
     ///
     /// Which other triangles are visited may differ between processors.
     #[inline]
@@ -181,8 +181,8 @@ impl Bvh {
         Node::at(&self.lines, Place::ROOT)
     }
 
-    /// Calls `visit` with every triangle that may be inside a pyramid, and its corners, until `visit` breaks. The pyramid
-    /// is given about the vertices' origin.
+    /// Calls `visit` with every triangle that may be inside a pyramid, and its corners, until `visit` breaks. The
+    /// pyramid is given about the vertices' origin.
     pub(crate) fn visit_pyramid(
         &self,
         pyramid: &Pyramid,

@@ -15,8 +15,8 @@ pub(super) struct Line([u32; 16]);
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(64))]
 pub(super) struct Node {
-    /// The least and the greatest corner of each box, by axis. An absent child's box is infinite and inverted, so that no
-    /// ray enters it.
+    /// The least and the greatest corner of each box, by axis. An absent child's box is infinite and inverted, so that
+    /// no ray enters it.
     pub corners: [[[f32; WIDTH]; 3]; 2],
     /// What is in each box.
     pub children: [Child; WIDTH],
@@ -65,7 +65,8 @@ impl Place {
     }
 }
 
-/// The distance from a node to one of its children. Being relative, it lets a small tree be put anywhere in a large one.
+/// The distance from a node to one of its children. Being relative, it lets a small tree be put anywhere in a large
+/// one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
 #[repr(transparent)]
 pub(super) struct Child(u32);

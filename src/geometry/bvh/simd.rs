@@ -3,8 +3,8 @@
 //! These eight lanes make the tree about three times as fast. Clearing the stack would cost a ray as much as two nodes.
 //! In pages of 4 kB, a tree over a million triangles is a tenth slower. Three rules keep the code sound:
 //!
-//! * A value of [`Avx2`] proves that the processor has AVX2 and FMA: only [`Avx2::detect`] makes one, so its methods are
-//!   safe to call. The same holds for [`Avx512`]. SSE2 is part of x86-64.
+//! * A value of [`Avx2`] proves that the processor has AVX2 and FMA: only [`Avx2::detect`] makes one, so its methods
+//!   are safe to call. The same holds for [`Avx512`]. SSE2 is part of x86-64.
 //! * [`Stack`] reads only below `len`, where it has written.
 //! * The advice of [`with_large_pages`] changes no content.
 //!
@@ -341,8 +341,8 @@ pub(super) fn with_large_pages<T>(capacity: usize) -> Vec<T> {
         let end = list.as_ptr().addr() + capacity * size_of::<T>();
         if start < end {
             let from = list.as_ptr().with_addr(start).cast_mut().cast();
-            // SAFETY: the pages begin within the list, and this advice changes nothing that a program can see. It may be
-            // refused; then pages are small.
+            // SAFETY: the pages begin within the list, and this advice changes nothing that a program can see. It may
+            // be refused; then pages are small.
             let _ = unsafe { madvise(from, end - start, Advice::LinuxHugepage) };
         }
     }

@@ -1,11 +1,11 @@
-//! Splits ranges of triangles by the surface area heuristic (Mac Donald & Booth 1990), estimated in bins (Wald, "On fast
-//! Construction of SAH-based Bounding Volume Hierarchies", RT 2007).
+//! Splits ranges of triangles by the surface area heuristic (Mac Donald & Booth 1990), estimated in bins (Wald, "On
+//! fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007).
 //!
 //! To make a node, the range with the largest surface is cut in two, again and again, until there are eight.
 //!
-//! A library's builder was tried instead, under the same nodes. With the trees of obvhs 0.4 (PLOC, medium quality), rays
-//! took 2 to 35 % longer on the benchmark's meshes. Building took 1.2 to 2.5 times as long, with twice the memory. The
-//! library's faster presets made rays slower still.
+//! A library's builder was tried instead, under the same nodes. With the trees of obvhs 0.4 (PLOC, medium quality),
+//! rays took 2 to 35 % longer on the benchmark's meshes. Building took 1.2 to 2.5 times as long, with twice the memory.
+//! The library's faster presets made rays slower still.
 
 use super::{
     node::{WIDTH, to_u32},
@@ -248,8 +248,8 @@ impl Bins {
         }
     }
 
-    /// The bin of a centre along each axis. The last bits of a float between 2^23 and 2^24 are an integer. The mask gives
-    /// some bin even where that overflows, and always the same one.
+    /// The bin of a centre along each axis. The last bits of a float between 2^23 and 2^24 are an integer. The mask
+    /// gives some bin even where that overflows, and always the same one.
     #[inline(always)]
     fn of(&self, center: Vec3A) -> [u32; 3] {
         let at = (center - self.origin) * self.scale + Vec3A::splat(Self::INTEGER);

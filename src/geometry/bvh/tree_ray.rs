@@ -2,9 +2,9 @@
 //!
 //! # How far the filters may err
 //!
-//! `u = 2^-24` and `U = 2^-53` are the unit roundoffs of `f32` and `f64`. Lengths and the direction are scaled by powers of
-//! two, which rounds nothing. `M` is the largest coordinate of the mesh, `|o|` that of the ray's origin. An error in `t` or
-//! in the direction is given as the error in position that it makes.
+//! `u = 2^-24` and `U = 2^-53` are the unit roundoffs of `f32` and `f64`. Lengths and the direction are scaled by
+//! powers of two, which rounds nothing. `M` is the largest coordinate of the mesh, `|o|` that of the ray's origin. An
+//! error in `t` or in the direction is given as the error in position that it makes.
 //!
 //! **In `f64`.** An eye more than [`NEAR`] `M` away is moved to where the ray enters the tree's box, by `|o| + M` at
 //! most. The origin may have been rounded once before (`U |o|`); moving it takes a product and a sum; the ends of the
@@ -26,19 +26,19 @@
 //! exact one.
 //!
 //! **Triangles** (after Woop, Benthin & Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013). Seen from the
-//! ray, a corner is `z = +-(v_k - o_k)` along the largest axis and `x = (v_x - o_x) - (d_x / |d_k|) z` beside it, and `y`
-//! likewise. `z` errs by `u |o|` from the origin and `u D` from the difference. `x` errs by as much itself, by as much
-//! again through `z`, by `4 u D` through the slope (both components of the direction, a reciprocal and a product), and by
-//! `u D` through the slope's product with `z`. Together that is below [`REACH`] `u D = reach`; rounding `x` itself adds
-//! `u |x|`. Let `m` be the largest of the six `|x|` and `|y|` of a triangle. An edge function `x1 y2 - y1 x2` errs by
-//! `4 m (reach + u m)` through an error in one factor, by `2 (reach + u m)^2` through errors in both, and by `4 u m^2`
-//! through its own rounding. Up to terms in `u^2`, the sum is less than `E = (m + reach) (5 reach + 10 u m)`. Where one
-//! edge function is below `-E` and another above `E`, the exact ones differ in sign, and the ray misses. It also misses
-//! where all three `z` are beyond its interval by more than `reach`. The caller of [`visit`](super::Bvh::visit) decides
-//! about all else.
+//! ray, a corner is `z = +-(v_k - o_k)` along the largest axis and `x = (v_x - o_x) - (d_x / |d_k|) z` beside it, and
+//! `y` likewise. `z` errs by `u |o|` from the origin and `u D` from the difference. `x` errs by as much itself, by as
+//! much again through `z`, by `4 u D` through the slope (both components of the direction, a reciprocal and a product),
+//! and by `u D` through the slope's product with `z`. Together that is below [`REACH`] `u D = reach`; rounding `x`
+//! itself adds `u |x|`. Let `m` be the largest of the six `|x|` and `|y|` of a triangle. An edge function `x1 y2 - y1
+//! x2` errs by `4 m (reach + u m)` through an error in one factor, by `2 (reach + u m)^2` through errors in both, and
+//! by `4 u m^2` through its own rounding. Up to terms in `u^2`, the sum is less than `E = (m + reach) (5 reach + 10 u
+//! m)`. Where one edge function is below `-E` and another above `E`, the exact ones differ in sign, and the ray misses.
+//! It also misses where all three `z` are beyond its interval by more than `reach`. The caller of
+//! [`visit`](super::Bvh::visit) decides about all else.
 //!
-//! Sizes between `2^-30` and `2^30` keep all of this within `f32`. Other meshes are scaled when the tree is built, other
-//! directions here.
+//! Sizes between `2^-30` and `2^30` keep all of this within `f32`. Other meshes are scaled when the tree is built,
+//! other directions here.
 
 use crate::geometry::{Aabb, LocalRay, Ray, U, binary, entry};
 use glam::{DVec3, Vec3A};

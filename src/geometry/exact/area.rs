@@ -10,9 +10,9 @@ use crate::geometry::{Placement, U};
 use glam::DVec3;
 use num_bigint::BigInt;
 
-/// The summed world area of triangles under a placement, and how far it may be off. Corners are given about an origin of
-/// object space. Each area is half the length of a cross product, computed in pairs of `f64` with bounds; in integers
-/// where these leave it in doubt, as for a sliver.
+/// The summed world area of triangles under a placement, and how far it may be off. Corners are given about an origin
+/// of object space. Each area is half the length of a cross product, computed in pairs of `f64` with bounds; in
+/// integers where these leave it in doubt, as for a sliver.
 pub(crate) fn area(placement: &Placement, triangles: impl Iterator<Item = [DVec3; 3]>) -> [f64; 2] {
     let twice =
         |corners| of_pairs(placement, corners).unwrap_or_else(|| of_integers(placement, corners));

@@ -16,8 +16,8 @@ use std::cmp::Ordering;
 /// A number and an upper bound on its error. The bound is infinite, or the number NaN, where nothing is known.
 ///
 /// With `u = 2^-53`, a sum of two pairs rounds by `3 u^2 / (1 - 4 u)` of itself, a product by `7 u^2` (Joldes, Muller &
-/// Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44(2), 2017),
-/// and both are exact for two `f64`. Bounds are rounded themselves, by far less than [`MORE`].
+/// Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44(2),
+/// 2017), and both are exact for two `f64`. Bounds are rounded themselves, by far less than [`MORE`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Enclosure {
     value: DoubleDouble,
@@ -152,8 +152,8 @@ impl Decided for Enclosure {
         }
     }
 
-    /// The `f64` that every number within the bound rounds to (Ziv's test), even with the digits beyond the 64th cut off,
-    /// as long integers do.
+    /// The `f64` that every number within the bound rounds to (Ziv's test), even with the digits beyond the 64th cut
+    /// off, as long integers do.
     #[inline]
     fn decided_value(&self) -> Result<(f64, i64), InDoubt> {
         let DoubleDouble { hi, lo } = self.value;

@@ -50,8 +50,8 @@ impl<I: Ring> ExactLine<I> {
     }
 
     /// Let n = U x R, which points into the picture. The point P lies at depth t = n . (P - eye) / n . F. The line is
-    /// `eye + t' (P - eye) / t` in perspective and `P - t F + t' F` in orthographic projection. Each is multiplied by its
-    /// denominator.
+    /// `eye + t' (P - eye) / t` in perspective and `P - t F + t' F` in orthographic projection. Each is multiplied by
+    /// its denominator.
     fn through(ThroughPoint { grid, point, .. }: &ThroughPoint) -> Self {
         let point = placed(point);
         let [depth, unit] = depth_of(grid, &point);

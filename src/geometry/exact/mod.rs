@@ -1,9 +1,9 @@
 //! Intersects rays with shapes in exact arithmetic, from the stored numbers, in the few cases that `f64` cannot decide.
 //!
-//! Every finite `f64` is an integer times a power of two, and so is every sum and product of such numbers. Integers wide
-//! enough neither round nor overflow. Triangles are decided in the world, by the barycentric weights where the ray meets
-//! their plane. Spheres, cubes and squares are decided in object space, with all numbers times the determinant of the
-//! model matrix, which avoids a division. A ray parameter is a quotient, or a root of a quadratic with rational
+//! Every finite `f64` is an integer times a power of two, and so is every sum and product of such numbers. Integers
+//! wide enough neither round nor overflow. Triangles are decided in the world, by the barycentric weights where the ray
+//! meets their plane. Spheres, cubes and squares are decided in object space, with all numbers times the determinant of
+//! the model matrix, which avoids a division. A ray parameter is a quotient, or a root of a quadratic with rational
 //! coefficients, and is compared as such ([`mod@root`]).
 //!
 //! The numbers of a pick's record (parameters, points, distances in the picture) are first tried in pairs of `f64` with

@@ -10,8 +10,8 @@ use super::{
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
 
-/// `(p + s sqrt(q)) / r` with integers `p`, `q >= 0` and `r > 0`, and `s` of 1 or -1: where a ray meets a plane (`q` is 0) or
-/// a quadric.
+/// `(p + s sqrt(q)) / r` with integers `p`, `q >= 0` and `r > 0`, and `s` of 1 or -1: where a ray meets a plane (`q` is
+/// 0) or a quadric.
 #[derive(Clone, Debug)]
 pub(crate) struct Root {
     p: BigInt,
@@ -234,8 +234,8 @@ impl Quotient {
         }
         let magnitude = self.numerator.magnitude();
         let denominator = self.denominator.magnitude();
-        // Scaled so that the quotient has 65 or 66 bits, or fewer where those would lie below the least `f64`: then it is
-        // rounded only once.
+        // Scaled so that the quotient has 65 or 66 bits, or fewer where those would lie below the least `f64`: then it
+        // is rounded only once.
         let shift = (65 + bits(&self.denominator) - bits(&self.numerator)).min(1074 + 2);
         let (dividend, divisor) = match shift {
             0.. => (magnitude << shift, denominator.clone()),

@@ -13,8 +13,8 @@ use std::cmp::Ordering;
 
 type Integers = LocalLine<BigInt>;
 
-/// Where a ray's line enters and leaves a shape; both are one point where the line only touches it. For a cube, also the
-/// normals of the faces met there.
+/// Where a ray's line enters and leaves a shape; both are one point where the line only touches it. For a cube, also
+/// the normals of the faces met there.
 struct Crossing {
     enter: (Root, DVec3),
     leave: (Root, DVec3),
@@ -27,8 +27,8 @@ impl Crossing {
     }
 }
 
-/// A ray in object space; `None` where a number is not finite. Where the placement mirrors, all its numbers are negated,
-/// so that [`LocalLine::one`] is positive.
+/// A ray in object space; `None` where a number is not finite. Where the placement mirrors, all its numbers are
+/// negated, so that [`LocalLine::one`] is positive.
 fn local(exactly: &Exactly) -> Option<Integers> {
     if !exactly.line.is_finite() {
         return None;
@@ -185,8 +185,8 @@ pub(in super::super) fn square(exactly: &Exactly, ray: &Ray) -> Option<Hit> {
     Some(Hit::analytic(t, rounding_of(t), DVec3::Z, front))
 }
 
-/// The point at a parameter in object space, each coordinate within three roundings. The coordinate along one axis may be
-/// given.
+/// The point at a parameter in object space, each coordinate within three roundings. The coordinate along one axis may
+/// be given.
 pub(super) fn at<I: Decided>(
     line: &LocalLine<I>,
     [numerator, denominator]: [&Number<I>; 2],
@@ -215,8 +215,8 @@ fn at_root(line: &Integers, root: &Root) -> Option<DVec3> {
     })
 }
 
-/// The point at a parameter of the line of `exactly`, in the object space of its placement; `None` where a number is not
-/// finite.
+/// The point at a parameter of the line of `exactly`, in the object space of its placement; `None` where a number is
+/// not finite.
 pub(super) fn point_at(exactly: &Exactly, root: &Root) -> Option<DVec3> {
     at_root(&local(exactly)?, root)
 }

@@ -1,5 +1,5 @@
-//! Whether two triangles of one space that touch in a point also overlap there, without a ray. A point is on the outline
-//! of a triangle where it is a corner or lies between two of them.
+//! Whether two triangles of one space that touch in a point also overlap there, without a ray. A point is on the
+//! outline of a triangle where it is a corner or lies between two of them.
 
 use super::{
     coplanar::are_coplanar,

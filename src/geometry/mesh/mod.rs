@@ -43,8 +43,8 @@ pub struct MeshData {
 }
 
 impl MeshData {
-    /// Triangles of one part, without colours of their own and with one normal per face. `positions` are in object space,
-    /// `triangles` index them, counter-clockwise seen from outside. [`Mesh::new`] checks all of it.
+    /// Triangles of one part, without colours of their own and with one normal per face. `positions` are in object
+    /// space, `triangles` index them, counter-clockwise seen from outside. [`Mesh::new`] checks all of it.
     #[must_use]
     pub fn of_triangles(
         name: impl Into<String>,
@@ -176,7 +176,8 @@ impl Mesh {
         &self.data
     }
 
-    /// The box about the triangles of a part, in object space; empty for a part that has no triangles or does not exist.
+    /// The box about the triangles of a part, in object space; empty for a part that has no triangles or does not
+    /// exist.
     #[must_use]
     pub fn part_bounds(&self, part: usize) -> Aabb {
         self.bounds.get(part).copied().unwrap_or(Aabb::EMPTY)
@@ -233,8 +234,8 @@ impl Mesh {
             .map(|corner| self.data.origin + corner)
     }
 
-    /// The normals for shading. Those that the data lacks are computed on all cores when first asked for; lists and picks
-    /// never ask.
+    /// The normals for shading. Those that the data lacks are computed on all cores when first asked for; lists and
+    /// picks never ask.
     #[must_use]
     pub fn normals(&self) -> &CornerNormals {
         let Ok(normals) = self.normals_while(ALWAYS);

@@ -18,8 +18,9 @@ use std::{
     sync::{Arc, OnceLock, atomic::AtomicBool},
 };
 
-/// Below this many triangles, trying all takes less than a microsecond. From here on a tree pays for itself after a dozen
-/// rays, whatever the mesh's size, and a click asks up to 200 (measured: 0.13 us a triangle to build, 14 ns to try).
+/// Below this many triangles, trying all takes less than a microsecond. From here on a tree pays for itself after a
+/// dozen rays, whatever the mesh's size, and a click asks up to 200 (measured: 0.13 us a triangle to build, 14 ns to
+/// try).
 const WORTH_A_TREE: usize = 32;
 
 impl Mesh {
@@ -243,8 +244,9 @@ impl Mesh {
         }
     }
 
-    /// Whether there is a triangle for which `f64` alone cannot decide if an object-space ray hits it. The triangle must
-    /// lie in the ray's interval and before its limit, and `accept` must name its part. The same with and without a tree.
+    /// Whether there is a triangle for which `f64` alone cannot decide if an object-space ray hits it. The triangle
+    /// must lie in the ray's interval and before its limit, and `accept` must name its part. The same with and without
+    /// a tree.
     #[doc(hidden)] // public for tests and benches
     pub fn is_in_doubt<'a>(
         &self,
@@ -283,8 +285,8 @@ impl Mesh {
             .then(triangles[0].cmp(&triangles[1]))
     }
 
-    /// Visits every triangle that the ray may hit, with its corners: through the tree, or all in order. Without `FILTER`
-    /// the tree rejects by boxes alone.
+    /// Visits every triangle that the ray may hit, with its corners: through the tree, or all in order. Without
+    /// `FILTER` the tree rejects by boxes alone.
     #[inline]
     fn visit<const FILTER: bool>(
         &self,

@@ -68,8 +68,8 @@ fn products_that_vanish_or_overflow_decide_nothing() {
     assert!(hits[0] > 5000 && hits[1] > 1000, "{hits:?}");
 }
 
-/// The derivation of [`volume_bound`] holds against exact volumes, for exact rays and for rays that are off by as much as
-/// their bounds say.
+/// The derivation of [`volume_bound`] holds against exact volumes, for exact rays and for rays that are off by as much
+/// as their bounds say.
 #[test]
 fn volumes_round_by_less_than_their_bound() {
     let mut random = Random(7);

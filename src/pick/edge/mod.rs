@@ -1,8 +1,8 @@
 //! Distance in pixels from a position to the nearest edge of what was hit there: `edge_px`.
 //!
 //! With a long lens, or a near plane just before the eye, a rounding in world space can be as large as the picture. So
-//! points become picture coordinates in exact arithmetic ([`PictureSpace`]), and only distances are rounded, at the end.
-//! A filter in pairs of `f64` with bounds answers first, where it rounds to the same.
+//! points become picture coordinates in exact arithmetic ([`PictureSpace`]), and only distances are rounded, at the
+//! end. A filter in pairs of `f64` with bounds answers first, where it rounds to the same.
 
 mod conic;
 mod picture_space;
@@ -109,9 +109,9 @@ impl<I: Decided> End<I> {
 
 /// Distance in pixels to what the picture shows of a segment.
 ///
-/// A near plane just before the eye may cut the segment at a point that is shown so far out that its coordinates lose the
-/// distance. So the distance is that to the line through both *original* ends. The sign at a cut only decides which part
-/// of the line counts.
+/// A near plane just before the eye may cut the segment at a point that is shown so far out that its coordinates lose
+/// the distance. So the distance is that to the line through both *original* ends. The sign at a cut only decides which
+/// part of the line counts.
 fn segment_px<I: Decided>(a: &End<I>, b: &End<I>) -> Result<Option<f64>, InDoubt> {
     let (mut from, mut to) = (a.clone(), b.clone());
     for plane in 0..a.sides.len() {

@@ -13,10 +13,10 @@ use glam::DVec2;
 /// Maps world points to picture coordinates about a position. It is exact for the numbers that the camera stores, even
 /// where its axes are not perpendicular to the last bit.
 ///
-/// The point at depth t on the ray through (x, y) is E + Q with Q = t F + s (X R + Y U), where s is t in perspective and 1
-/// in orthographic projection, X = (h / H) (2 x - W) and Y = (h / H) (H - 2 y). By Cramer's rule, with D = det(R, U, F):
-/// Q . (U x F) = D s X, Q . (F x R) = D s Y and Q . (R x U) = D t. Multiplied by H and shifted by the position, the first
-/// two are `u` and `v`, and 2 h |D| s is `w`.
+/// The point at depth t on the ray through (x, y) is E + Q with Q = t F + s (X R + Y U), where s is t in perspective
+/// and 1 in orthographic projection, X = (h / H) (2 x - W) and Y = (h / H) (H - 2 y). By Cramer's rule, with D = det(R,
+/// U, F): Q . (U x F) = D s X, Q . (F x R) = D s Y and Q . (R x U) = D t. Multiplied by H and shifted by the position,
+/// the first two are `u` and `v`, and 2 h |D| s is `w`.
 pub(in crate::pick) struct PictureSpace<I> {
     pub(in crate::pick) grid: PixelGrid,
     u: Row<I>,

@@ -17,8 +17,8 @@ pub(super) struct Part {
     pub to: Dyadic,
 }
 
-/// The outline is kept where `middle + sqrt(k q) (cos a + sin sqrt(g) b)` is not below 0. This is n . p + c times 4 g q,
-/// in the names of [`Circle`](super::sphere_outline::Circle).
+/// The outline is kept where `middle + sqrt(k q) (cos a + sin sqrt(g) b)` is not below 0. This is n . p + c times 4 g
+/// q, in the names of [`Circle`](super::sphere_outline::Circle).
 pub(super) struct Kept {
     middle: Dyadic,
     a: Dyadic,

@@ -35,7 +35,8 @@ impl Search<'_> {
         (ends, shown)
     }
 
-    /// The exact share of a point of an edge as [part, whole] with a positive whole; `None` unless the point is the foot.
+    /// The exact share of a point of an edge as [part, whole] with a positive whole; `None` unless the point is the
+    /// foot.
     fn is_foot(point: &Candidate, shown: &[Shown<BigInt>; 2]) -> Option<[Dyadic; 2]> {
         let [part, whole] = Self::foot(shown)?;
         let share = point.share.to_bits();

@@ -1,15 +1,16 @@
 //! Snapping: the vertex nearest to a position, else the nearest point of an edge, else the pick.
 //!
 //! Within a radius in pixels, the nearest *visible* vertex wins ([`sight`] decides, exactly). Failing that, the nearest
-//! visible point of an edge: the foot of the perpendicular in the picture, or an end of what near, far and section leave
-//! of the edge. [`sight`] is asked about the point at the foot's share rounded to `f64`, which lies exactly on the stored
-//! edge; the exact foot is reported and measured. A surface may hide the point. It is then replaced by the nearest points
-//! along the edge, to either side, that this surface does not hide. Where no edge shows, the position snaps to the pick.
+//! visible point of an edge: the foot of the perpendicular in the picture, or an end of what near, far and section
+//! leave of the edge. [`sight`] is asked about the point at the foot's share rounded to `f64`, which lies exactly on
+//! the stored edge; the exact foot is reported and measured. A surface may hide the point. It is then replaced by the
+//! nearest points along the edge, to either side, that this surface does not hide. Where no edge shows, the position
+//! snaps to the pick.
 //!
 //! Corners and edges are those of the file's polygons. Edges added by triangulation do not count; if the file can no
-//! longer be read to tell, none of its edges counts. Cubes and squares have corners and edges; spheres have none. Of two
-//! points that are exactly as near, the one of lesser depth wins, then the one on the first object, then on the first
-//! triangle.
+//! longer be read to tell, none of its edges counts. Cubes and squares have corners and edges; spheres have none. Of
+//! two points that are exactly as near, the one of lesser depth wins, then the one on the first object, then on the
+//! first triangle.
 
 mod along;
 mod facets;
@@ -257,8 +258,8 @@ fn sides(facets: &[Facet]) -> impl Iterator<Item = (&Facet, usize)> {
 }
 
 /// The indices in a polygon of the ends of a triangle's side; `None` for a side that triangulation added. Corners are
-/// compared by position, not by index: a polygon may name a vertex twice, and a triangle may use either. A polygon with a
-/// hole does so at both ends of the bridge to the hole.
+/// compared by position, not by index: a polygon may name a vertex twice, and a triangle may use either. A polygon with
+/// a hole does so at both ends of the bridge to the hole.
 fn side_of(face: &FaceInFile, triangle: u32, corner: usize) -> Option<[usize; 2]> {
     let corners = face
         .corners

@@ -1,5 +1,5 @@
-//! Opens and reads files named by the user, and makes their paths absolute. Refuses what is not a regular file or is too
-//! large.
+//! Opens and reads files named by the user, and makes their paths absolute. Refuses what is not a regular file or is
+//! too large.
 
 use std::{
     fs::{self, File, Metadata},

@@ -16,8 +16,8 @@ use std::{
 
 /// The most bytes of a scene file. A saved scene of a million objects takes a quarter of this.
 const MOST_BYTES: u64 = 1 << 30;
-/// The most bytes of memory that parsing takes for each byte of a scene file, as measured: 48 for blank lines, 66 for short
-/// objects.
+/// The most bytes of memory that parsing takes for each byte of a scene file, as measured: 48 for blank lines, 66 for
+/// short objects.
 const PARSED: usize = 70;
 
 /// Loads files as one scene: `.toml` is a scene file, `gallery:NAME` is one of the gallery's, anything else is an OBJ

@@ -18,9 +18,9 @@ use std::{
 
 /// Writes a scene file that reads back as the same scene to the bit. `meshes` are the files of its meshes, as
 /// [`Loaded::meshes`](super::Loaded) has them. Files in the folder of `path` or below it are named relative to that
-/// folder, so that the folder can be moved; others by their absolute paths. A mesh without a file, or whose file is gone
-/// or holds another mesh by now, is written as an OBJ file beside `path`, under a name that is free. Returns the files of
-/// all meshes after saving.
+/// folder, so that the folder can be moved; others by their absolute paths. A mesh without a file, or whose file is
+/// gone or holds another mesh by now, is written as an OBJ file beside `path`, under a name that is free. Returns the
+/// files of all meshes after saving.
 ///
 /// # Errors
 /// When a file cannot be written, or a mesh without a file cannot be written exactly. Then `path` is unchanged.

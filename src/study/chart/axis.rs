@@ -27,8 +27,8 @@ pub struct Axis {
 const BEYOND: f64 = 22.0;
 
 impl Axis {
-    /// A logarithmic axis between two pixel positions that holds all values, with whole powers of ten at its ends. It has places
-    /// for 0, for [ties](Figure::TIE) and for infinity where such values occur.
+    /// A logarithmic axis between two pixel positions that holds all values, with whole powers of ten at its ends. It
+    /// has places for 0, for [ties](Figure::TIE) and for infinity where such values occur.
     pub fn new(values: &[f64], ends: [f64; 2]) -> Self {
         let finite = || {
             let scaled = |v: &&f64| v.is_finite() && **v > Figure::TIE;
@@ -105,7 +105,8 @@ impl Axis {
         beside.unwrap_or(on_scale)
     }
 
-    /// The ticks, at most about `most`, each with its label: powers of ten; where these are few, twos and fives as well.
+    /// The ticks, at most about `most`, each with its label: powers of ten; where these are few, twos and fives as
+    /// well.
     fn ticks(&self, most: usize) -> Vec<(f64, String)> {
         let [low, high] = self.range;
         if (self.scale)(1.0) != 0.0 {
@@ -165,8 +166,8 @@ impl Panel {
         [self.x.at(x), self.y.at(y)]
     }
 
-    /// Draws grid, ticks and frame, a title above, the axes' names with their units, and `none` at 0. An axis without a name
-    /// has no numbers.
+    /// Draws grid, ticks and frame, a title above, the axes' names with their units, and `none` at 0. An axis without a
+    /// name has no numbers.
     pub fn draw(
         &self,
         picture: &mut Picture,

@@ -1,5 +1,5 @@
-//! Shows the depths that a depth buffer tells apart. One part has every number of a small format on the curve of 1 / z, after
-//! Reed, Depth Precision Visualized, 2015. The other has the least step of real formats against distance.
+//! Shows the depths that a depth buffer tells apart. One part has every number of a small format on the curve of 1 / z,
+//! after Reed, Depth Precision Visualized, 2015. The other has the least step of real formats against distance.
 
 use super::prelude::*;
 use crate::study::methods::depth::{DepthCase, Mapping};
@@ -110,7 +110,8 @@ fn steps(picture: &mut Picture) {
     }
 }
 
-/// The distance in depth between the buffer's number for a depth and its next number away from the eye; none after the last.
+/// The distance in depth between the buffer's number for a depth and its next number away from the eye; none after the
+/// last.
 fn resolution(mapping: Mapping, depth: f64) -> Option<f64> {
     let case = DepthCase::new(depth, STEPS);
     let stored = mapping.stored(&case);

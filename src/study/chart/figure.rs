@@ -25,7 +25,8 @@ impl Figure {
         }
     }
 
-    /// A row's figure. Where all wrong decisions are at distance 0 it is [`TIE`](Self::TIE), which is neither 0 nor a distance.
+    /// A row's figure. Where all wrong decisions are at distance 0 it is [`TIE`](Self::TIE), which is neither 0 nor a
+    /// distance.
     pub fn at(self, row: &Row) -> f64 {
         match self {
             Self::Error => row.worst_error,

@@ -19,8 +19,8 @@ struct Point<'a> {
     ns: f64,
     /// On the workload that takes longest.
     slowest: f64,
-    /// Wrong answers in per cent: over all workloads, on the median workload, on the worst one with more than ties, and on
-    /// the worst one.
+    /// Wrong answers in per cent: over all workloads, on the median workload, on the worst one with more than ties, and
+    /// on the worst one.
     wrong: [f64; 4],
 }
 
@@ -112,8 +112,8 @@ fn never<'a>(points: &[Point<'a>]) -> Vec<&'a str> {
     distinct(never.map(|point| point.row.info.name))
 }
 
-/// The logarithms of the first and last time on an axis. Methods that are far slower than most stand at the axis's end, and
-/// their labels name their times.
+/// The logarithms of the first and last time on an axis. Methods that are far slower than most stand at the axis's end,
+/// and their labels name their times.
 fn span<'a>(points: impl IntoIterator<Item = &'a Point<'a>>) -> [f64; 2] {
     let mut times: Vec<f64> = points.into_iter().map(|point| point.ns.log10()).collect();
     times.sort_by(f64::total_cmp);
@@ -216,8 +216,8 @@ fn in_band(picture: &mut Picture, panel: &Panel, point: &Point<'_>, at: [f64; 2]
     picture.text([x, at[1]], anchor, 17.0, INK, words);
 }
 
-/// Draws a bar from the median workload to the worst, dashed where only ties are wrong; and one to the slowest workload, which
-/// ends in an arrow where that is beyond the axis.
+/// Draws a bar from the median workload to the worst, dashed where only ties are wrong; and one to the slowest
+/// workload, which ends in an arrow where that is beyond the axis.
 fn bars(
     picture: &mut Picture,
     panel: &Panel,

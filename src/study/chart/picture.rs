@@ -21,8 +21,8 @@ pub const INK: Colour = [0x22, 0x22, 0x22];
 pub const FAINT: Colour = [0xdd, 0xdd, 0xdd];
 /// Secondary text.
 pub const QUIET: Colour = [0x55, 0x55, 0x55];
-/// Okabe & Ito's colours, which people of every colour vision tell apart, without yellow, which is hard to see on white, and
-/// black, which is Sightline's.
+/// Okabe & Ito's colours, which people of every colour vision tell apart, without yellow, which is hard to see on
+/// white, and black, which is Sightline's.
 pub const COLOURS: [Colour; 7] = [
     [0x00, 0x72, 0xb2],
     [0xd5, 0x5e, 0x00],

@@ -1,5 +1,6 @@
-//! Shows each triangle test's answers for rays at an edge that start at neighbouring floating-point numbers. After Kettner,
-//! Mehlhorn, Pion, Schirra & Yap, Classroom examples of robustness problems in geometric computations, CGTA 40(1), 2008.
+//! Shows each triangle test's answers for rays at an edge that start at neighbouring floating-point numbers. After
+//! Kettner, Mehlhorn, Pion, Schirra & Yap, Classroom examples of robustness problems in geometric computations, CGTA
+//! 40(1), 2008.
 
 use super::prelude::*;
 use crate::{
@@ -10,7 +11,8 @@ use glam::DVec3;
 
 /// Rays in a tile's row, and in its column.
 const SIDE: u32 = 256;
-/// The most formulas in a row, the first one's left end, the height of a tile's name or figure, and the first row's top.
+/// The most formulas in a row, the first one's left end, the height of a tile's name or figure, and the first row's
+/// top.
 const COLUMNS: usize = 9;
 const LEFT: f64 = 56.0;
 const NAME: f64 = 26.0;
@@ -108,8 +110,8 @@ fn tiles() -> Vec<Tile> {
     tiles
 }
 
-/// Rays from neighbouring numbers of a precision with their hits, the top row first. All have one direction and pass an edge of
-/// one triangle far from its corners, whose coordinates use all digits of the precision.
+/// Rays from neighbouring numbers of a precision with their hits, the top row first. All have one direction and pass an
+/// edge of one triangle far from its corners, whose coordinates use all digits of the precision.
 fn cases(precision: Precision) -> Vec<(TriangleCase, Option<f64>)> {
     const DIRECTION: DVec3 = DVec3::new(0.25, -0.125, -1.0);
     let bits = if precision == F32 { 24 } else { 53 };

@@ -1,5 +1,5 @@
-//! Draws a line for each method: its worst error against the parameter that stresses it, or its time against the share of
-//! hits.
+//! Draws a line for each method: its worst error against the parameter that stresses it, or its time against the share
+//! of hits.
 
 use super::prelude::*;
 use crate::study::methods::TriangleCase;
@@ -78,8 +78,9 @@ fn names<'a>(rows: &[&'a Row]) -> Vec<&'a str> {
     distinct(rows.iter().map(|row| row.info.name))
 }
 
-/// The chart of one family: one panel in a narrow picture, in which the line of the method `wide` is wider. `rows` has the
-/// family's rows and a scene's own ([`SCENE`]), which are marked at `here`. Without rows of the family, the chart is empty.
+/// The chart of one family: one panel in a narrow picture, in which the line of the method `wide` is wider. `rows` has
+/// the family's rows and a scene's own ([`SCENE`]), which are marked at `here`. Without rows of the family, the chart
+/// is empty.
 #[must_use]
 pub fn family(rows: &[Row], here: f64, wide: Option<(&str, Precision)>) -> Picture {
     let (own, rows): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.family == SCENE);

@@ -1,5 +1,5 @@
-//! How methods look. Each formula has a colour and a shape, hollow in `f32` and filled otherwise. Sightline's is a black
-//! star.
+//! How methods look. Each formula has a colour and a shape, hollow in `f32` and filled otherwise. Sightline's is a
+//! black star.
 
 use super::{
     picture::{Anchor, COLOURS, Colour, INK, Picture, SHAPES},

@@ -1,5 +1,5 @@
-//! Rays against the cube of side 1 about the origin. The answer is the least t >= 0 on it (the entry; from inside, the exit),
-//! or none. Methods differ for a ray that runs along a slab's plane, where `0 * inf` is NaN.
+//! Rays against the cube of side 1 about the origin. The answer is the least t >= 0 on it (the entry; from inside, the
+//! exit), or none. Methods differ for a ray that runs along a slab's plane, where `0 * inf` is NaN.
 
 use super::{ObjectRay, ShapeCase, first_ahead};
 use crate::{geometry::Cuboid, scene::Shape, study::prelude::*};
@@ -123,8 +123,8 @@ pub fn min_max<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     first(enter, leave)
 }
 
-/// Compares in an order in which NaN never wins, so a ray within a slab's plane is inside that slab. Culling must not lose a
-/// hit, so the far ends, or the inverses that they are computed from, grow by `ulps`.
+/// Compares in an order in which NaN never wins, so a ray within a slab's plane is inside that slab. Culling must not
+/// lose a hit, so the far ends, or the inverses that they are computed from, grow by `ulps`.
 pub fn nan_safe<T: Real>(case: &ObjectRay<T>, ulps: [f64; 2]) -> Option<f64> {
     let (mut enter, mut leave) = (T::neg_infinity(), T::infinity());
     let [wider, padded] = ulps.map(|ulps| T::one() + T::of(ulps) * T::epsilon());
@@ -152,8 +152,8 @@ pub fn nan_safe<T: Real>(case: &ObjectRay<T>, ulps: [f64; 2]) -> Option<f64> {
     first(enter, leave)
 }
 
-/// Tests three planes in turn and returns the first hit within a face's rim. The planes are those that face the ray or, from
-/// inside, the other three.
+/// Tests three planes in turn and returns the first hit within a face's rim. The planes are those that face the ray or,
+/// from inside, the other three.
 pub fn majercik<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let (o, d, half) = (case.origin, case.direction, T::of(Cuboid::HALF_SIDE));
     let size = o.abs();
@@ -168,8 +168,8 @@ pub fn majercik<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     Some(t.wide())
 }
 
-/// The least change of the ray that makes `hit` wrong, in radians seen from its origin: to the nearest edge, or out of the
-/// face that the ray runs along.
+/// The least change of the ray that makes `hit` wrong, in radians seen from its origin: to the nearest edge, or out of
+/// the face that the ray runs along.
 fn edge_angle(case: &ObjectRay<f64>, hit: Option<f64>) -> f64 {
     let half = Cuboid::HALF_SIDE;
     let corner = |i: usize| {
@@ -267,8 +267,8 @@ fn on_a_lattice(random: &mut Random, bits: f64) -> BoxCase {
     case((V3::from(target) - step) * (0.5 / half), step)
 }
 
-/// A ray that passes an edge on either side at the tiny distance `by`. The distance is one start coordinate, which is near 0,
-/// where `f32` can hold it.
+/// A ray that passes an edge on either side at the tiny distance `by`. The distance is one start coordinate, which is
+/// near 0, where `f32` can hold it.
 fn past_an_edge(random: &mut Random, by: f64) -> BoxCase {
     let mut part = |most: i32| f64::from(random.integer(-most, most)) / 256.0;
     let start = [0.0, part(1024), part(1024)];

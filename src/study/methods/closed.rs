@@ -1,5 +1,5 @@
-//! Casts rays into a closed body through its edges and corners. The answer is t of the first hit. If there is no hit, or only
-//! the one where the ray leaves the body, the ray has leaked.
+//! Casts rays into a closed body through its edges and corners. The answer is t of the first hit. If there is no hit,
+//! or only the one where the ray leaves the body, the ray has leaked.
 //!
 //! Truth needs no arithmetic: a ray from a point outside to a point inside must enter somewhere.
 
@@ -110,8 +110,8 @@ fn corner(_: &mut Random, [a, ..]: [V3<f64>; 3], _: bool) -> V3<f64> {
     a
 }
 
-/// A ray through a point of a body's surface to a point inside. With `bits`, coordinates are rounded to that many bits after
-/// the binary point, and the ray passes exactly through the point.
+/// A ray through a point of a body's surface to a point inside. With `bits`, coordinates are rounded to that many bits
+/// after the binary point, and the ray passes exactly through the point.
 fn aim(
     random: &mut Random,
     bits: Option<f64>,

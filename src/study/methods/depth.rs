@@ -1,5 +1,5 @@
-//! Stores a view depth in the depth buffer and reads it back, as a graphics card does. The answer is the view depth that is
-//! read back.
+//! Stores a view depth in the depth buffer and reads it back, as a graphics card does. The answer is the view depth
+//! that is read back.
 
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection},
@@ -106,8 +106,8 @@ impl Case for DepthCase {
     /// `z = b / (stored - a)`: the relative error of z is this error divided by b / z.
     fn bound(&self, _: &f64) -> f64 {
         if self.parallel {
-            // `a z + b` with |a| = 1 / (f - n) and b = f |a|, read back as `(stored - b) / a`: entries, product, sum and
-            // buffer err together by at most 4u (|a| z + b). Divided by |a|, this is an error of depth.
+            // `a z + b` with |a| = 1 / (f - n) and b = f |a|, read back as `(stored - b) / a`: entries, product, sum
+            // and buffer err together by at most 4u (|a| z + b). Divided by |a|, this is an error of depth.
             let depth = f64::from(self.depth);
             return 4.0 * UNIT_F32 * (depth.abs() + self.far.abs()) / depth.abs();
         }
@@ -190,7 +190,8 @@ impl Mapping {
         }
     }
 
-    /// The number in the buffer, after the vertex shader's `f32` arithmetic, the division by w and the buffer's own rounding.
+    /// The number in the buffer, after the vertex shader's `f32` arithmetic, the division by w and the buffer's own
+    /// rounding.
     pub fn stored(self, case: &DepthCase) -> f32 {
         let ndc = if self.logarithmic && !case.parallel {
             (1.0 + case.depth).log2() * f32::of((1.0 + case.far).log2().recip())

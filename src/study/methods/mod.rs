@@ -79,8 +79,8 @@ impl<Shape> ShapeCase<Shape> {
     }
 }
 
-/// The name of a method as a pick uses it: it also computes the error bounds that later exact decisions need. The bounds are
-/// no part of the step.
+/// The name of a method as a pick uses it: it also computes the error bounds that later exact decisions need. The
+/// bounds are no part of the step.
 const WITH_BOUNDS: &str = "Sightline's, with its bounds";
 
 /// The placement with a linear part and a translation; `None` where the matrix has no inverse.

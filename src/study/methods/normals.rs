@@ -98,7 +98,8 @@ impl Case for NormalCase {
         cases.collect()
     }
 
-    /// The cofactors times the normal, with the determinant's sign: the inverse transpose's direction without a division.
+    /// The cofactors times the normal, with the determinant's sign: the inverse transpose's direction without a
+    /// division.
     fn truth(&self) -> Exact3 {
         let case = &self.wide;
         let [a, b, c] = case.linear.0.map(Exact3::new);
@@ -117,8 +118,8 @@ impl Case for NormalCase {
         Verdict::Right(exact::angle(truth, *answer).to_degrees())
     }
 
-    /// Bound of the inverse transpose with the inverse by cofactors in `f64`, as for rays into object space: each entry errs
-    /// by 16u of its terms' magnitudes with u = 2^-53; the determinant scales all entries alike and cancels.
+    /// Bound of the inverse transpose with the inverse by cofactors in `f64`, as for rays into object space: each entry
+    /// errs by 16u of its terms' magnitudes with u = 2^-53; the determinant scales all entries alike and cancels.
     fn bound(&self, _: &Exact3) -> f64 {
         let case = &self.wide;
         let M3([a, b, c]) = case.linear;

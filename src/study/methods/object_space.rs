@@ -140,8 +140,9 @@ impl Case for PlacedCase {
 
     /// Bound of `inverse(A) (o - T)` with the inverse by cofactors in `f64`, with u = 2^-53.
     ///
-    /// Columns are scaled to 1 (2u), a cofactor errs by 3u of its terms' magnitudes, scaling back and the product with a
-    /// vector that carries u add 8u. Together that is below 16u of P times the vector, where P is the sum of each cofactor's
+    /// Columns are scaled to 1 (2u), a cofactor errs by 3u of its terms' magnitudes, scaling back and the product with
+    /// a vector that carries u add 8u. Together that is below 16u of P times the vector, where P is the sum of each
+    /// cofactor's
     /// |terms| over the determinant. The determinant errs relatively by less than 16u of the sum of its |terms| over itself,
     /// which scales origin and direction alike. |A| takes an error in object space back to the world.
     fn bound(&self, (): &()) -> f64 {
@@ -185,8 +186,9 @@ pub fn relative<T: Real>(case: &Placed<T>) -> ObjectSpaceRay {
     [origin.wide(), case.inverse.apply(case.direction).wide()]
 }
 
-/// The angle in radians, seen from the world ray's origin, between the world ray and the object-space ray that is transformed
-/// back exactly, at the depth of the object's origin. Infinite where the answer is not finite or has no point at that depth.
+/// The angle in radians, seen from the world ray's origin, between the world ray and the object-space ray that is
+/// transformed back exactly, at the depth of the object's origin. Infinite where the answer is not finite or has no
+/// point at that depth.
 pub fn aside(case: &Placed<f64>, local: &[V3<f64>; 2]) -> f64 {
     if !local
         .iter()
@@ -229,8 +231,8 @@ fn flattened(random: &mut Random, least: f64) -> PlacedCase {
     aim(random, scale, 3.0)
 }
 
-/// An object about as large as its largest scale, at a distance from the world's origin, and a ray past it from 5 units away.
-/// If the object is larger than 1, both distances are multiplied by its size.
+/// An object about as large as its largest scale, at a distance from the world's origin, and a ray past it from 5 units
+/// away. If the object is larger than 1, both distances are multiplied by its size.
 fn aim(random: &mut Random, scale: [f64; 3], offset: f64) -> PlacedCase {
     loop {
         // Scaled along axes that are special in neither space.

@@ -1,5 +1,5 @@
-//! Tests eight rays of one picture against one triangle at once, as SIMD instructions do. The answer is t or none for each
-//! ray.
+//! Tests eight rays of one picture against one triangle at once, as SIMD instructions do. The answer is t or none for
+//! each ray.
 
 use super::{
     from_start,

@@ -87,8 +87,8 @@ impl Case for FileCase {
         Verdict::Right(errors.fold(0.0, f64::max))
     }
 
-    /// A coordinate is at most 480 m from the middle; as `f32` it rounds by `2^-24` of that. The coordinate, the middle and
-    /// their difference each round by `2^-53` of the largest coordinate.
+    /// A coordinate is at most 480 m from the middle; as `f32` it rounds by `2^-24` of that. The coordinate, the middle
+    /// and their difference each round by `2^-53` of the largest coordinate.
     fn bound(&self, (): &()) -> f64 {
         let largest = self
             .vertices

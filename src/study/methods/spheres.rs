@@ -150,9 +150,9 @@ pub fn outline_angle(ray: &ObjectRay<f64>) -> f64 {
 
 /// The bound of a hit's `t` in `f64`; whether there is a hit is decided exactly.
 ///
-/// Let u = 2^-53, m the moment `o x d`, O and D the largest components of o and d. Each component of m errs by 5u O D. The
-/// discriminant `r^2 d.d - m.m` errs by 10u of both its terms and by `2.2 |m|_1` times m's error. Its root errs by that error
-/// divided by the root. `o.d` errs by 4u |o|_1 D; the quotient and the sum add a few u.
+/// Let u = 2^-53, m the moment `o x d`, O and D the largest components of o and d. Each component of m errs by 5u O D.
+/// The discriminant `r^2 d.d - m.m` errs by 10u of both its terms and by `2.2 |m|_1` times m's error. Its root errs by
+/// that error divided by the root. `o.d` errs by 4u |o|_1 D; the quotient and the sum add a few u.
 fn bound(ray: &ObjectRay<f64>, t: f64) -> f64 {
     let (o, d) = (ray.origin, ray.direction);
     let largest = |v: [f64; 3]| v.into_iter().fold(0.0, f64::max);
@@ -212,8 +212,8 @@ fn close(random: &mut Random, ratio: f64) -> SphereCase {
 
 /// A ray of whole numbers over a power of two that touches exactly.
 ///
-/// Let u, v, w be whole vectors of one length n at right angles. The line through `(h w + k u) / n` along u passes the origin
-/// at the distance h; k is chosen so that the point is whole.
+/// Let u, v, w be whole vectors of one length n at right angles. The line through `(h w + k u) / n` along u passes the
+/// origin at the distance h; k is chosen so that the point is whole.
 fn touching(random: &mut Random, bits: f64) -> SphereCase {
     let h = f64::from(two_to(bits));
     loop {

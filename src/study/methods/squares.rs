@@ -159,12 +159,13 @@ impl Case for SquareCase {
         truth::decide(*truth, *answer, truth::relative, off)
     }
 
-    /// Bound of a hit's `t` under a model matrix; whether there is a hit is decided exactly. The inverse's third row is the
-    /// normal over the determinant.
+    /// Bound of a hit's `t` under a model matrix; whether there is a hit is decided exactly. The inverse's third row is
+    /// the normal over the determinant.
     ///
-    /// With u = 2^-53: that row is a vector product (3u of its terms' magnitudes) times two scales (3u). The difference to the
-    /// plane's point adds u, product and sum 4u, the given normal's own rounding 3u. Numerator and denominator each err by
-    /// at most 15u times the sum of all magnitudes, the quotient by u. The determinant is in both and cancels.
+    /// With u = 2^-53: that row is a vector product (3u of its terms' magnitudes) times two scales (3u). The difference
+    /// to the plane's point adds u, product and sum 4u, the given normal's own rounding 3u. Numerator and denominator
+    /// each err by at most 15u times the sum of all magnitudes, the quotient by u. The determinant is in both and
+    /// cancels.
     fn bound(&self, _: &Option<f64>) -> f64 {
         let case = &self.wide;
         let [u, v] = case.sides;

@@ -1,9 +1,9 @@
-//! Picks as most viewers and tutorials do, in `f32`. The inverse of Projection * View unprojects the pixel onto the near and
-//! the far plane (gluUnProject, OpenGL Utility Library). The ray from one point to the other is tested against triangles by
-//! Moeller & Trumbore, "Fast, Minimum Storage Ray-Triangle Intersection", JGT 2(1), 1997.
+//! Picks as most viewers and tutorials do, in `f32`. The inverse of Projection * View unprojects the pixel onto the
+//! near and the far plane (gluUnProject, OpenGL Utility Library). The ray from one point to the other is tested against
+//! triangles by Moeller & Trumbore, "Fast, Minimum Storage Ray-Triangle Intersection", JGT 2(1), 1997.
 //!
-//! Near and far are far apart in the world and close together in clip space. The inverse is therefore nearly singular, and
-//! `f32` rounds the ray itself.
+//! Near and far are far apart in the world and close together in clip space. The inverse is therefore nearly singular,
+//! and `f32` rounds the ray itself.
 
 use crate::{
     camera::View,
@@ -13,8 +13,8 @@ use crate::{
 };
 use glam::{DVec2, DVec3, Vec3};
 
-/// The hit that the usual way finds at a pixel position. Spheres, cubes and squares are tested in `f64`: for them only the
-/// ray differs from Sightline's.
+/// The hit that the usual way finds at a pixel position. Spheres, cubes and squares are tested in `f64`: for them only
+/// the ray differs from Sightline's.
 pub fn closest(scene: &Scene, view: &View, px: DVec2) -> Option<SceneHit> {
     pick::closest_by(scene, ray(view, px)?, view.sides, moeller_trumbore)
 }

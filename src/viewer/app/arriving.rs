@@ -79,8 +79,8 @@ impl App {
         self.context.request_repaint();
     }
 
-    /// Shows what has arrived. If that would drop edits that were made while it was loaded, asks first. While a question
-    /// waits for an answer, this waits too.
+    /// Shows what has arrived. If that would drop edits that were made while it was loaded, asks first. While a
+    /// question waits for an answer, this waits too.
     pub(super) fn take_ready(&mut self) {
         if self.question.is_some() {
             return;

@@ -1,5 +1,5 @@
-//! The driver of a frame, which windows and pictures of windows share. A frame takes the results of jobs, runs the panels
-//! on egui's input, executes their commands, replaces a lost device, and draws.
+//! The driver of a frame, which windows and pictures of windows share. A frame takes the results of jobs, runs the
+//! panels on egui's input, executes their commands, replaces a lost device, and draws.
 
 use super::{
     checks::painted,
@@ -48,8 +48,8 @@ struct Pass {
 }
 
 impl App {
-    /// Runs a pass, and another if the first changed something, so that panels and scene show one state. Draws and shows
-    /// the result.
+    /// Runs a pass, and another if the first changed something, so that panels and scene show one state. Draws and
+    /// shows the result.
     pub fn frame(&mut self, input: egui::RawInput, screen: &mut impl Screen) -> Frame {
         let start = Instant::now();
         self.take_finished();

@@ -63,7 +63,8 @@ pub(in crate::viewer) struct Screenshots {
 pub(in crate::viewer) enum Host {
     /// A window. It opens the system's dialogs, and its status line shows times and the adapter.
     Window,
-    /// A picture. It opens no dialogs, and its status line shows no times and no adapter, which differ between machines.
+    /// A picture. It opens no dialogs, and its status line shows no times and no adapter, which differ between
+    /// machines.
     Picture,
 }
 
@@ -90,8 +91,8 @@ pub(in crate::viewer) struct App {
     pub(super) loading: Option<(Loading, Errand)>,
     /// Whether the dialog to open files is open.
     pub(super) asks_for_files: bool,
-    /// The scene as it was when the save dialog opened, and what to do once it is saved. There is one while the dialog is
-    /// open.
+    /// The scene as it was when the save dialog opened, and what to do once it is saved. There is one while the dialog
+    /// is open.
     pub(super) to_save: Option<(Snapshot, Option<Pending>)>,
     /// How many save dialogs were opened so far.
     pub save_dialogs: usize,

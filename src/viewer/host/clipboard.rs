@@ -1,5 +1,5 @@
-//! The system's clipboard, for text. egui-winit's own clipboard needs a library of image formats; without that library it
-//! supports Wayland alone.
+//! The system's clipboard, for text. egui-winit's own clipboard needs a library of image formats; without that library
+//! it supports Wayland alone.
 
 use egui::{Event, OutputCommand, PointerButton};
 use winit::{

@@ -103,8 +103,8 @@ impl Offscreen {
         self.settle();
     }
 
-    /// Runs a pass for each event, as a window does with those that come while it draws: what was drawn last is on screen
-    /// all the time.
+    /// Runs a pass for each event, as a window does with those that come while it draws: what was drawn last is on
+    /// screen all the time.
     pub fn send_undrawn(&mut self, events: impl IntoIterator<Item = egui::Event>) {
         self.make_tree(false);
         for event in events {

@@ -22,8 +22,8 @@ pub(super) struct Shell {
 }
 
 impl Shell {
-    /// Opens the window with its surface, from inside the event loop. With the feature `screen-readers` the window opens
-    /// hidden: `reader::show` shows its controls to screen readers first, and then the window.
+    /// Opens the window with its surface, from inside the event loop. With the feature `screen-readers` the window
+    /// opens hidden: `reader::show` shows its controls to screen readers first, and then the window.
     pub fn open(
         event_loop: &ActiveEventLoop,
         options: &Options,
@@ -106,8 +106,8 @@ impl Shell {
     }
 }
 
-/// Restores the size and place that the window had when it was closed last. The place is restored only if it is on one of
-/// `screens`, each given by its corner and size.
+/// Restores the size and place that the window had when it was closed last. The place is restored only if it is on one
+/// of `screens`, each given by its corner and size.
 fn restored(
     attributes: WindowAttributes,
     remembered: Option<WindowPlace>,
@@ -140,8 +140,8 @@ mod tests {
     use super::*;
     use winit::dpi::{Position, Size};
 
-    /// What a window asks for: size, place, and whether it is maximised. There are two screens side by side, or only the
-    /// first `screens` of them.
+    /// What a window asks for: size, place, and whether it is maximised. There are two screens side by side, or only
+    /// the first `screens` of them.
     fn asked(
         remembered: Option<WindowPlace>,
         screens: usize,

@@ -199,7 +199,8 @@ impl ApplicationHandler<Wake> for Program {
                 shell.surface.resize(*width, *height);
                 self.app.memory.window = shell.place(self.app.memory.window);
             }
-            // The user changes the desktop's theme in another window, so the theme may be new when this one gets the focus.
+            // The user changes the desktop's theme in another window, so the theme may be new when this one gets the
+            // focus.
             WindowEvent::Focused(true) if shell.window.theme().is_none() => {
                 let wake = Arc::clone(&self.app.wake);
                 ask_darkness(move |is_dark| wake(Wake::Desktop { is_dark }));

@@ -47,8 +47,8 @@ pub(in crate::viewer) struct Checked {
 }
 
 impl Check {
-    /// Begins to compare `drawn`, the ids on screen as this rasteriser drew them, with picks of the state's scene. Calls
-    /// `wake` when done.
+    /// Begins to compare `drawn`, the ids on screen as this rasteriser drew them, with picks of the state's scene.
+    /// Calls `wake` when done.
     pub fn start(
         state: &State,
         rasteriser: Rasteriser,

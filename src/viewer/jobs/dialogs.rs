@@ -95,8 +95,8 @@ fn has_portal() -> bool {
     ask(&version).any(|output| output.status.success())
 }
 
-/// Waits for the answer in the background. Without one, the answer is the first of `none`, or the second if no dialog was
-/// shown.
+/// Waits for the answer in the background. Without one, the answer is the first of `none`, or the second if no dialog
+/// was shown.
 fn answer<T: Send + 'static, D: Future<Output = Option<T>>>(
     dialog: impl FnOnce() -> D + Send + 'static,
     answered: impl FnOnce(Answer) + Send + 'static,

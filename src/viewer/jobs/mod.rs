@@ -1,7 +1,7 @@
-//! What takes long, on threads of its own that know no window. Most of it is a `Job`: when it is done, it wakes its caller,
-//! who polls for the result. File dialogs and the question whether the desktop is dark are no `Job`: they hand their answer
-//! to a function that the caller gave. A watch goes on until it is dropped, and wakes its caller at every change. Freeing
-//! memory and writing what is remembered have no result.
+//! What takes long, on threads of its own that know no window. Most of it is a `Job`: when it is done, it wakes its
+//! caller, who polls for the result. File dialogs and the question whether the desktop is dark are no `Job`: they hand
+//! their answer to a function that the caller gave. A watch goes on until it is dropped, and wakes its caller at every
+//! change. Freeing memory and writing what is remembered have no result.
 
 mod check;
 mod darkness;

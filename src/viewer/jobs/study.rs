@@ -15,8 +15,8 @@ use std::sync::Arc;
 pub(in crate::viewer) struct Chart {
     of: &'static Break,
     job: Job<Option<Vec<Row>>>,
-    /// The work stops once this is dropped with the chart: who walks through the gallery waits for no chart of the scenes
-    /// before.
+    /// The work stops once this is dropped with the chart: who walks through the gallery waits for no chart of the
+    /// scenes before.
     _wanted: Arc<()>,
     /// Its rows, once they are there.
     pub rows: Option<Vec<Row>>,

@@ -88,8 +88,8 @@ fn search(wanted: BTreeSet<char>) -> Vec<Typeface> {
     choose(&system, wanted)
 }
 
-/// Typefaces that have these characters. Each time, takes the one that has most of the characters left; among equals, an
-/// upright, proportional one of regular weight.
+/// Typefaces that have these characters. Each time, takes the one that has most of the characters left; among equals,
+/// an upright, proportional one of regular weight.
 fn choose(system: &fontdb::Database, mut wanted: BTreeSet<char>) -> Vec<Typeface> {
     let faces: Vec<_> = system
         .faces()
@@ -155,8 +155,8 @@ mod tests {
         words.flat_map(u32::to_be_bytes).collect()
     }
 
-    /// Each script gets a typeface that has it, upright and of regular weight. A character that no typeface has ends the
-    /// search. The test does not use the system's own typefaces.
+    /// Each script gets a typeface that has it, upright and of regular weight. A character that no typeface has ends
+    /// the search. The test does not use the system's own typefaces.
     #[test]
     fn every_script_gets_a_typeface_that_has_it() {
         let scripts = [

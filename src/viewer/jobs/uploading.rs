@@ -186,8 +186,8 @@ mod tests {
         meshes.into_iter().chain(vec![cube; 40_000]).collect()
     }
 
-    /// Each step of an upload reports progress after every piece. If a single report is told to stop, the upload ends: none
-    /// of them ignores the answer.
+    /// Each step of an upload reports progress after every piece. If a single report is told to stop, the upload ends:
+    /// none of them ignores the answer.
     #[test]
     fn every_step_of_an_upload_reports_and_can_be_the_last() {
         let gpu = Gpu::headless().expect("an adapter");

@@ -63,8 +63,8 @@ pub(in crate::viewer) struct Watching {
 }
 
 impl Watching {
-    /// Watches files; calls `wake` whenever one of them has changed. `read` says how some of them were when they were read:
-    /// they may have changed since. `None` if the system cannot watch.
+    /// Watches files; calls `wake` whenever one of them has changed. `read` says how some of them were when they were
+    /// read: they may have changed since. `None` if the system cannot watch.
     pub fn start(
         files: &BTreeSet<PathBuf>,
         read: &Stamps,

@@ -30,13 +30,13 @@ pub enum Action {
     Zoom(DVec2, f64),
     /// A click, and its time in seconds.
     Click(DVec2, f64),
-    /// A double click: the point there becomes pivot and centre; on nothing, frame all. In one of the four views: enlarge
-    /// that view, or show all four again.
+    /// A double click: the point there becomes pivot and centre; on nothing, frame all. In one of the four views:
+    /// enlarge that view, or show all four again.
     Recentre(DVec2),
     /// The cursor is at this position; `None` once it has left the picture.
     Hover(Option<DVec2>),
-    /// The cursor rests on the list's row of this object, by index. Sent in each pass while it does: every pass begins by
-    /// clearing the highlight.
+    /// The cursor rests on the list's row of this object, by index. Sent in each pass while it does: every pass begins
+    /// by clearing the highlight.
     Light(Option<usize>),
     /// Show all that is visible.
     FrameAll,
@@ -91,8 +91,8 @@ pub enum Action {
     ToggleGrid,
     /// Show or hide an overlay.
     Toggle(Overlay),
-    /// Show the boxes of the meshes' trees one level deeper, or one level higher. Past the first or the last level, show
-    /// none.
+    /// Show the boxes of the meshes' trees one level deeper, or one level higher. Past the first or the last level,
+    /// show none.
     TreeLevel {
         /// Away from the root.
         deeper: bool,

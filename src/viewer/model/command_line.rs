@@ -8,8 +8,8 @@ use crate::{
 use glam::{DVec2, DVec3};
 use std::fmt::Write;
 
-/// The `sightline pick` command that repeats a click in its view. Where a surface behind the first is picked, the command
-/// lists all surfaces.
+/// The `sightline pick` command that repeats a click in its view. Where a surface behind the first is picked, the
+/// command lists all surfaces.
 pub(in crate::viewer) fn pick_command(state: &State, ray: &RayHits) -> String {
     let command = pick_at(state, &ray.view, ray.px);
     if ray.at == 0 {

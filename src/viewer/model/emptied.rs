@@ -18,8 +18,8 @@ pub enum EmptiedBy {
 }
 
 impl State {
-    /// Whether a visible object may be in the picture of a view. Judged by the boxes about objects and by the corners of
-    /// the view volume.
+    /// Whether a visible object may be in the picture of a view. Judged by the boxes about objects and by the corners
+    /// of the view volume.
     pub(super) fn may_show(&self, view: &View) -> bool {
         let keeps = |section: Section| {
             let mut corners = view.frustum_corners().into_iter();
@@ -37,8 +37,8 @@ impl State {
         }
     }
 
-    /// What leaves the picture without any of the visible objects, and the actions that bring some into view. `None` if one
-    /// may be in view.
+    /// What leaves the picture without any of the visible objects, and the actions that bring some into view. `None` if
+    /// one may be in view.
     #[must_use]
     pub fn emptied(&self) -> Option<(EmptiedBy, Vec<Action>)> {
         let view = self.view;

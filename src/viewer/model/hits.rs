@@ -33,7 +33,8 @@ pub enum PickView {
     Own,
     /// It was made in this view, in a picture of another size.
     Resized,
-    /// It was made in an earlier view. The view on screen may show something else at its pixel, or in front of its point.
+    /// It was made in an earlier view. The view on screen may show something else at its pixel, or in front of its
+    /// point.
     Earlier,
     /// It was made in an earlier view. In the view on screen, near, far, culling or the section leaves its point out.
     LeftOut,

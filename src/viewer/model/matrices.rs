@@ -67,8 +67,8 @@ impl Matrices {
 }
 
 impl Steps {
-    /// Follows an object-space point; `None` where it lies at or behind the eye. The view-space point is computed relative
-    /// to the eye, which keeps the digits that `V * world` loses far from the origin.
+    /// Follows an object-space point; `None` where it lies at or behind the eye. The view-space point is computed
+    /// relative to the eye, which keeps the digits that `V * world` loses far from the origin.
     #[must_use]
     pub fn follow(view: &View, object: &Object, point_object: DVec3) -> Option<Self> {
         let world = object.placement.point_to_world(point_object);

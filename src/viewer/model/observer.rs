@@ -127,8 +127,8 @@ impl Observer {
         self.orbit.camera(LENS).ok()
     }
 
-    /// The view in the space of the scene that is drawn. `to_scene`, a rotation and a translation, leads to that space. Near
-    /// and far are fitted to `bounds` there. `None` where rounding puts the eye on its target.
+    /// The view in the space of the scene that is drawn. `to_scene`, a rotation and a translation, leads to that space.
+    /// Near and far are fitted to `bounds` there. `None` where rounding puts the eye on its target.
     pub fn view(&self, to_scene: &DAffine3, bounds: &Aabb, sides: Sides) -> Option<View> {
         let camera = self.camera()?;
         let [eye, target] = [camera.eye(), camera.target()].map(|at| to_scene.transform_point3(at));

@@ -19,8 +19,8 @@ use crate::{
 use std::{mem, path::PathBuf};
 
 impl State {
-    /// Shows a scene in a rectangle of this size. What `choice` leaves open, the scene's own camera decides; what both leave
-    /// open is chosen so that the scene is in view. An invalid section is left out.
+    /// Shows a scene in a rectangle of this size. What `choice` leaves open, the scene's own camera decides; what both
+    /// leave open is chosen so that the scene is in view. An invalid section is left out.
     ///
     /// # Errors
     /// When the choices make no valid camera.
@@ -89,8 +89,8 @@ impl State {
         })
     }
 
-    /// Shows another scene, loaded from these files; the window's settings stay. Undo leads back from a scene of the gallery
-    /// to what was open; any other scene begins a new history.
+    /// Shows another scene, loaded from these files; the window's settings stay. Undo leads back from a scene of the
+    /// gallery to what was open; any other scene begins a new history.
     ///
     /// # Errors
     /// When the scene's own camera is invalid; then everything stays as it was.
@@ -122,8 +122,8 @@ impl State {
         Ok(())
     }
 
-    /// Gives the picture this size. While view and scene are as they were opened, the opening view is computed again for this
-    /// size: so all of the scene is in view, whatever size the window turns out to have.
+    /// Gives the picture this size. While view and scene are as they were opened, the opening view is computed again
+    /// for this size: so all of the scene is in view, whatever size the window turns out to have.
     pub(super) fn resize(&mut self, viewport: Viewport) {
         // Culling does not move the view, so it is not compared.
         let stood = self.opened_at.map(|at| Viewpoint {
@@ -206,8 +206,8 @@ impl State {
         of_no_file && !self.scene.objects().is_empty()
     }
 
-    /// The file that is proposed for saving: the scene file that the scene is from, or else `scene.toml` beside its first
-    /// file.
+    /// The file that is proposed for saving: the scene file that the scene is from, or else `scene.toml` beside its
+    /// first file.
     #[must_use]
     pub fn file_to_save(&self) -> PathBuf {
         match self.source.paths.as_slice() {
@@ -223,7 +223,8 @@ impl State {
         state.is_some_and(|state| state.reads != snapshot.reads)
     }
 
-    /// A snapshot was saved: from now on its scene, which is on show or was left for the gallery, belongs to these files.
+    /// A snapshot was saved: from now on its scene, which is on show or was left for the gallery, belongs to these
+    /// files.
     pub(in crate::viewer) fn saved(&mut self, snapshot: &Snapshot, source: Source) {
         let steps = self.timeline.all_mut();
         let left = steps.filter_map(|step| match step {

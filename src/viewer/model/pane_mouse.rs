@@ -12,8 +12,8 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// A point is picked by the ray through its pixel's centre if that hits within this many pixel widths of the point's depth,
-/// else by a ray through the point itself.
+/// A point is picked by the ray through its pixel's centre if that hits within this many pixel widths of the point's
+/// depth, else by a ray through the point itself.
 const SAME_DEPTH_PX: f64 = 8.0;
 
 /// The point that is shown at every stage.
@@ -49,8 +49,8 @@ impl State {
         Some(placement.point_to_world(followed.point_object))
     }
 
-    /// Picks a point of an object through the scene's camera: casts the ray of its pixel and takes the hit at the point.
-    /// Where there is no such hit, the object is selected and the point followed all the same.
+    /// Picks a point of an object through the scene's camera: casts the ray of its pixel and takes the hit at the
+    /// point. Where there is no such hit, the object is selected and the point followed all the same.
     fn pick_point(&mut self, object: usize, point_object: DVec3) -> Option<PickLine> {
         let world = self.scene.objects()[object]
             .placement
@@ -105,8 +105,8 @@ impl State {
         same && (panes.clicked_s).is_some_and(|last_s| time_s - last_s > DOUBLE_CLICK_S)
     }
 
-    /// Before a click on nothing, keeps what the click will clear. The second click of a double click leaves what the first
-    /// one kept.
+    /// Before a click on nothing, keeps what the click will clear. The second click of a double click leaves what the
+    /// first one kept.
     fn keep_cleared(&mut self, time_s: f64, is_on_nothing: bool) {
         let kept = is_on_nothing.then(|| Cleared {
             chosen: self.chosen(),
@@ -186,8 +186,8 @@ impl State {
         None
     }
 
-    /// What a ray hits at a position of a stage's view, and the point that it hits in the scene that the stage shows. `None`
-    /// while rays are slow, too.
+    /// What a ray hits at a position of a stage's view, and the point that it hits in the scene that the stage shows.
+    /// `None` while rays are slow, too.
     fn pane_hit(&self, stage: Stage, px: DVec2) -> Option<(SceneHit, DVec3)> {
         let (scene, _) = self.pane_scene(stage)?;
         let view = self.pane_view(stage)?;

@@ -12,8 +12,8 @@ use crate::{
 use glam::DVec2;
 
 impl State {
-    /// Selects what lies at a pixel: the nearest surface, or, for another click on the same pixel of the same picture, the
-    /// next one behind. The second click of a double click selects the nearest again.
+    /// Selects what lies at a pixel: the nearest surface, or, for another click on the same pixel of the same picture,
+    /// the next one behind. The second click of a double click selects the nearest again.
     pub(super) fn click(&mut self, px: DVec2, time_s: f64) -> Option<PickLine> {
         let px = pixel_centre(px);
         let view = self.clicked_view();
@@ -25,8 +25,8 @@ impl State {
         self.take_hits(RayHits::cast(&self.scene, view, px, at))
     }
 
-    /// The ray that made the pick, with its view, for copies that repeat it. A click on nothing counts while its view is on
-    /// screen.
+    /// The ray that made the pick, with its view, for copies that repeat it. A click on nothing counts while its view
+    /// is on screen.
     #[must_use]
     pub fn pick_ray(&self) -> Option<&RayHits> {
         let ray = self.hits.as_ref()?;
@@ -124,8 +124,8 @@ impl State {
         }
     }
 
-    /// The scene changed: casts the last click's ray again and picks what it hits of the selected object now. A pick made in
-    /// `before`, the view on screen until now, moves to the present view.
+    /// The scene changed: casts the last click's ray again and picks what it hits of the selected object now. A pick
+    /// made in `before`, the view on screen until now, moves to the present view.
     pub(super) fn repick(&mut self, before: &View) {
         let Some(old) = self.hits.take() else { return };
         let view = if old.view == *before {

@@ -12,15 +12,15 @@ use crate::{
 use std::mem;
 
 impl State {
-    /// Shows what the same files hold now. View and section stay, and selection and visibility stay with the objects of the
-    /// same name. The history forgets steps about objects that are gone, and about matrices if edits of these are
+    /// Shows what the same files hold now. View and section stay, and selection and visibility stay with the objects of
+    /// the same name. The history forgets steps about objects that are gone, and about matrices if edits of these are
     /// dropped. Where the files hold what they held before, nothing changes.
     pub fn reload(&mut self, loaded: Loaded) {
         self.reload_as(loaded, None);
     }
 
-    /// Does what [`Self::reload`] does. `made` is the resulting scene, if another thread has made it. Returns whether any
-    /// object differs from before.
+    /// Does what [`Self::reload`] does. `made` is the resulting scene, if another thread has made it. Returns whether
+    /// any object differs from before.
     pub(in crate::viewer) fn reload_as(&mut self, loaded: Loaded, made: Option<Made>) -> bool {
         if self.showing().map(|showing| showing.exhibit) != loaded.exhibit {
             self.showing = loaded.exhibit.map(Showing::new);
@@ -79,8 +79,8 @@ impl State {
         self.refresh_panes();
     }
 
-    /// Takes this scene's own steps from the old objects to the new ones, and forgets those that no longer lead anywhere.
-    /// `before` are the edits of the old scene.
+    /// Takes this scene's own steps from the old objects to the new ones, and forgets those that no longer lead
+    /// anywhere. `before` are the edits of the old scene.
     fn carry_steps(&mut self, made: &Made, before: Edits) {
         let drops_places = before.matrices != self.edits.matrices;
         for back in [true, false] {

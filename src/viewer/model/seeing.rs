@@ -38,8 +38,8 @@ impl State {
         }
     }
 
-    /// Whether the scene was late already when the last frame was drawn. Then the cursor lights nothing. A scene that has
-    /// changed since is drawn in this frame, together with what the cursor lights.
+    /// Whether the scene was late already when the last frame was drawn. Then the cursor lights nothing. A scene that
+    /// has changed since is drawn in this frame, together with what the cursor lights.
     pub(super) fn is_late(&self) -> bool {
         match self.seen {
             Seen::Wanted | Seen::Whole(_) => false,
@@ -49,8 +49,8 @@ impl State {
     }
 
     /// The view of the picture on screen, which the user clicks into: another key or button may have changed the view
-    /// since. If that picture still shows objects that are gone or have moved, nobody can pick them any more: then it is
-    /// the present view.
+    /// since. If that picture still shows objects that are gone or have moved, nobody can pick them any more: then it
+    /// is the present view.
     pub(super) fn clicked_view(&self) -> View {
         match self.seen {
             Seen::Whole(seen) if self.shows_these(&seen) => seen.view,
@@ -58,8 +58,8 @@ impl State {
         }
     }
 
-    /// The view of the picture that the cursor will be in once this frame is drawn: the present one, or that of a picture
-    /// which is late.
+    /// The view of the picture that the cursor will be in once this frame is drawn: the present one, or that of a
+    /// picture which is late.
     pub(super) fn seen_view(&self) -> View {
         match self.seen {
             Seen::Earlier(seen) if self.shows_these(&seen) => seen.view,

@@ -7,8 +7,8 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// In `f64`, a ray at a vertex may miss all of its triangles. So rays are tried at these shares of the way from the vertex
-/// to the middle of one triangle.
+/// In `f64`, a ray at a vertex may miss all of its triangles. So rays are tried at these shares of the way from the
+/// vertex to the middle of one triangle.
 const ASIDE: [f64; 3] = [0.0, 1.0 / 16_777_216.0, 1.0 / 4096.0];
 
 impl State {
@@ -21,7 +21,8 @@ impl State {
         Some(Sought { point, ..sought })
     }
 
-    /// Whether the view on screen shows the mark, decided exactly; `None` where nothing is marked, or while rays are slow.
+    /// Whether the view on screen shows the mark, decided exactly; `None` where nothing is marked, or while rays are
+    /// slow.
     #[must_use]
     pub fn sight_of_sought(&self) -> Option<Sight> {
         let sought = self.sought().filter(|_| self.rays_are_quick())?;
@@ -65,8 +66,8 @@ impl State {
         })
     }
 
-    /// Marks a face or vertex, and centres the view on it where it is outside the picture. Picks its triangle; where no ray
-    /// hits that, its object is selected, and an earlier pick on the same object stays.
+    /// Marks a face or vertex, and centres the view on it where it is outside the picture. Picks its triangle; where no
+    /// ray hits that, its object is selected, and an earlier pick on the same object stays.
     pub(super) fn go_to(&mut self, sought: Sought) -> Option<PickLine> {
         self.sought = Some(sought);
         let Sought { object, point, .. } = self.sought()?;

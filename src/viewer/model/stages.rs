@@ -51,8 +51,8 @@ const SPHERE_QUADS: usize = 500_000;
 /// Edges of a projected shape that bend by more than this stay sharp. Radians.
 const CREASE: f32 = 0.5;
 
-/// The scene in NDC as it is drawn, see `ndc_drawn`: the same objects in the same order as parts of one mesh, clipped by the
-/// section and at the near plane. An object of which nothing is left is hidden.
+/// The scene in NDC as it is drawn, see `ndc_drawn`: the same objects in the same order as parts of one mesh, clipped
+/// by the section and at the near plane. An object of which nothing is left is hidden.
 #[must_use]
 pub fn projected(scene: &Scene, view: &View) -> Scene {
     let mut data = MeshData::default();
@@ -84,8 +84,9 @@ pub fn projected(scene: &Scene, view: &View) -> Scene {
     objects.collect()
 }
 
-/// Where a view space point is drawn in NDC: at x, y and minus the z of standard depth, whatever depth the lens stores. So
-/// the near face is towards the viewer. Nothing is mirrored: view space is left-handed, the space drawn in is right-handed.
+/// Where a view space point is drawn in NDC: at x, y and minus the z of standard depth, whatever depth the lens stores.
+/// So the near face is towards the viewer. Nothing is mirrored: view space is left-handed, the space drawn in is
+/// right-handed.
 pub(super) fn ndc_drawn(p_view: DVec3, half: DVec2, lens: &Lens) -> DVec3 {
     (p_view.truncate() / (half * lens.w(p_view.z))).extend(-lens.ndc_depth(p_view.z))
 }
@@ -156,7 +157,8 @@ fn project(object: &Object, view: &View, rings: u32, data: &mut MeshData) -> Opt
     Some(data.parts.len() - 1)
 }
 
-/// The index of the vertex at a position, which is added if it is new. Triangles share it, so that shading stays smooth.
+/// The index of the vertex at a position, which is added if it is new. Triangles share it, so that shading stays
+/// smooth.
 fn vertex(
     positions: &mut Vec<[f32; 3]>,
     known: &mut HashMap<[u32; 3], u32>,

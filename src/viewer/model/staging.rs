@@ -200,8 +200,8 @@ impl State {
         with_frustum(self.scene.visible_bounds(), self.view)
     }
 
-    /// The view of a stage's observer, in the space of the scene that the stage shows. The view stage shows the scene in the
-    /// world. `None` while the views are closed.
+    /// The view of a stage's observer, in the space of the scene that the stage shows. The view stage shows the scene
+    /// in the world. `None` while the views are closed.
     #[must_use]
     pub fn pane_view(&self, stage: Stage) -> Option<View> {
         let panes = self.panes.as_ref()?;
@@ -226,8 +226,8 @@ impl State {
         Some(View { section, ..view })
     }
 
-    /// From the right-handed space that a stage is drawn in to that of its scene. View space is left-handed, (right, up,
-    /// forward), and is drawn as (right, up, backward): the same places in other coordinates.
+    /// From the right-handed space that a stage is drawn in to that of its scene. View space is left-handed, (right,
+    /// up, forward), and is drawn as (right, up, backward): the same places in other coordinates.
     pub(super) fn drawn_to_scene(&self, stage: Stage) -> DAffine3 {
         let camera = &self.view.camera;
         match stage {
@@ -299,7 +299,8 @@ fn with_axes(bounds: &Aabb) -> Points {
     })
 }
 
-/// A box's corners as the last eight points; the first nine repeat a corner. An empty box counts as [-1, 1] on each axis.
+/// A box's corners as the last eight points; the first nine repeat a corner. An empty box counts as [-1, 1] on each
+/// axis.
 fn corners_of(bounds: &Aabb) -> Points {
     let corners = if bounds.is_empty() {
         Aabb::around([DVec3::NEG_ONE, DVec3::ONE]).corners()

@@ -286,7 +286,8 @@ impl State {
         &self.source
     }
 
-    /// The highlighted object: the one whose row in the list is under the cursor, else the one under the cursor in the picture.
+    /// The highlighted object: the one whose row in the list is under the cursor, else the one under the cursor in the
+    /// picture.
     #[must_use]
     pub fn hover(&self) -> Option<usize> {
         let under_cursor = || self.cursor?.hit.map(|(object, _)| object);
@@ -314,7 +315,8 @@ impl State {
         self.grid
     }
 
-    /// The camera that was left standing in the scene. The four views show none: the world view shows the camera as it is.
+    /// The camera that was left standing in the scene. The four views show none: the world view shows the camera as it
+    /// is.
     #[must_use]
     pub fn frozen(&self) -> Option<&Frozen> {
         self.frozen.as_ref().filter(|_| self.panes.is_none())

@@ -40,8 +40,8 @@ impl<S> Timeline<S> {
         self.marks
     }
 
-    /// Adds the step that takes back what was just done. Within a gesture, only the first change adds a step. Steps for which
-    /// `stays` holds are never forgotten.
+    /// Adds the step that takes back what was just done. Within a gesture, only the first change adds a step. Steps for
+    /// which `stays` holds are never forgotten.
     pub fn push(&mut self, gesture: Option<Gesture>, step: S, stays: impl Fn(&S) -> bool) {
         if gesture.is_some() && self.gesture == gesture {
             return;
@@ -96,7 +96,8 @@ impl<S> Timeline<S> {
         self.past.iter_mut().chain(&mut self.future)
     }
 
-    /// Takes out the steps, back or forth, that come before the first for which `ends` holds; the next step comes first.
+    /// Takes out the steps, back or forth, that come before the first for which `ends` holds; the next step comes
+    /// first.
     pub fn take_near(&mut self, back: bool, ends: impl Fn(&S) -> bool) -> Vec<S> {
         self.gesture = None;
         let steps = self.steps_mut(back);

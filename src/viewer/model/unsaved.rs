@@ -21,8 +21,8 @@ impl State {
         self.document
     }
 
-    /// Whether the scene differs from its files in a model matrix, or has an object that is in none of them. What is hidden
-    /// and the section do not count: reading the files again keeps them.
+    /// Whether the scene differs from its files in a model matrix, or has an object that is in none of them. What is
+    /// hidden and the section do not count: reading the files again keeps them.
     #[must_use]
     pub fn edited(&self) -> bool {
         self.edits.matrices != self.filed.matrices
@@ -34,7 +34,8 @@ impl State {
         left.chain([self])
     }
 
-    /// Those scenes that have edits: in a model matrix, in what is hidden, in the section or in which objects there are.
+    /// Those scenes that have edits: in a model matrix, in what is hidden, in the section or in which objects there
+    /// are.
     pub(in crate::viewer) fn unsaved_scenes(&self) -> Vec<&Self> {
         let has_edits =
             |state: &&Self| state.edits != state.filed || state.view.section != state.filed_section;

@@ -12,8 +12,8 @@ use crate::{
 };
 
 impl State {
-    /// Does what the user asks for. An action that picks returns its pick. An impossible action changes nothing. An action that
-    /// can be undone leaves a step that takes it back.
+    /// Does what the user asks for. An action that picks returns its pick. An impossible action changes nothing. An
+    /// action that can be undone leaves a step that takes it back.
     pub fn apply(&mut self, action: Action) -> Option<PickLine> {
         if !action.may_be_of_a_gesture() {
             self.timeline.end_gesture();

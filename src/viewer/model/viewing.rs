@@ -117,10 +117,10 @@ impl State {
         camera.with_lens(lens)
     }
 
-    /// Near and far for a view's pose, projection and picture. The visible scene lies between them. Far lies behind every
-    /// corner of a frozen frustum, near only in front of the corners that the picture shows: in front of all corners, it
-    /// would be as close as the frozen eye. So near may cut edges that leave the picture. A view like the frozen one sees
-    /// that frustum end on, along the picture's rim, and ignores it: freezing changes neither plane.
+    /// Near and far for a view's pose, projection and picture. The visible scene lies between them. Far lies behind
+    /// every corner of a frozen frustum, near only in front of the corners that the picture shows: in front of all
+    /// corners, it would be as close as the frozen eye. So near may cut edges that leave the picture. A view like the
+    /// frozen one sees that frustum end on, along the picture's rim, and ignores it: freezing changes neither plane.
     pub(super) fn planes(&self, view: &View, controls: &LensControls) -> (f64, f64) {
         let (bounds, camera) = (self.scene.visible_bounds(), &view.camera);
         let (mut near, mut far) = fit_near_far(camera, &bounds, controls.near, controls.far);
@@ -242,7 +242,8 @@ impl State {
         Some(ray.at(self.quick_hit(&ray)?.hit.t))
     }
 
-    /// The world point that zoom and pan keep at a position of the picture: on the surface there, else as deep as the pivot.
+    /// The world point that zoom and pan keep at a position of the picture: on the surface there, else as deep as the
+    /// pivot.
     pub(super) fn point_at(&self, px: DVec2) -> DVec3 {
         if let Some(point_world) = self.surface_at(px) {
             return point_world;
@@ -258,8 +259,8 @@ impl State {
         ray.at(depth / ray.direction.dot(self.view.camera.forward()))
     }
 
-    /// If near and far were set by hand and would leave nothing of a box in view, or none of the visible objects, they are
-    /// fitted to the scene again. What a section cuts away counts as in view.
+    /// If near and far were set by hand and would leave nothing of a box in view, or none of the visible objects, they
+    /// are fitted to the scene again. What a section cuts away counts as in view.
     pub(super) fn free_planes_for(&mut self, bounds_world: &Aabb) {
         let is_set = self.controls.near.is_some() || self.controls.far.is_some();
         let uncut = View {

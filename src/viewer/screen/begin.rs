@@ -85,8 +85,8 @@ impl ScenePicture {
         begun
     }
 
-    /// Begins a new picture of the scene, or shows it at once if it moves and rays find it in time. `refines`: the picture
-    /// on screen shows the same.
+    /// Begins a new picture of the scene, or shows it at once if it moves and rays find it in time. `refines`: the
+    /// picture on screen shows the same.
     fn begin_scene(
         &mut self,
         brush: &mut Brush,

@@ -1,5 +1,5 @@
-//! Finds pictures and masks by rays, for software adapters. These transform vertices on one core, while a ray costs little
-//! more in a large scene than in a small one.
+//! Finds pictures and masks by rays, for software adapters. These transform vertices on one core, while a ray costs
+//! little more in a large scene than in a small one.
 
 use crate::scene::Scene;
 use std::{
@@ -12,8 +12,8 @@ use std::{
 pub(super) const MUCH: u64 = 20_000;
 /// How long the rays of a frame's pictures may take together.
 const LONGEST: Duration = Duration::from_millis(80);
-/// After late rays, the first number of pictures is drawn before rays are tried again; then twice as many each time that
-/// rays are late again, up to the second number.
+/// After late rays, the first number of pictures is drawn before rays are tried again; then twice as many each time
+/// that rays are late again, up to the second number.
 const DRAWN_AFTER: [u32; 2] = [2, 64];
 
 /// Whether rays can be cast in a frame that began at `began`: the scene has its trees, and half of the time is left.

@@ -6,8 +6,8 @@ use egui::{
     epaint::{Mesh, Primitive, Vertex},
 };
 
-/// Rectangles in points that hold every difference between two frames. They may overlap. There is none if nothing differs,
-/// and one that holds everything if the differences are not worth finding.
+/// Rectangles in points that hold every difference between two frames. They may overlap. There is none if nothing
+/// differs, and one that holds everything if the differences are not worth finding.
 ///
 /// A primitive's triangles are compared in order, one by one if there are as many as before. If not, the triangles that
 /// both lists begin and end with are left out, so that text of another length damages only itself.

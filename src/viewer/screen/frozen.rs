@@ -25,7 +25,8 @@ pub(super) fn camera(view: &View) -> Vec<Line> {
     lines
 }
 
-/// The camera with its axes R, U and F at the eye (red, green, blue), the ray with a cross and the outward normal at each hit.
+/// The camera with its axes R, U and F at the eye (red, green, blue), the ray with a cross and the outward normal at
+/// each hit.
 pub(in crate::viewer) fn lines(frozen: &Frozen, scene: &Scene) -> Vec<Line> {
     let camera = &frozen.view.camera;
     let size = scene.visible_bounds().radius();

@@ -14,7 +14,8 @@ use std::slice;
 /// More lines than this take longer than a frame may.
 const MOST: usize = 100_000;
 
-/// Normals, boxes and trees of the selection, or of all that is visible if nothing is selected: the first [`MOST`] lines.
+/// Normals, boxes and trees of the selection, or of all that is visible if nothing is selected: the first [`MOST`]
+/// lines.
 pub(in crate::viewer) fn lines(subject: &Subject) -> Vec<Line> {
     let Subject {
         scene,

@@ -73,8 +73,8 @@ impl Pace {
         }
     }
 
-    /// In how many bands a picture is smoothed. Each band draws the whole scene. If the scene alone takes several pieces,
-    /// there is one band.
+    /// In how many bands a picture is smoothed. Each band draws the whole scene. If the scene alone takes several
+    /// pieces, there is one band.
     pub fn bands(&self, viewport: Viewport, scene: Piece) -> u32 {
         let pixels = u64::from(viewport.width()) * u64::from(viewport.height());
         let by_work = self.most_smooth().work / scene.work.max(1);
@@ -82,7 +82,8 @@ impl Pace {
         u32::try_from(bands).unwrap_or(u32::MAX)
     }
 
-    /// Whether the adapter has drawn all pieces. If not, more pieces would only queue up and delay what is shown after them.
+    /// Whether the adapter has drawn all pieces. If not, more pieces would only queue up and delay what is shown after
+    /// them.
     pub fn is_free(&mut self, gpu: &Gpu) -> bool {
         let Some(piece) = &mut self.under_way else {
             return true;

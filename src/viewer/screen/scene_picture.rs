@@ -105,10 +105,10 @@ impl ScenePicture {
         shown.map(|shown| shown.targets.read_ids(gpu)).transpose()
     }
 
-    /// Brings the picture nearer to what the state wants: all the way if that is little work, else by a piece. A picture
-    /// that was begun is finished first, unless it is of another scene, too slow for a moving picture, or only an
-    /// improvement that is not wanted now. A moving picture may be coarse. At rest it gets exact, and then its edges get
-    /// smooth; nobody waits for either.
+    /// Brings the picture nearer to what the state wants: all the way if that is little work, else by a piece. A
+    /// picture that was begun is finished first, unless it is of another scene, too slow for a moving picture, or only
+    /// an improvement that is not wanted now. A moving picture may be coarse. At rest it gets exact, and then its edges
+    /// get smooth; nobody waits for either.
     pub fn advance(
         &mut self,
         brush: &mut Brush,
@@ -121,7 +121,8 @@ impl ScenePicture {
         let unwanted = self.next.take_if(|next| {
             let is_of_another = next.of.revision != revision;
             let moves = motion != Motion::Rests;
-            // A software adapter begins a moving picture anew, coarse and maybe by rays: an exact one could take seconds.
+            // A software adapter begins a moving picture anew, coarse and maybe by rays: an exact one could take
+            // seconds.
             let is_slow = gpu.is_software()
                 && motion == Motion::Goes
                 && next.finish.is_exact()

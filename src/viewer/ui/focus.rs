@@ -1,5 +1,5 @@
-//! Where keys go. A text that is being edited takes all keys. Another focused control takes the keys that operate it. The
-//! rest are shortcuts.
+//! Where keys go. A text that is being edited takes all keys. Another focused control takes the keys that operate it.
+//! The rest are shortcuts.
 
 use egui::{Context, Id};
 use std::mem;

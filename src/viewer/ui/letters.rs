@@ -1,5 +1,5 @@
-//! Rasterises glyphs before text needs them. egui rasterises each glyph when it is first laid out, and a panel that opens
-//! may bring more new glyphs than a pass has time for.
+//! Rasterises glyphs before text needs them. egui rasterises each glyph when it is first laid out, and a panel that
+//! opens may bring more new glyphs than a pass has time for.
 
 use egui::{
     Color32, Context, FontId,

@@ -1,5 +1,5 @@
-//! Turns mouse events into actions. The scene is a widget like any other, so egui decides who owns a gesture: a press that
-//! began on a panel never reaches the scene.
+//! Turns mouse events into actions. The scene is a widget like any other, so egui decides who owns a gesture: a press
+//! that began on a panel never reaches the scene.
 
 use crate::viewer::{
     model::{Action, DOUBLE_CLICK_S, Stage},

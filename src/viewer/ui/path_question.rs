@@ -41,8 +41,8 @@ impl PathQuestion {
         (self.said, self.replaces) = (None, None);
     }
 
-    /// Takes the path in the field. `None` if it cannot be taken, or not yet: then [`Self::said`] says why. A file that is
-    /// there already is replaced only if its path is taken twice.
+    /// Takes the path in the field. `None` if it cannot be taken, or not yet: then [`Self::said`] says why. A file that
+    /// is there already is replaced only if its path is taken twice.
     pub fn take(&mut self) -> Option<PathBuf> {
         let mut path = PathBuf::from(self.text.trim());
         if path.as_os_str().is_empty() || path.is_dir() {

@@ -50,8 +50,8 @@ impl Look {
     }
 }
 
-/// egui as the viewer wants it: dark or light as the desktop is, with text that is readable on projectors too, which do not
-/// show dark greys. Warnings are olive on dark panels and brown on light ones: yellow and orange mean other things.
+/// egui as the viewer wants it: dark or light as the desktop is, with text that is readable on projectors too, which do
+/// not show dark greys. Warnings are olive on dark panels and brown on light ones: yellow and orange mean other things.
 pub(in crate::viewer) fn context() -> egui::Context {
     let context = egui::Context::default();
     mouse::options(&context);

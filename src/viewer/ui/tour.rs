@@ -353,7 +353,8 @@ impl Tour {
 }
 
 impl Step {
-    /// What the card adds in the present state: where the lens puts the step's point, or that the four views are in the way.
+    /// What the card adds in the present state: where the lens puts the step's point, or that the four views are in the
+    /// way.
     pub fn now(&self, state: &State) -> Option<String> {
         let is_in_the_way = self.is_in_picture && state.views() != Views::Picture;
         let elsewhere = is_in_the_way

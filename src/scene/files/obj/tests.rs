@@ -38,8 +38,8 @@ impl<R: Read> Read for Counted<'_, R> {
     }
 }
 
-/// A hole in a file, which reads as a line of NULs, is not read to its end, and neither is other binary data. What comes
-/// before it may be valid.
+/// A hole in a file, which reads as a line of NULs, is not read to its end, and neither is other binary data. What
+/// comes before it may be valid.
 #[test]
 fn binary_data_is_not_read_to_its_end() {
     const MOST: u64 = 2 << 20;
@@ -404,10 +404,10 @@ fn every_step_of_a_load_reports_and_can_be_the_last() {
     let pieces = text.len().div_ceil(PIECE);
     let [triangles, vertices] = [mesh.data().triangles.len(), mesh.data().positions.len()]
         .map(|count| count.div_ceil(1 << 15));
-    // Each piece reports when it is read, when all are counted, in each of the four steps of the vertices, when it is split
-    // into triangles and when these are merged. The end of the file is reported twice. Lines that name something are gone
-    // through five times. A mesh is checked and measured in three steps, and its normals take five. Three steps report what
-    // rounding left of their shares.
+    // Each piece reports when it is read, when all are counted, in each of the four steps of the vertices, when it is
+    // split into triangles and when these are merged. The end of the file is reported twice. Lines that name something
+    // are gone through five times. A mesh is checked and measured in three steps, and its normals take five. Three
+    // steps report what rounding left of their shares.
     let read = pieces + 2;
     let built = 7 * pieces + 5 + vertices + 2 * triangles;
     let normals = 3 * triangles + vertices + mesh.data().positions.len().div_ceil(1 << 15);

@@ -1,4 +1,5 @@
-//! Clicks on a hard scene: a closed, bumpy ball of many small triangles, far from the world's origin, with the eye close.
+//! Clicks on a hard scene: a closed, bumpy ball of many small triangles, far from the world's origin, with the eye
+//! close.
 
 use super::{PickCase, PickWorld};
 use crate::{

@@ -202,8 +202,8 @@ impl Case for PickCase {
     }
 }
 
-/// The median time, in nanoseconds, to draw all ids and read them back, or only to read back one that is drawn. The scene's
-/// buffers and all else are set up beforehand.
+/// The median time, in nanoseconds, to draw all ids and read them back, or only to read back one that is drawn. The
+/// scene's buffers and all else are set up beforehand.
 fn ids_latency(case: &PickCase, draws: bool) -> Option<f64> {
     const TIMES: usize = 9;
     let (gpu, world) = (gpu()?, &case.world);

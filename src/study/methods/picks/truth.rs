@@ -23,8 +23,8 @@ struct Local {
     det: Exact,
 }
 
-/// The nearest hit within the ray's interval on a visible side. Of equally near hits, the lower object counts, then the lower
-/// triangle.
+/// The nearest hit within the ray's interval on a visible side. Of equally near hits, the lower object counts, then the
+/// lower triangle.
 pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
     let exact_ray = ExactRay::new(view, px);
     let ray = exact_ray.rounded(view);
@@ -104,8 +104,8 @@ fn may_hit(bounds: &Aabb, ray: &Ray) -> bool {
     aside.length() <= 1.001 * bounds.radius() + 1e-9 * center.length()
 }
 
-/// A filter: false where two `f64` volumes certainly differ in sign, so that the triangle is missed. Corners are in the world,
-/// relative to the ray's origin, with errors up to `grain`.
+/// A filter: false where two `f64` volumes certainly differ in sign, so that the triangle is missed. Corners are in the
+/// world, relative to the ray's origin, with errors up to `grain`.
 fn near_triangle(direction: DVec3, corners: [DVec3; 3], grain: f64) -> bool {
     let [a, b, c] = corners;
     let size = a.length() + b.length() + c.length();
@@ -183,8 +183,8 @@ impl Local {
         (Exact::new(of) * &self.det).abs()
     }
 
-    /// The meeting with the side corrected. A negative determinant reverses the ray, so it meets the other side of a surface
-    /// whose corners give its normal.
+    /// The meeting with the side corrected. A negative determinant reverses the ray, so it meets the other side of a
+    /// surface whose corners give its normal.
     fn turned(&self, at: Meeting) -> Meeting {
         let front = at.front != (self.det.sign() == Ordering::Less);
         Meeting { front, ..at }

@@ -1,5 +1,5 @@
-//! Makes a ray from a pixel. The answer is the ray's start and direction. In perspective the start is the eye, and only the
-//! direction is judged. What all pixels of a picture share is computed beforehand.
+//! Makes a ray from a pixel. The answer is the ray's start and direction. In perspective the start is the eye, and only
+//! the direction is judged. What all pixels of a picture share is computed beforehand.
 
 mod unproject;
 mod workloads;
@@ -29,8 +29,8 @@ pub struct Picture<T> {
     pub length: T,
     /// Unit vectors R, U and F.
     pub axes: [V3<T>; 3],
-    /// Half the picture's height. In perspective it is that at depth 1, tan(fov / 2); where rays are parallel, it is in world
-    /// units.
+    /// Half the picture's height. In perspective it is that at depth 1, tan(fov / 2); where rays are parallel, it is in
+    /// world units.
     pub tan: T,
     /// Whether all rays run along F, as in an orthographic picture.
     pub parallel: bool,
@@ -210,8 +210,8 @@ impl Case for PixelCase {
         scene.at.iter().map(case).collect()
     }
 
-    /// `F + sx aspect tan R + sy tan U`, times width and height, so that nothing is divided. Where rays are parallel, it is
-    /// the ray's offset from the eye: the same without F.
+    /// `F + sx aspect tan R + sy tan U`, times width and height, so that nothing is divided. Where rays are parallel,
+    /// it is the ray's offset from the eye: the same without F.
     fn truth(&self) -> Exact3 {
         let (pixel, px) = (&self.wide.picture, self.wide.px);
         let [right, up, forward] = self.exact_axes.map(Exact3::new);
@@ -328,12 +328,12 @@ fn aside(case: &PixelCase, truth: &Exact3, answer: &PixelRay) -> f64 {
 
 /// Bound of the eye basis in `f64`, with u = 2^-53.
 ///
-/// Perspective: the axes are given within 2u, the position in the picture and the half extents within 6u; products and sums
-/// add 6u. Together that is below 20u for each of the shares 1, half the width and half the height at depth 1, in three
-/// coordinates. It is divided by the sum's length.
+/// Perspective: the axes are given within 2u, the position in the picture and the half extents within 6u; products and
+/// sums add 6u. Together that is below 20u for each of the shares 1, half the width and half the height at depth 1, in
+/// three coordinates. It is divided by the sum's length.
 ///
-/// Parallel rays: the same for the shares of R and U, in world units. The sum with the eye rounds each coordinate by u. F is
-/// within 2u of its direction, so it is off by that share of the distance to the target.
+/// Parallel rays: the same for the shares of R and U, in world units. The sum with the eye rounds each coordinate by u.
+/// F is within 2u of its direction, so it is off by that share of the distance to the target.
 fn bound(case: &PixelCase) -> f64 {
     let (pixel, px) = (&case.wide.picture, case.wide.px);
     if pixel.parallel {

@@ -27,8 +27,8 @@ impl<T: Real> Pixel<T> {
     }
 }
 
-/// The ray along the line from the pixel's point on the near plane to that on the far plane. In perspective it starts at the
-/// eye.
+/// The ray along the line from the pixel's point on the near plane to that on the far plane. In perspective it starts
+/// at the eye.
 pub fn far_less_near<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let matrix = pixel.inverse.projection_view;
     let [near, far] = [T::zero(), T::one()].map(|z| pixel.unprojected(matrix, z));
@@ -41,7 +41,8 @@ pub fn near_less_eye<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     pixel.towards(pixel.unprojected(pixel.inverse.projection_view, T::zero()))
 }
 
-/// Unprojects the pixel into view space first, then transforms it into the world. Parallel rays start in the eye's plane.
+/// Unprojects the pixel into view space first, then transforms it into the world. Parallel rays start in the eye's
+/// plane.
 pub fn as_three<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let (picture, parallel) = (pixel.picture, pixel.picture.parallel);
     let (eye, [right, up, forward]) = (picture.eye, picture.axes);

@@ -87,8 +87,9 @@ fn make(random: &mut Random, camera: Camera) -> PixelCase {
     PixelCase::new(picture, px, exact_axes)
 }
 
-/// The axes of a random rotation, from a quaternion with whole coordinates up to `most`. They are whole vectors of equal
-/// length at right angles, so that truth has them exactly. They are left-handed as view space is: R, U, F with R = F x U.
+/// The axes of a random rotation, from a quaternion with whole coordinates up to `most`. They are whole vectors of
+/// equal length at right angles, so that truth has them exactly. They are left-handed as view space is: R, U, F with R
+/// = F x U.
 pub(crate) fn turned(random: &mut Random, most: i32) -> [V3<f64>; 3] {
     let mut whole = || f64::from(random.integer(-most, most));
     let (a, b, c, d) = (whole(), whole(), whole(), whole());

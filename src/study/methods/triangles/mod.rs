@@ -52,8 +52,8 @@ impl RayTriangle<f64> {
 
     /// The bound of a hit's `t` in `f64`; whether there is a hit is decided exactly.
     ///
-    /// `t = N . a / N . d`: with u = 2^-53 each scalar product errs by at most 9u times the sum of its magnitudes (edges u,
-    /// products and difference 3u, `a` u, product and sum 4u), the quotient by u.
+    /// `t = N . a / N . d`: with u = 2^-53 each scalar product errs by at most 9u times the sum of its magnitudes
+    /// (edges u, products and difference 3u, `a` u, product and sum 4u), the quotient by u.
     pub(super) fn bound(&self) -> f64 {
         let [a, b, c] = self.corners;
         let (e1, e2) = (b - a, c - a);
@@ -93,7 +93,8 @@ impl TriangleCase {
         }
     }
 
-    /// The case of a mesh's triangle and a ray in object space. The case is relative to the mesh's origin, as vertices are.
+    /// The case of a mesh's triangle and a ray in object space. The case is relative to the mesh's origin, as vertices
+    /// are.
     pub fn of_mesh(mesh: &Mesh, triangle: u32, ray_object: &Ray, px: f64) -> Self {
         let data = mesh.data();
         let corner = |i: u32| V3::<f32>::from(data.positions[i as usize]).wide();
@@ -224,8 +225,8 @@ impl Case for TriangleCase {
     }
 }
 
-/// Intersects the plane first. The point is inside if the areas of its three triangles with the corners, divided by the whole
-/// area, add up to 1 within `tolerance`.
+/// Intersects the plane first. The point is inside if the areas of its three triangles with the corners, divided by the
+/// whole area, add up to 1 within `tolerance`.
 pub fn areas<T: Real>(case: &RayTriangle<T>, tolerance: f64) -> Option<f64> {
     let [a, b, c] = case.corners;
     let normal = (b - a).cross(c - a);
@@ -239,8 +240,8 @@ pub fn areas<T: Real>(case: &RayTriangle<T>, tolerance: f64) -> Option<f64> {
     ahead(t)
 }
 
-/// Cramer's rule on `o + t d = a + u e1 + v e2`. Rays with a determinant smaller than `epsilon` miss. This is an absolute
-/// number that ignores the scene's scale; it is studied because it is in use.
+/// Cramer's rule on `o + t d = a + u e1 + v e2`. Rays with a determinant smaller than `epsilon` miss. This is an
+/// absolute number that ignores the scene's scale; it is studied because it is in use.
 pub fn moeller_trumbore<T: Real>(case: &RayTriangle<T>, epsilon: f64) -> Option<f64> {
     let [a, b, c] = case.corners;
     let (e1, e2) = (b - a, c - a);
@@ -308,8 +309,8 @@ pub(super) fn shewchuk(given: &RayTriangle<f64>) -> Option<f64> {
     one_sign(given, [sign(b, c), sign(c, a), sign(a, b)])
 }
 
-/// Signed volumes from the edges and the sums of their corners, with an ulp of the volumes' sum as slack. Each component of
-/// the normal comes from the two edges whose products cancel less.
+/// Signed volumes from the edges and the sums of their corners, with an ulp of the volumes' sum as slack. Each
+/// component of the normal comes from the two edges whose products cancel less.
 pub fn pluecker<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
     let [a, b, c] = case.corners.map(|corner| corner - case.origin);
     let (ca, ab, bc) = (c - a, a - b, b - c);
@@ -340,8 +341,8 @@ fn stable_normal<T: Real>(p: V3<T>, q: V3<T>, r: V3<T>) -> V3<T> {
     V3::new(component(1, 2), component(2, 0), component(0, 1))
 }
 
-/// The segment test, applied to a ray. It decides without dividing, by the side on which the ray starts and the volumes with
-/// the third corner.
+/// The segment test, applied to a ray. It decides without dividing, by the side on which the ray starts and the volumes
+/// with the third corner.
 pub fn jimenez<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
     let [first, second, third] = case.corners;
     let (a, b, c) = (case.origin - third, first - third, second - third);

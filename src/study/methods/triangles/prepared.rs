@@ -10,8 +10,8 @@ pub struct Prepared<T> {
     given: RayTriangle<T>,
     shear: Shear<T>,
     map: BaldwinWeber<T>,
-    /// Havel & Herout's planes, each by normal and distance: the triangle's plane, and two planes whose distances are the
-    /// triangle's weights.
+    /// Havel & Herout's planes, each by normal and distance: the triangle's plane, and two planes whose distances are
+    /// the triangle's weights.
     planes: [(V3<T>, T); 3],
 }
 
@@ -63,8 +63,8 @@ impl<T: Real> Prepared<T> {
     }
 }
 
-/// The transform that turns a ray into +z, computed once for the ray. The axis of the largest component becomes z; then a
-/// shear follows.
+/// The transform that turns a ray into +z, computed once for the ray. The axis of the largest component becomes z; then
+/// a shear follows.
 #[derive(Clone, Copy, Debug)]
 pub struct Shear<T> {
     axes: [usize; 3],
@@ -114,8 +114,8 @@ fn edge_wide<T: Real>(p: V3<T>, q: V3<T>) -> f64 {
 }
 
 impl<T: Real> Prepared<T> {
-    /// Decides by 2D edge functions. Both triangles at an edge get the same number. If a number is 0, all three are computed
-    /// again in `f64`, as in the paper.
+    /// Decides by 2D edge functions. Both triangles at an edge get the same number. If a number is 0, all three are
+    /// computed again in `f64`, as in the paper.
     pub fn woop(&self) -> Option<f64> {
         let [a, b, c] = self.shear.seen(self);
         let edge = |p: V3<T>, q: V3<T>| p.x * q.y - p.y * q.x;
@@ -132,8 +132,8 @@ impl<T: Real> Prepared<T> {
         ahead((u * a.z + v * b.z + w * c.z) / det)
     }
 
-    /// Woop's test, but edge functions round only once or twice, and the error of t has a bound: a t below the bound is no
-    /// hit.
+    /// Woop's test, but edge functions round only once or twice, and the error of t has a bound: a t below the bound is
+    /// no hit.
     pub fn pbrt(&self) -> Option<f64> {
         let [a, b, c] = self.shear.seen(self);
         // Kahan's difference of products.
@@ -200,8 +200,8 @@ impl<T: Real> Prepared<T> {
     }
 }
 
-/// The affine map that takes a triangle to the unit triangle and its plane to z = 0, computed once for the triangle. The
-/// column of the normal's largest component is trivial.
+/// The affine map that takes a triangle to the unit triangle and its plane to z = 0, computed once for the triangle.
+/// The column of the normal's largest component is trivial.
 #[derive(Clone, Copy, Debug)]
 pub struct BaldwinWeber<T> {
     axis: usize,

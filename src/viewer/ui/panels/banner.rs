@@ -1,5 +1,5 @@
-//! The warning that a method other than Sightline's picks: a bar over the picture, a frame around it, and marks of what both
-//! methods found at the last click.
+//! The warning that a method other than Sightline's picks: a bar over the picture, a frame around it, and marks of what
+//! both methods found at the last click.
 
 use super::exhibit::{RIGHT, WRONG, step_and_name};
 use super::hints::Hint;

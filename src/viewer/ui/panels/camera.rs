@@ -204,8 +204,8 @@ const POSE: [(&str, &str); 3] = [
     ("up", "the direction that is up in the picture"),
 ];
 
-/// The up vector as it was typed. It shows as long as the camera has it: the camera's own U is of length 1 and perpendicular
-/// to the direction of view.
+/// The up vector as it was typed. It shows as long as the camera has it: the camera's own U is of length 1 and
+/// perpendicular to the direction of view.
 #[derive(Clone, Copy, Default)]
 struct TypedUp {
     up: Option<DVec3>,

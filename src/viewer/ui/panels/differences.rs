@@ -1,5 +1,5 @@
-//! What a comparison of the picture with its picks found: marks on the pixels that differ, and how many there are of each
-//! class.
+//! What a comparison of the picture with its picks found: marks on the pixels that differ, and how many there are of
+//! each class.
 
 use super::hints::Hint;
 use crate::{

@@ -87,7 +87,8 @@ pub(super) const TO_PICTURE: i8 = 4;
 pub(super) const GUTTER: f32 = 7.0;
 /// How much wider a side is than its panels, in points. The 1 is the line at its edge.
 const AROUND: f32 = TO_BORDER as f32 + TO_PICTURE as f32 + GUTTER + 1.0;
-/// The least width of a panel in points for three numbers in a row beside their name. A window of 640 x 400 has room for it.
+/// The least width of a panel in points for three numbers in a row beside their name. A window of 640 x 400 has room
+/// for it.
 pub(super) const FIELDS: f32 = 250.0;
 /// The same for three numbers with all their digits, beside a longer name.
 const RECORD: f32 = 280.0;
@@ -194,8 +195,8 @@ impl Docks {
         }
     }
 
-    /// Makes the matrices visible, wherever their panel stands. If they are visible already, they are no longer wanted. Returns
-    /// whether they are wanted.
+    /// Makes the matrices visible, wherever their panel stands. If they are visible already, they are no longer wanted.
+    /// Returns whether they are wanted.
     pub fn toggle_matrices(&mut self, are_wanted: bool) -> bool {
         let are_visible = are_wanted && self.is_visible(Section::Pipeline);
         if are_visible {
@@ -211,8 +212,8 @@ impl Docks {
         self.give_back(Section::Pipeline);
     }
 
-    /// How wide each side is, as [`Self::widths`] says. As the gallery is entered, its panel becomes visible, wherever it
-    /// stands. As it is left, the sides are as they were before, unless the user has arranged them since.
+    /// How wide each side is, as [`Self::widths`] says. As the gallery is entered, its panel becomes visible, wherever
+    /// it stands. As it is left, the sides are as they were before, unless the user has arranged them since.
     pub(super) fn lay_out(&mut self, sections: &[Section], room: f32) -> [Option<f32>; 2] {
         let in_gallery = sections.contains(&Section::Gallery);
         let was = mem::replace(&mut self.in_gallery, in_gallery);
@@ -277,8 +278,9 @@ impl Docks {
         self.open(self[section].side);
     }
 
-    /// How wide each side is in points, both together at most `room`; `None` for a side that does not show: it is folded, has
-    /// no panel or has no room. If there is no room for the panels of both sides, the one that was opened last shows.
+    /// How wide each side is in points, both together at most `room`; `None` for a side that does not show: it is
+    /// folded, has no panel or has no room. If there is no room for the panels of both sides, the one that was opened
+    /// last shows.
     pub fn widths(&self, sections: &[Section], room: f32) -> [Option<f32>; 2] {
         let least = Side::BOTH.map(|side| {
             let widths = self.at(side, sections).into_iter();
@@ -315,8 +317,8 @@ impl Docks {
     }
 }
 
-/// How wide both sides may be together, in points, so that the picture keeps half of the window's area. `left` is what the
-/// panels above and below leave of the window.
+/// How wide both sides may be together, in points, so that the picture keeps half of the window's area. `left` is what
+/// the panels above and below leave of the window.
 pub(super) fn room(window: egui::Vec2, left: egui::Vec2) -> f32 {
     if left.y <= 0.0 {
         return 0.0;

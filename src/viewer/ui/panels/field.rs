@@ -60,8 +60,9 @@ pub(super) struct Field<'a> {
 }
 
 impl Field<'_> {
-    /// Shows the field. Returns the typed number once Enter or leaving the field confirms it and `check` accepts it, or the
-    /// number that the arrow keys step to. Esc gives up. Invalid text is red, with the reason and with what stays in force.
+    /// Shows the field. Returns the typed number once Enter or leaving the field confirms it and `check` accepts it, or
+    /// the number that the arrow keys step to. Esc gives up. Invalid text is red, with the reason and with what stays
+    /// in force.
     pub fn show<E: ToString>(
         &self,
         ui: &mut Ui,

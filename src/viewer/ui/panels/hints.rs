@@ -41,8 +41,8 @@ impl Hint for Response {
     }
 }
 
-/// Whether a window or a menu lies over the control, under the cursor. egui would keep a tooltip that is open already, over
-/// what covers its control.
+/// Whether a window or a menu lies over the control, under the cursor. egui would keep a tooltip that is open already,
+/// over what covers its control.
 fn is_covered(response: &Response) -> bool {
     let context = &response.ctx;
     let cursor = context.pointer_hover_pos();

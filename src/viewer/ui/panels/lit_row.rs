@@ -77,7 +77,8 @@ impl Page<'_> {
         }
     }
 
-    /// How far the followed point lies along an axis of the world; in object space, the direction in which that length grows.
+    /// How far the followed point lies along an axis of the world; in object space, the direction in which that length
+    /// grows.
     fn along_world(&self, row: usize) {
         let Some(object) = self.state.pane_object() else {
             return;

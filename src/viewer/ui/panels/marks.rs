@@ -1,5 +1,5 @@
-//! Marks over the picture: the point that the pick's ray hits, the triangle there with its corners and barycentrics, the
-//! distance from the previous pick, snapped points, and the face or vertex that the user went to.
+//! Marks over the picture: the point that the pick's ray hits, the triangle there with its corners and barycentrics,
+//! the distance from the previous pick, snapped points, and the face or vertex that the user went to.
 
 use super::field::short;
 use crate::{
@@ -93,7 +93,8 @@ impl Page<'_> {
         }
     }
 
-    /// A square around the face or vertex that the user went to, dashed if it is not seen, with its name and what hides it.
+    /// A square around the face or vertex that the user went to, dashed if it is not seen, with its name and what hides
+    /// it.
     fn sought(&self, state: &State) {
         let Some(sought) = state.sought() else { return };
         let Some(at) = self.at(sought.point.world()) else {
@@ -234,8 +235,8 @@ impl Page<'_> {
     }
 }
 
-/// The part of a segment, in pixels, that lies in a picture of this size or within [`MARGIN_PX`] of it. A close-up makes
-/// a segment billions of pixels long, and its dashes would fill the memory.
+/// The part of a segment, in pixels, that lies in a picture of this size or within [`MARGIN_PX`] of it. A close-up
+/// makes a segment billions of pixels long, and its dashes would fill the memory.
 fn in_picture(mut ends: [DVec2; 2], size_px: DVec2) -> Option<[DVec2; 2]> {
     let middle = size_px / 2.0;
     for (axis, sign) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)] {

@@ -74,7 +74,8 @@ pub(super) fn of_object(
                 lines.add("Centre the view here", "double click", hint, &centre);
             }
         }
-        // These act on the selection, so they select the object first. If it is selected already, its picked point stays.
+        // These act on the selection, so they select the object first. If it is selected already, its picked point
+        // stays.
         let is_selected = state.selected() == Some(index);
         let select = (!is_selected).then_some(Action::Select(Some(index)));
         let mut selected = |name, key, hint, action| {

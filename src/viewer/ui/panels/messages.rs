@@ -64,7 +64,8 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mut Ve
     }
 }
 
-/// The newest messages. Reports of what was done go away by themselves; warnings and errors stay until they are dismissed.
+/// The newest messages. Reports of what was done go away by themselves; warnings and errors stay until they are
+/// dismissed.
 fn notices(ui: &mut Ui, notices: &mut Notices) {
     const SHOWN: usize = 5;
     let earlier = notices.len().saturating_sub(SHOWN);

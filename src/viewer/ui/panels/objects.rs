@@ -51,8 +51,8 @@ impl Filter {
         }
     }
 
-    /// The object in the row below `from`'s, or above it. If `from` has no row: the first object on the way down, the last on
-    /// the way up.
+    /// The object in the row below `from`'s, or above it. If `from` has no row: the first object on the way down, the
+    /// last on the way up.
     pub fn next(&mut self, state: &State, from: Option<usize>, down: bool) -> Option<usize> {
         self.apply(state);
         let count = self

@@ -137,8 +137,8 @@ fn axes(state: &State, stage: Stage) -> DMat3 {
     }
 }
 
-/// The unit vectors of a stage's axes in the right-handed space that it is drawn in: z is reversed where the stage's own
-/// space is left-handed.
+/// The unit vectors of a stage's axes in the right-handed space that it is drawn in: z is reversed where the stage's
+/// own space is left-handed.
 fn drawn_axes(state: &State, stage: Stage) -> DMat3 {
     let is_left_handed = match stage {
         Stage::Object | Stage::World => false,

@@ -245,7 +245,8 @@ fn background(view: &View, px: DVec2) -> Values {
     ]
 }
 
-/// The rows. They are as high without numbers as with them, so that the panel does not jump while it follows the cursor.
+/// The rows. They are as high without numbers as with them, so that the panel does not jump while it follows the
+/// cursor.
 fn table(ui: &mut Ui, values: &Values) {
     const GAP: f32 = 2.5;
     let colour = if ui.visuals().dark_mode {

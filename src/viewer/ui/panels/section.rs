@@ -35,7 +35,8 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     if on.hint(hint).changed() {
         commands.push(Command::Act(Action::ToggleSection));
     }
-    // A section is computed only when its button is clicked: along a mesh's face, that takes all of the mesh's triangles.
+    // A section is computed only when its button is clicked: along a mesh's face, that takes all of the mesh's
+    // triangles.
     let mut button =
         |word: &str, name: &str, hint: &str, can: bool, to: &dyn Fn() -> Option<Action>| {
             let button = ui.add_enabled(can, egui::Button::new(word).small());

@@ -11,8 +11,8 @@ const FRESH_S: f64 = 3.0;
 /// What the status line knows of the machine.
 #[derive(Clone, Debug, Default)]
 pub(in crate::viewer) struct Statistics {
-    /// How long the last frame took that showed a new picture of the scene, and when that was in egui's seconds. The adapter's
-    /// own time counts only if the adapter is software.
+    /// How long the last frame took that showed a new picture of the scene, and when that was in egui's seconds. The
+    /// adapter's own time counts only if the adapter is software.
     pub frame: Option<(Duration, f64)>,
     /// How long the last click took to pick.
     pub pick: Option<Duration>,

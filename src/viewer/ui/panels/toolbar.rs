@@ -1,5 +1,5 @@
-//! The row of buttons at the top, in groups. As the row gets narrower, names go first; then groups move into a menu at its
-//! end.
+//! The row of buttons at the top, in groups. As the row gets narrower, names go first; then groups move into a menu at
+//! its end.
 
 use super::{
     docks::{Section, Side},
@@ -80,8 +80,8 @@ pub(super) fn show(
     });
 }
 
-/// How much of each group shows in `room` points. Groups whose icons say least stand last and keep their names longest: no
-/// group has names while a later one in the row has none.
+/// How much of each group shows in `room` points. Groups whose icons say least stand last and keep their names longest:
+/// no group has names while a later one in the row has none.
 fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> Vec<Shows> {
     let mut shows = vec![Shows::Names; groups.len()];
     let spacing = ui.spacing();

@@ -69,8 +69,8 @@ fn stacked(value: &str) -> String {
     lines.join("\n")
 }
 
-/// A table of names, values and what they mean. The components of a vector stand one below the other where they have no room
-/// side by side.
+/// A table of names, values and what they mean. The components of a vector stand one below the other where they have no
+/// room side by side.
 pub(super) fn rows(ui: &mut Ui, salt: &str, rows: &[(&str, String, &str)]) {
     let font = TextStyle::Body.resolve(ui.style());
     let width = |name: &str| {

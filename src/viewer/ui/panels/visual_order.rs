@@ -1,11 +1,11 @@
-//! Names whose words run from right to left, as egui can lay them out: it shapes letters within a word in either direction, but
-//! puts words, spaces and signs from left to right.
+//! Names whose words run from right to left, as egui can lay them out: it shapes letters within a word in either
+//! direction, but puts words, spaces and signs from left to right.
 
 use std::borrow::Cow;
 use unicode_bidi::{BidiClass, BidiInfo, bidi_class};
 
-/// The name with its words in the order in which they stand from left to right. Letters stay in the order of reading. A name
-/// without letters that run from right to left stays as it is.
+/// The name with its words in the order in which they stand from left to right. Letters stay in the order of reading. A
+/// name without letters that run from right to left stays as it is.
 pub(super) fn visual_order(name: &str) -> Cow<'_, str> {
     if !name.chars().any(runs_to_the_left) {
         return name.into();

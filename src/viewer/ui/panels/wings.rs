@@ -51,8 +51,8 @@ pub(super) fn show(
     Some(Rect::from_x_y_ranges(across, response.rect.y_range()))
 }
 
-/// A side's panels. All headings are in view: an open panel is as high as what it holds, but leaves the panels below it their
-/// least heights, and scrolls by itself. The side scrolls only where not even these have room.
+/// A side's panels. All headings are in view: an open panel is as high as what it holds, but leaves the panels below it
+/// their least heights, and scrolls by itself. The side scrolls only where not even these have room.
 fn wing(ui: &mut Ui, here: &[Section], shown: &mut Shown, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.x = 5.0;
     ui.spacing_mut().slider_width = 72.0;
