@@ -36,10 +36,11 @@ impl Approximate {
 
     /// `numerator / denominator`.
     ///
-    /// If numerator and denominator `d` err by `e_n` and `e_d`, the quotient `q` errs by `(e_n + |q| e_d) / (|d| -
-    /// e_d)`. It is in doubt where `e_d` is more than `2^-20` of `d`, or where `q` or its bound is not finite. Dividing
-    /// by `|d|` instead changes the bound by less than `2^-19` of it. An allowance of four roundings of the quotient
-    /// covers its own and those of `low` and `high`. The least normal number is slack for underflow.
+    /// If numerator and denominator `d` err by `e_n` and `e_d`, the quotient `q` errs by
+    /// `(e_n + |q| e_d) / (|d| - e_d)`. It is in doubt where `e_d` is more than `2^-20` of `d`, or where `q` or its
+    /// bound is not finite. Dividing by `|d|` instead changes the bound by less than `2^-19` of it. An allowance of
+    /// four roundings of the quotient covers its own and those of `low` and `high`. The least normal number is slack
+    /// for underflow.
     #[inline]
     pub fn over(self, denominator: Self) -> Result<Self, InDoubt> {
         const SMALL: f64 = power_of_two(-20);

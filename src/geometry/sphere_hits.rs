@@ -26,9 +26,9 @@ impl Sphere {
 
 /// The hits as far as `f64` decides them.
 ///
-/// The line meets the sphere where its moment `c = o x d` is no longer than `r |d|`, and then at `t = (-o.d -+ sqrt(r^2
-/// d.d - c.c)) / d.d`. Nothing is divided before the decision, and far away nothing cancels as in `b^2 - a c` (Haines
-/// et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems 2019, ch. 7).
+/// The line meets the sphere where its moment `c = o x d` is no longer than `r |d|`, and then at
+/// `t = (-o.d -+ sqrt(r^2 d.d - c.c)) / d.d`. Nothing is divided before the decision, and far away nothing cancels as
+/// in `b^2 - a c` (Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems 2019, ch. 7).
 ///
 /// Bounds. Let `O` and `D` be the largest components of `o` and `d`, and `p` and `f` their errors. A component of `c`
 /// errs by `4 U O D` (two products, and a difference of at most `2 O D`) and by `2 (O f + D p + p f)`: together `e`.

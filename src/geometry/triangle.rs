@@ -172,9 +172,9 @@ fn filter(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, I
 /// seen from the ray.
 ///
 /// With `s` the largest component of the edges, which round by at most `U s`, a component of `N` errs by `8 U s^2` and
-/// is at most `2 s^2`. `N . d` then errs by `14 U s^2 |d|_1` and, for an error `f` of each component of `d`, by `6 s^2
-/// f`; `N . a`, with `a` to within `2 U` and the origin's error `o`, by `18 U s^2 |a|_1 + 6 s^2 o`. The quotient of two
-/// numbers that err by `e_n` and `e_d` errs by `(e_n + |t| e_d) / (|N . d| - e_d)`. Where `e_d` is at most
+/// is at most `2 s^2`. `N . d` then errs by `14 U s^2 |d|_1` and, for an error `f` of each component of `d`, by
+/// `6 s^2 f`; `N . a`, with `a` to within `2 U` and the origin's error `o`, by `18 U s^2 |a|_1 + 6 s^2 o`. The quotient
+/// of two numbers that err by `e_n` and `e_d` errs by `(e_n + |t| e_d) / (|N . d| - e_d)`. Where `e_d` is at most
 /// [`HALF_OF_THE_DIGITS`] of `N . d`, dividing by `|N . d|` instead changes that by as small a share; otherwise no bound
 /// is returned. 16 instead of 14, 20 instead of 18 and 7 instead of 6 absorb this share and second-order terms. Twelve
 /// more roundings of `t` absorb those of the quotient, of the bound, and of `t` plus or minus it. Nothing here

@@ -8,8 +8,8 @@
 //! **The stored numbers.** A camera stores the eye, the axes R, U and F, half the picture's height h (at view depth 1
 //! in perspective), near and far; a [`View`] adds the picture's W x H pixels. An object stores its model matrix M, a
 //! mesh its `f32` vertices about one `f64` origin, which lie at M (origin + vertex) in the world. They count exactly as
-//! stored: the axes as rounded, h and not the angle that it came from, the matrix and not its inverse. `sightline pick
-//! --stored` prints them with all digits.
+//! stored: the axes as rounded, h and not the angle that it came from, the matrix and not its inverse.
+//! `sightline pick --stored` prints them with all digits.
 //!
 //! **The ray** of a position x, y in pixels, with nothing rounded:
 //!
@@ -23,10 +23,10 @@
 //! given by its own numbers ([`Ray`](crate::geometry::Ray)) is taken as exact.
 //!
 //! **The answer.** A hit counts where `near <= t < far`, each hit on its own: where the near plane cuts a sphere, the
-//! exit counts and the entry does not. A [`Section`](crate::geometry::Section) keeps a hit whose exact point has `n . p
-//! + c >= 0` (closed), for the stored n and c. With [`Sides::Front`](crate::geometry::Sides::Front) only front hits
-//! count. The pick is the hit with the least t on the visible objects; of equal ones, that on the first object, then on
-//! the first triangle. [`all`] has every hit in this order, a solid's entry before its exit.
+//! exit counts and the entry does not. A [`Section`](crate::geometry::Section) keeps a hit whose exact point has
+//! `n . p + c >= 0` (closed), for the stored n and c. With [`Sides::Front`](crate::geometry::Sides::Front) only front
+//! hits count. The pick is the hit with the least t on the visible objects; of equal ones, that on the first object,
+//! then on the first triangle. [`all`] has every hit in this order, a solid's entry before its exit.
 //!
 //! **The shapes** are closed: edges, corners and rims belong to them.
 //!

@@ -30,11 +30,12 @@
 //! `y` likewise. `z` errs by `u |o|` from the origin and `u D` from the difference. `x` errs by as much itself, by as
 //! much again through `z`, by `4 u D` through the slope (both components of the direction, a reciprocal and a product),
 //! and by `u D` through the slope's product with `z`. Together that is below [`REACH`] `u D = reach`; rounding `x`
-//! itself adds `u |x|`. Let `m` be the largest of the six `|x|` and `|y|` of a triangle. An edge function `x1 y2 - y1
-//! x2` errs by `4 m (reach + u m)` through an error in one factor, by `2 (reach + u m)^2` through errors in both, and
-//! by `4 u m^2` through its own rounding. Up to terms in `u^2`, the sum is less than `E = (m + reach) (5 reach + 10 u
-//! m)`. Where one edge function is below `-E` and another above `E`, the exact ones differ in sign, and the ray misses.
-//! It also misses where all three `z` are beyond its interval by more than `reach`. The caller of
+//! itself adds `u |x|`. Let `m` be the largest of the six `|x|` and `|y|` of a triangle. An edge function
+//! `x1 y2 - y1 x2` errs by `4 m (reach + u m)` through an error in one factor, by `2 (reach + u m)^2` through errors in
+//! both, and by `4 u m^2` through its own rounding. Up to terms in `u^2`, the sum is less than
+//! `E = (m + reach) (5 reach + 10 u m)`. Where one edge function is below `-E` and another above `E`, the exact ones
+//! differ in sign, and the ray misses. It also misses where all three `z` are beyond its interval by more than `reach`.
+//! The caller of
 //! [`visit`](super::Bvh::visit) decides about all else.
 //!
 //! Sizes between `2^-30` and `2^30` keep all of this within `f32`. Other meshes are scaled when the tree is built,

@@ -15,11 +15,11 @@ use std::{array, cmp::Ordering};
 
 /// The circle in which rays touch the sphere, as the picture shows it; exact, with two square roots not yet taken.
 ///
-/// In object space the sphere is |y| = 1/2. The eye is at o / m, m = det L, and a ray touches the sphere where `y . o =
-/// m / 4`. Let g = o . o and k = 4 g - m^2, which is above 0 where the eye is outside. Then the circle has the centre
-/// `o m / (4 g)` and the squared radius `k / (16 g)`. (In orthographic projection o is the rays' direction and m = 0.)
-/// Let n be the gradient of depth. In the circle's plane, b = o x n keeps the depth and a = b x o raises it; a . a = g
-/// b . b. So with q = b . b the circle consists of
+/// In object space the sphere is |y| = 1/2. The eye is at o / m, m = det L, and a ray touches the sphere where
+/// `y . o = m / 4`. Let g = o . o and k = 4 g - m^2, which is above 0 where the eye is outside. Then the circle has the
+/// centre `o m / (4 g)` and the squared radius `k / (16 g)`. (In orthographic projection o is the rays' direction and m
+/// = 0.) Let n be the gradient of depth. In the circle's plane, b = o x n keeps the depth and a = b x o raises it; a .
+/// a = g b . b. So with q = b . b the circle consists of
 ///
 /// (m o + sqrt(k / q) (cos a + sin sqrt(g) b)) / (4 g).
 ///
