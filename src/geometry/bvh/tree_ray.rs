@@ -35,8 +35,7 @@
 //! both, and by `4 u m^2` through its own rounding. Up to terms in `u^2`, the sum is less than
 //! `E = (m + reach) (5 reach + 10 u m)`. Where one edge function is below `-E` and another above `E`, the exact ones
 //! differ in sign, and the ray misses. It also misses where all three `z` are beyond its interval by more than `reach`.
-//! The caller of
-//! [`visit`](super::Bvh::visit) decides about all else.
+//! The caller of [`visit`](super::Bvh::visit) decides about all else.
 //!
 //! Sizes between `2^-30` and `2^30` keep all of this within `f32`. Other meshes are scaled when the tree is built,
 //! other directions here.
