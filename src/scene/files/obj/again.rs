@@ -158,7 +158,7 @@ impl<'a> Again<'a> {
     fn face_at(
         &mut self,
         piece: usize,
-        lines: &Piece,
+        lines: &Arc<Piece>,
         index: usize,
     ) -> Result<FaceInFile, AgainError> {
         let line = lines.faces.get(index).ok_or_else(|| self.changed())?;
@@ -202,7 +202,11 @@ impl<'a> Again<'a> {
 
     /// For each face of a piece, how many triangles of the mesh come before it; then how many come before the next
     /// piece.
-    fn triangles<'p>(&mut self, piece: usize, lines: &'p Piece) -> Result<&'p [u32], AgainError> {
+    fn triangles<'p>(
+        &mut self,
+        piece: usize,
+        lines: &'p Arc<Piece>,
+    ) -> Result<&'p [u32], AgainError> {
         if let Some(known) = lines.triangles.get() {
             return Ok(known);
         }
@@ -210,7 +214,10 @@ impl<'a> Again<'a> {
         let (is_plain, before) = (start.is_plain, start.triangles);
         let (end, faces) = (next.triangles, lines.faces.iter());
         let counts: Vec<usize> = if !is_plain {
-            self.counts_by_splitting(lines)?
+            let counts = self.counts_by_splitting(lines)?;
+            // The pieces of the vertices may have taken its place.
+            self.remember(piece, lines);
+            counts
         } else if faces.len() == (end - before) as usize {
             vec![1; faces.len()]
         } else {
@@ -301,20 +308,25 @@ impl<'a> Again<'a> {
 
     /// A piece of the file.
     fn piece(&mut self, piece: usize) -> Result<Arc<Piece>, AgainError> {
-        if let Some(at) = self.pieces.iter().position(|(known, _)| *known == piece) {
-            let found = self.pieces.remove(at);
-            let lines = Arc::clone(&found.1);
-            self.pieces.push(found);
-            return Ok(lines);
-        }
-        let text = self.text(piece)?;
-        let [start, _] = self.contents.piece(piece);
-        let lines = Arc::new(Piece::new(text, start.counts));
+        let mut known = self.pieces.iter();
+        let lines = if let Some((_, lines)) = known.find(|(known, _)| *known == piece) {
+            Arc::clone(lines)
+        } else {
+            let text = self.text(piece)?;
+            let [start, _] = self.contents.piece(piece);
+            Arc::new(Piece::new(text, start.counts))
+        };
+        self.remember(piece, &lines);
+        Ok(lines)
+    }
+
+    /// Keeps a piece in memory, as the one that was used last.
+    fn remember(&mut self, piece: usize, lines: &Arc<Piece>) {
+        self.pieces.retain(|(known, _)| *known != piece);
         if self.pieces.len() == REMEMBERED {
             self.pieces.remove(0);
         }
-        self.pieces.push((piece, Arc::clone(&lines)));
-        Ok(lines)
+        self.pieces.push((piece, Arc::clone(lines)));
     }
 
     /// How many pieces are in memory.

@@ -19,7 +19,7 @@ pub(super) struct LeftOut {
 }
 
 impl LeftOut {
-    /// Whether all of the file is in the mesh.
+    /// Whether nothing was left out for these reasons.
     pub fn is_nothing(&self) -> bool {
         [self.without_area, self.nowhere, self.repetitive] == [0; 3]
     }

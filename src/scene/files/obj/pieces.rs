@@ -115,7 +115,7 @@ impl Iterator for Pieces<'_> {
 /// # Errors
 /// When a line, complete or not, is binary data.
 fn whole_lines(text: &[u8], before: Counts, is_all: bool) -> Result<(usize, Counts), Stop> {
-    if let Some(found) = whole_plain_lines(text, before).filter(|_| !is_all) {
+    if !is_all && let Some(found) = whole_plain_lines(text, before) {
         return Ok(found);
     }
     let mut lines = Lines::new(text, before.lines);

@@ -3,7 +3,8 @@
 
 use std::ops::Range;
 
-/// The most stand-ins. Beyond that, a stand-in stands for another vertex from some corner on.
+/// The most stand-ins. Numbers with the same remainder by this share one, which stands for another of them from some
+/// corner on.
 const MOST: usize = 1 << 9;
 
 /// The places of vertices, or of normals, in the text that is made from a piece. First comes one that no face of the

@@ -190,15 +190,18 @@ fn a_triangle_takes_the_pieces_of_its_face_and_of_its_vertices_alone() {
         fs::write(&path, &text).expect("written");
         let mut file = read_in(1 << 10, &path, text.as_bytes()).expect("it loads");
         file.contents.stamp = Stamp::of(&path).ok();
-        let progress = Progress::default();
-        let again = || Again::new(&path, &file.contents, &file.mesh, &progress);
         let count = u32::try_from(file.mesh.data().triangles.len()).expect("few");
         let mut most = 0;
         for triangle in (0..count).step_by(97) {
-            let mut again = again();
+            let progress = Progress::default();
+            let mut again = Again::new(&path, &file.contents, &file.mesh, &progress);
             let face = again.face_of(triangle).expect("it is there");
             assert!(face.triangles.contains(&triangle));
             most = most.max(again.pieces_read());
+            // The same again reads nothing: its piece stays in memory, however many pieces counting took.
+            progress.cancel();
+            let same = again.face_of(triangle).expect("it is in memory");
+            assert_eq!(same.face, face.face);
         }
         // The vertices of a face follow each other: they lie in one piece or in two.
         assert_eq!(most <= 3, is_plain, "{most}");
