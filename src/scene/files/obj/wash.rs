@@ -6,8 +6,9 @@
 //!
 //! A face names vertices by their number in the whole file, but `tobj` gets only a piece. So the numbers are replaced
 //! by places in the piece ([`Places`]). A vertex of another piece is replaced by a stand-in at the end of the text;
-//! [`Places`] also stores which vertex that is, from which corner on. `tobj` returns only the vertices and normals that faces use, in the
-//! order of their use. So the text begins with an extra face that names every vertex and every normal of the piece.
+//! [`Places`] also stores which vertex that is, from which corner on. `tobj` returns only the vertices and normals that
+//! faces use, in the order of their use. So the text begins with an extra face that names every vertex and every normal
+//! of the piece.
 //!
 //! Each line is made when `tobj` asks for it. The whole text is never in memory.
 
