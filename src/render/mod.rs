@@ -32,6 +32,7 @@ pub(crate) mod bindings;
 mod composing;
 mod draw_order;
 mod drawing;
+mod enlarge;
 mod formats;
 mod frustum;
 mod gpu;

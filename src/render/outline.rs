@@ -37,14 +37,14 @@ pub struct Destination<'a> {
     /// The largest width and height of the picture there. It is clipped to this, and to the texture.
     pub room_px: [u32; 2],
     /// How many pixels of the texture one pixel of the picture covers along each side: 1, or more for a picture of
-    /// lower resolution.
+    /// lower resolution, whose texture must allow copies to it.
     pub coarseness: u32,
 }
 
 impl Destination<'_> {
     /// Where a rectangle of the picture goes; both are left, top, width and height. `None` where none of it is seen, as
     /// in a window that has shrunk since the picture was drawn.
-    fn within(&self, rect: [u32; 4]) -> Option<[u32; 4]> {
+    pub(super) fn within(&self, rect: [u32; 4]) -> Option<[u32; 4]> {
         let [left, top, width, height] = rect.map(|px| px * self.coarseness);
         let extent = |axis: usize, first: u32, count: u32, texture: u32| {
             let room = self.room_px[axis].min(texture.saturating_sub(self.origin_px[axis]));
@@ -125,6 +125,9 @@ impl Renderer {
     }
 
     /// Puts the picture with its marks into a destination: the only pass that a mouse move needs.
+    ///
+    /// # Errors
+    /// When a coarse picture cannot be read: memory runs out, or the device is lost.
     pub fn composite(
         &mut self,
         gpu: &Gpu,
@@ -133,7 +136,7 @@ impl Renderer {
         view: &View,
         marks: &Marks,
         destination: &Destination<'_>,
-    ) {
+    ) -> Result<(), GpuError> {
         let Destination {
             texture,
             origin_px,
@@ -144,7 +147,6 @@ impl Renderer {
         let post = (self.post).get_or_insert_with(|| PostPasses::new(gpu));
         post.write(gpu, &uniform(marks, origin_px, coarseness));
         let viewport = targets.viewport();
-        let whole = [0, 0, viewport.width(), viewport.height()];
         let box_of = |object: Option<usize>| {
             let place = scene.shown(object?)?;
             screen_rect(place, view, outline_px)
@@ -155,12 +157,14 @@ impl Renderer {
         ];
         let marked = marked.map(|(entry, rect)| (entry, rect.unwrap_or_default()));
         let srgb = texture.format().add_srgb_suffix();
+        let whole: &[_] = if coarseness == 1 {
+            &[("copy", [0, 0, viewport.width(), viewport.height()])]
+        } else {
+            targets.enlarge(gpu, destination)?;
+            &[]
+        };
         let passes: [(_, _, &[_]); 2] = [
-            (
-                srgb.remove_srgb_suffix(),
-                &targets.values_view,
-                &[("copy", whole)],
-            ),
+            (srgb.remove_srgb_suffix(), &targets.values_view, whole),
             (srgb, &targets.colour_view, &marked),
         ];
         let mut encoder = gpu.encoder();
@@ -182,6 +186,7 @@ impl Renderer {
             }
         }
         gpu.submit([encoder.finish()]);
+        Ok(())
     }
 
     /// Makes one pipeline that pictures of a view and their marks need on textures of a format, if any is missing.

@@ -433,7 +433,8 @@ mod tests {
                         room_px: [64, 64],
                         coarseness: 1,
                     };
-                    renderer.composite(&gpu, &buffers, &targets, &view, &marks, &onto);
+                    (renderer.composite(&gpu, &buffers, &targets, &view, &marks, &onto))
+                        .expect("it works");
                 }
                 let made = renderer.pipelines.made.len() + renderer.made_for_marks();
                 assert_eq!(made, count, "{samples} {sides:?}");

@@ -100,7 +100,7 @@ impl Renderer {
             room_px: size,
             coarseness: 1,
         };
-        self.composite(gpu, scene, targets, view, marks, &destination);
+        self.composite(gpu, scene, targets, view, marks, &destination)?;
         read_rgb(gpu, &texture, window)
     }
 }

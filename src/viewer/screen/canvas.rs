@@ -183,7 +183,7 @@ impl Canvas {
             if let (place, Some(look)) = look {
                 let page = self.page.clone();
                 let (picture, mut brush, _) = self.picture_of(*stage, laid.pixels_per_point, began);
-                picture.composite(&mut brush, &look, &page, place);
+                picture.composite(&mut brush, &look, &page, place)?;
                 self.panels.draw_over(&self.gpu, &self.page, place);
                 self.unshown = true;
             }

@@ -276,15 +276,18 @@ impl ScenePicture {
     }
 
     /// Draws the picture into its place on a page.
+    ///
+    /// # Errors
+    /// As [`Renderer::composite`](crate::render::Renderer::composite).
     pub fn composite(
         &self,
         brush: &mut Brush,
         look: &Look,
         page: &wgpu::Texture,
         place: SceneRect,
-    ) {
+    ) -> Result<(), GpuError> {
         let (Some(scene), Some(shown)) = (&self.scenes.now, &self.shown) else {
-            return;
+            return Ok(());
         };
         let coarseness = shown.finish.coarseness();
         brush.scale_for(shown.finish);
@@ -300,6 +303,6 @@ impl ScenePicture {
                 room_px: [place.viewport.width(), place.viewport.height()],
                 coarseness,
             },
-        );
+        )
     }
 }
