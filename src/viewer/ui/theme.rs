@@ -11,6 +11,12 @@ pub(in crate::viewer) const fn color32(Srgb([r, g, b]): Srgb) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
+/// The strokes of a mark with a dark rim, so that it shows on any picture: the colour of each, and how many points
+/// wider it is.
+pub(super) fn rimmed(colour: Color32) -> [(Color32, f32); 2] {
+    [(Color32::from_black_alpha(200), 2.0), (colour, 0.0)]
+}
+
 /// Whether panels are dark or light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

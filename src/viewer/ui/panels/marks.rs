@@ -10,7 +10,7 @@ use crate::{
     viewer::{
         model::{Overlay, PickView, State, triangle},
         screen::SceneRect,
-        ui::theme::color32,
+        ui::theme::{color32, rimmed},
     },
 };
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
@@ -78,8 +78,7 @@ impl Page<'_> {
         let Some(at) = self.at(pick.point_world) else {
             return;
         };
-        let dark = Color32::from_black_alpha(200);
-        for (colour, more) in [(dark, 2.0), (self.colour, 0.0)] {
+        for (colour, more) in rimmed(self.colour) {
             let stroke = Stroke::new(1.5 + more, colour);
             self.painter.circle_stroke(at, MARK, stroke);
             if pick.front {
@@ -110,7 +109,7 @@ impl Page<'_> {
             square.left_bottom(),
             square.left_top(),
         ];
-        for (colour, more) in [(Color32::from_black_alpha(200), 2.0), (self.colour, 0.0)] {
+        for (colour, more) in rimmed(self.colour) {
             let stroke = Stroke::new(2.0 + more, colour);
             if is_seen {
                 self.painter.circle_filled(at, 2.0 + 0.5 * more, colour);
@@ -143,7 +142,7 @@ impl Page<'_> {
                 vec2(0.0, -9.0),
             ];
             let corners = corners.map(|corner| at + corner).to_vec();
-            for (colour, more) in [(Color32::from_black_alpha(200), 2.0), (self.colour, 0.0)] {
+            for (colour, more) in rimmed(self.colour) {
                 let stroke = Stroke::new(1.5 + more, colour);
                 self.painter
                     .add(Shape::closed_line(corners.clone(), stroke));

@@ -8,7 +8,10 @@ use crate::{
     viewer::{
         model::{Action, State},
         screen::SceneRect,
-        ui::{command::Command, theme::color32},
+        ui::{
+            command::Command,
+            theme::{color32, rimmed},
+        },
     },
 };
 use egui::{Color32, CursorIcon, Painter, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
@@ -103,7 +106,7 @@ impl Arrow {
         };
         let along = (self.head - self.foot).normalized();
         let aside = vec2(-along.y, along.x);
-        for (colour, more) in [(Color32::from_black_alpha(200), 2.0), (colour, 0.0)] {
+        for (colour, more) in rimmed(colour) {
             let stroke = Stroke::new(2.5 + more, colour);
             painter.line_segment([self.foot, self.head], stroke);
             let tip = self.head + 6.0 * along;
