@@ -6,7 +6,7 @@ struct Frame {
     clip_per_depth: f32,
     perspective: u32,
     front_only: u32,
-    padding: u32,
+    section_corner_slack: f32,
     key_direction: vec3<f32>,
     ambient: f32,
     background_top: vec3<f32>,
@@ -56,13 +56,13 @@ struct ColourAndId {
     @location(1) id: vec2<u32>,
 }
 
-// Whether the section keeps a fragment: q is 1 / w in perspective, else the stored depth.
-fn kept(px: vec2<f32>, q: f32) -> bool {
+// Whether the section keeps a fragment: q is 1 / w in perspective, else the stored depth. `slack` is for what moves q.
+fn kept(px: vec2<f32>, q: f32, slack: f32) -> bool {
     let at = px - 0.5 * frame.viewport_px;
     let aside = frame.section_per_px * at;
     let ahead = frame.section_per_q * q;
     let terms = abs(frame.section_start) + abs(aside.x) + abs(aside.y) + abs(ahead);
-    return frame.section_start + aside.x + aside.y + ahead >= -frame.section_slack * terms;
+    return frame.section_start + aside.x + aside.y + ahead >= -(frame.section_slack * terms + slack);
 }
 
 // The q of a fragment.

@@ -101,7 +101,7 @@ fn mask() -> @location(0) f32 {
 // The same entry points for a world that a section cuts.
 
 fn cut(in: Corner) {
-    if !kept(in.clip.xy, q_of(in.clip)) {
+    if !kept(in.clip.xy, q_of(in.clip), frame.section_corner_slack) {
         discard;
     }
 }

@@ -72,7 +72,8 @@ fn in_range(clip: vec2<f32>) -> bool {
 // Whether a root with this clip z and w is shown: between near and far, and kept by the section if one cuts.
 fn shows(px: vec2<f32>, clip: vec2<f32>, is_cut: bool) -> bool {
     let q = select(clip.x, 1.0 / clip.y, frame.perspective == 1u);
-    return in_range(clip) && (!is_cut || kept(px, q));
+    // No corners, so no grid moves it.
+    return in_range(clip) && (!is_cut || kept(px, q, 0.0));
 }
 
 // The first surface that is shown at a pixel position; discards the fragment where there is none.

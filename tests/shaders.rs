@@ -71,6 +71,7 @@ fn structs_have_one_layout_on_both_sides() {
             clip_per_depth,
             perspective,
             front_only,
+            section_corner_slack,
             key_direction,
             ambient,
             background_top,

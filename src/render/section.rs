@@ -22,7 +22,7 @@ use crate::{
 use glam::DVec2;
 
 /// The test's slack, in roundings of its terms: about a millionth of the depth. Whatever is this close to the plane is
-/// drawn, so that a face in the plane shows whole, not in specks.
+/// drawn, so that a face in the plane shows whole, not in specks. Triangles get [`ScreenSection::corner_slack`] too.
 pub(super) const KEPT_BEFORE: f64 = 16.0;
 
 /// `start` and `per_q` are clamped to this. Beyond it only their sign matters; within it products stay in the range of
@@ -81,7 +81,18 @@ impl ScreenSection {
         self.start + self.per_px.dot(px - self.middle_px) + self.per_q * q
     }
 
-    /// An upper bound on the error of the shader's test at a position: its own roundings and its slack.
+    /// How far beyond the plane fragments of triangles are still drawn, in units of the test's value, on a rasteriser
+    /// with this grid.
+    ///
+    /// Corners move by up to half a step along each axis, and some drivers (NVIDIA's) interpolate q between them as
+    /// moved. So q at a pixel is that of a position up to half a step away. On a face in the plane q changes by as much
+    /// as the test's other terms do, which is `per_px`. Without this slack such a face shows in specks.
+    pub fn corner_slack(&self, grid_px: f64) -> f64 {
+        0.5 * grid_px * self.per_px.abs().element_sum()
+    }
+
+    /// An upper bound on the error of the shader's test at a position: its own roundings and its slack of
+    /// [`KEPT_BEFORE`].
     ///
     /// Each coefficient and each product is rounded once, and three sums follow: 5 U of the terms' sizes. 1 U more is
     /// for second order.

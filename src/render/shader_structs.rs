@@ -21,8 +21,8 @@ pub struct Frame {
     pub perspective: u32,
     /// 1 when only front sides show.
     pub front_only: u32,
-    /// Padding.
-    pub padding: u32,
+    /// The section's slack for triangles, whose corners the rasteriser moves to its grid: in units of the test's value.
+    pub section_corner_slack: f32,
     /// Towards the key light, in view space.
     pub key_direction: [f32; 3],
     /// Light from everywhere.

@@ -8,6 +8,7 @@ use super::{
     OUTLINE_CEILING_PX,
     adjoining::Adjoining,
     bound::Reason,
+    culling::{Culled, culled},
     polygon::{Corner, Polygon, outline, polygon},
     projection::project,
     surface::{Source, Surface, with_cut_neighbours},
@@ -118,6 +119,15 @@ impl Flat<'_> {
             let Some(polygon) = self.polygon(&vertices.map(corner)) else {
                 continue;
             };
+            let culled = if sides == Sides::Front {
+                let mirrors = self.placement.mirrors();
+                culled(self.space.view(), self.grid_px, &polygon.seen, mirrors)
+            } else {
+                Culled::No
+            };
+            if culled == Culled::Yes {
+                continue;
+            }
             let goes_on = |i: usize, reason: Reason| {
                 let [a, b, apex] = [0, 1, 2].map(|k| vertices[(i + k) % 3]);
                 let edge = [a, b].map(corner);
@@ -137,7 +147,7 @@ impl Flat<'_> {
                         found.push((other.triangle, Some(reason)));
                     }
                 }
-                goes_on
+                goes_on && culled == Culled::No
             };
             let own = surface(polygon, goes_on);
             surfaces.push(Surface {
@@ -210,7 +220,9 @@ impl Flat<'_> {
 
 /// A polygon's surface; its nearby edges become crossings where `goes_on` says so, else outlines.
 fn surface(polygon: Polygon, mut goes_on: impl FnMut(usize, Reason) -> bool) -> Surface {
-    let Polygon { mut surface, edges } = polygon;
+    let Polygon {
+        mut surface, edges, ..
+    } = polygon;
     for (i, outline) in edges {
         let Some(reason) = outline.reason() else {
             continue;

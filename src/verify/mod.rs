@@ -21,7 +21,9 @@
 //!   occurs where all bounds lie below the ceiling and the buffer can tell every surface from nothing;
 //! * **unexplained**: anything else: a defect.
 //!
-//! An edge across which the surface continues is no outline: a neighbour may show there, but not what lies behind.
+//! An edge across which the surface continues is no outline: a neighbour may show there, but not what lies behind. Where
+//! only front sides show, a back has an exception: a triangle as slim as the grid may turn over when its corners move.
+//! It is then drawn alone.
 //!
 //! A bound that is infinite or NaN explains nothing: the pixel is then beyond f32. If nothing is drawn but something is
 //! picked, or the reverse, the comparison fails, whatever explains the single pixels. The exceptions are a speck
@@ -38,6 +40,7 @@
 //!   and wgpu does not report it: each device's grid is measured ([`Rasteriser::grid_px`](crate::render::Rasteriser)).
 //! * A pixel is covered when its centre lies within the edges through the rounded corners. Clipping at the picture's
 //!   border makes new corners between old ones and rounds them.
+//! * What is interpolated over a triangle belongs to its corners as given (lavapipe) or as rounded (NVIDIA's cards).
 //! * Depth over a triangle is the plane through its corners, with slopes rounded relative to their terms. For a
 //!   triangle that leaves the picture, it is the plane through the corners of its clipped part, or as accurate.
 //!   `SwiftShader` does not keep to this: its plane goes through the whole triangle's corners as projected, rounded to
@@ -58,6 +61,7 @@
 
 mod adjoining;
 mod bound;
+mod culling;
 mod face;
 mod flat;
 mod interpolation;

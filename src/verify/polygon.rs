@@ -43,6 +43,8 @@ pub(super) struct Polygon {
     pub surface: Surface,
     /// The edges that are seen, each with the index of its first corner.
     pub edges: Vec<(usize, Outline)>,
+    /// The corners of its part behind the near plane, with the error of clipping in theirs.
+    pub seen: Vec<Corner>,
 }
 
 /// A flat convex polygon at a pixel, drawn on a grid of `grid_px`; `None` when all of it lies in front of the near
@@ -119,7 +121,7 @@ pub(super) fn polygon(
     let errors = [slope * grid_px, slope * f32_px + cut_error];
     let cut = Reason::at_near_plane(past_near.abs(), errors, cut_beyond).filter(|_| covers);
     let section = Sectioned::new(space);
-    let section = section.face(px, past_near, slope_px, aside_px, &error, || {
+    let section = section.face(px, past_near, slope_px, [grid_px, f32_px], &error, || {
         interpolation::error(view, |z| section.q(z), &shown, px, [grid_px, aside_px])
     });
     let cuts = cut.into_iter().chain(section.reason.filter(|_| covers));
@@ -143,7 +145,15 @@ pub(super) fn polygon(
         },
         source: *source,
     };
-    Some(Polygon { surface, edges })
+    let seen = seen.iter().map(|corner| Corner {
+        error: corner.at.error + clipped,
+        ..corner.at
+    });
+    Some(Polygon {
+        surface,
+        edges,
+        seen: seen.collect(),
+    })
 }
 
 /// The least depth past near that drawing may take for behind the near plane. In perspective it stays away from the

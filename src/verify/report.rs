@@ -108,7 +108,10 @@ impl Report {
     /// Whether one picture may be empty: the other has only a speck, or only a face in the section's plane, which
     /// drawing may keep or not.
     fn may_be_empty(&self) -> bool {
-        self.is_a_speck() || self.count(Class::Section) == self.disagreements.len()
+        let [edge, section] = [Class::Edge, Class::Section].map(|class| self.count(class));
+        // At the outline of such a face, an edge explains more.
+        let is_cut = edge <= section && edge + section == self.disagreements.len();
+        self.is_a_speck() || is_cut
     }
 
     /// Whether all that differs may be one thing smaller than a pixel, with the pixel centres on its edge.

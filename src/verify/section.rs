@@ -1,9 +1,9 @@
 //! Decides whether the section keeps a surface at a pixel, and whether drawing may decide otherwise.
 //!
-//! The shaders' test ([`ScreenSection`]) is linear over the picture on every plane, so moving a face aside changes its
-//! value by the test's slope times the distance. Bounds have the same ceiling as depths:
-//! [`DEPTH_CEILING_STEPS`](super::DEPTH_CEILING_STEPS) and half a pixel's width, plus what moving aside by half a pixel
-//! changes.
+//! The shaders' test ([`ScreenSection`]) takes a pixel's position and its q. A face moved aside has another q there: it
+//! changes by q's slope times the distance. Bounds have the same ceiling as depths:
+//! [`DEPTH_CEILING_STEPS`](super::DEPTH_CEILING_STEPS) and half a pixel's width, plus the change of the test's value over
+//! half a pixel.
 
 use super::{
     Class, OUTLINE_CEILING_PX,
@@ -47,15 +47,15 @@ impl<'a> Sectioned<'a> {
         q(self.space, past_near)[0]
     }
 
-    /// Tests a face, given its depth past near at a pixel's centre and its slope in depth per pixel. Drawing moves it
-    /// aside by up to `aside_px`. `error` is the error of `f32`; `interpolation` is that of interpolating
-    /// [`Sectioned::q`] over the face.
+    /// Tests a face, given its depth past near at a pixel's centre and its slope in depth per pixel. The grid and
+    /// `f32` move it aside by up to `grid_px` and `f32_px`. `error` is the error of `f32`; `interpolation` is that of
+    /// interpolating [`Sectioned::q`] over the face.
     pub fn face(
         &self,
         px: DVec2,
         past_near: f64,
         slope: DVec2,
-        aside_px: f64,
+        [grid_px, f32_px]: [f64; 2],
         error: &ViewError,
         interpolation: impl FnOnce() -> f64,
     ) -> AtSection {
@@ -63,9 +63,9 @@ impl<'a> Sectioned<'a> {
             return AtSection::WHOLE;
         };
         let per_depth = q(self.space, past_near)[1];
-        let gradient = (screen.per_px + screen.per_q * per_depth * slope).length();
-        let moved = gradient * aside_px;
-        let room = gradient * OUTLINE_CEILING_PX;
+        let of_q = screen.per_q * per_depth * slope;
+        let moved = of_q.length() * (grid_px + f32_px) + screen.corner_slack(grid_px);
+        let room = (screen.per_px + of_q).length() * OUTLINE_CEILING_PX;
         let off = screen.per_q.abs() * interpolation();
         self.at(screen, px, past_near, error, [moved, off, room])
     }

@@ -1,12 +1,19 @@
 //! Tests the terms of the bounds against `f32` computed step by step, as shader and hardware do: no error exceeds its
 //! bound, and some come so near that the bound would fail without the term.
 
-use super::{projection::shift_px, surface::Depths};
+use super::{
+    Class,
+    projection::{project, shift_px},
+    section::Sectioned,
+    surface::{Depths, ViewRay},
+};
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
-    geometry::{Aabb, Placement, Sides, random::Random},
+    geometry::{Aabb, Placement, Section, Sides, random::Random},
     render::{
+        Rasteriser,
         rounding::U,
+        section::{ScreenSection, q},
         transform::{self, VertexToView, ViewError},
         view_space::ViewSpace,
         view_units::{depth_origin, view_unit},
@@ -158,7 +165,7 @@ fn vertices_that_underflow_lie_within_their_bounds() {
 fn projected_points_lie_within_their_bounds() {
     let mut shares = Shares::default();
     for (view, mut random) in views(20_000) {
-        let frame = transform::frame(&view);
+        let frame = transform::frame(&view, Rasteriser::COMMON.grid_px);
         let unit = view_unit(&view);
         let orthographic = view.camera.lens().is_orthographic();
         let depth = rounded(3.0 + random.next());
@@ -211,7 +218,10 @@ fn the_near_plane_cuts_within_its_bound() {
                 let mut off = |at: f64, error: f64| at + 0.75 * error * random.next().signum();
                 let measured = rounded(unit * off(exact[0], error.measured));
                 let depth = rounded(unit * off(exact[1], error.depth));
-                let clip = product(transform::frame(&view).clip_per_depth, measured);
+                let clip = product(
+                    transform::frame(&view, Rasteriser::COMMON.grid_px).clip_per_depth,
+                    measured,
+                );
                 let is_seen = match mapping {
                     DepthMapping::Reversed => clip <= if orthographic { 1.0 } else { depth },
                     DepthMapping::Standard => clip >= 0.0,
@@ -251,7 +261,11 @@ fn stored(near: f64) -> [Shares; 2] {
                 measured: 2.0 * U * exact[0].abs(),
             };
             let [measured, w] = exact.map(|at| rounded(unit * at));
-            let factor = rounded(transform::frame(&view).clip_per_depth.into());
+            let factor = rounded(
+                transform::frame(&view, Rasteriser::COMMON.grid_px)
+                    .clip_per_depth
+                    .into(),
+            );
             let found = product(product(factor, measured), reciprocal(&mut random, w));
             let bound = depths.error(past_near, &error);
             shares.add(f64::from(found) - depths.stored(past_near), bound);
@@ -272,4 +286,74 @@ fn stored_depths_lie_within_their_bounds() {
 fn stored_depths_that_underflow_lie_within_their_bounds() {
     let [reversed, _] = stored(3.0 * f64::from(f32::MIN_POSITIVE));
     reversed.reach(0.1);
+}
+
+/// A section's test on a triangle whose corners the grid moves, with q interpolated between them as moved. It decides
+/// as the exact test does, except within the bound; a face in the plane is kept whole.
+#[test]
+fn sections_decide_within_their_bounds_on_moved_corners() {
+    let grid_px = Rasteriser::COMMON.grid_px;
+    let mut shares = Shares::default();
+    let mut kept_in_plane = 0;
+    for (any, mut random) in views(20_000) {
+        let (at, normal) = (0.3 * random.point(), random.point().normalize());
+        let section = Section::through(at, normal).expect("a plane");
+        let view = View {
+            section: Some(section),
+            ..any
+        };
+        // In the plane, or inclined to it by an angle of any size.
+        let steep = match random.small() {
+            -3.0 => 0.0,
+            power => 10_f64.powf(power - 4.0),
+        };
+        let corners = [(); 3].map(|()| {
+            let aside = random.point();
+            let off = steep * random.next();
+            at + aside - (aside.dot(normal) - off) * normal
+        });
+        let space = ViewSpace::new(&view);
+        let seen = corners.map(|corner| space.at(&Placement::IDENTITY, DVec3::ZERO, corner));
+        let seen = seen.map(|at| at.aside.extend(at.past_near));
+        let half_step = 0.5 * grid_px;
+        let moved = seen.map(|at| {
+            let by = random.point().truncate();
+            project(&view, at) + half_step * by.signum()
+        });
+        let shares_of = random.point().abs();
+        let shares_of = (shares_of / shares_of.element_sum()).to_array();
+        let mixed = (0..3).map(|i| {
+            (
+                shares_of[i] * moved[i],
+                shares_of[i] * q(&space, seen[i].z)[0],
+            )
+        });
+        let (px, q_moved) = mixed.fold((DVec2::ZERO, 0.0), |sum, at| (sum.0 + at.0, sum.1 + at.1));
+        let screen = ScreenSection::of(&view).expect("a section");
+        let is_drawn =
+            screen.value(px, q_moved) >= -screen.corner_slack(grid_px) - screen.bound(px, q_moved);
+        let ray = ViewRay::new(&view, px);
+        let face = (seen[1] - seen[0]).cross(seen[2] - seen[0]);
+        let past_near = ray.depth_on(seen[0], face);
+        let slope = ray.slope(view.camera.lens().near + past_near, face);
+        let exact = Sectioned::new(&space).face(
+            px,
+            past_near,
+            slope,
+            [grid_px, 0.0],
+            &ViewError::default(),
+            || 0.0,
+        );
+        if steep == 0.0 {
+            assert!(is_drawn, "{view:?}: {corners:?}");
+            kept_in_plane += 1;
+        }
+        if is_drawn != exact.keeps {
+            let reason = exact.reason.expect("a reason");
+            assert_eq!(reason.class, Class::Section);
+            shares.add(reason.strain, 1.0);
+        }
+    }
+    assert!(kept_in_plane > 1000, "{kept_in_plane}");
+    shares.reach(0.3);
 }

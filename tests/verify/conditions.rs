@@ -111,6 +111,7 @@ impl Sweep {
             let allowed = match verdict {
                 Verdict::Agrees => true,
                 Verdict::BeyondF32(_) => self.may_be_beyond_f32(shot.condition),
+                Verdict::NothingDrawn(_) => shot.condition.contains(LOST),
                 _ => false,
             };
             if !allowed {
@@ -133,8 +134,8 @@ impl Sweep {
     }
 
     /// Whether a view under such a condition may be beyond `f32`. Standard depth stores 1 for nearly everything between
-    /// planes far apart. Other reasons are triangles that are a million pictures wide, that run under the eye into the
-    /// distance, or that are slimmer than the grid.
+    /// planes far apart, and some drivers for all of it. Other reasons are triangles that are a million pictures wide,
+    /// that run under the eye into the distance, or that are slimmer than the grid.
     fn may_be_beyond_f32(&self, condition: &str) -> bool {
         let is_any = |words: &[&str]| words.iter().any(|word| condition.contains(word));
         match self.over {
@@ -148,11 +149,8 @@ impl Sweep {
     /// The fewest pixels that a view must show.
     fn least_shown(&self, condition: &str) -> usize {
         let is_any = |words: &[&str]| words.iter().any(|word| condition.contains(word));
-        if is_any(&["cut", "culled", "from the middle", "along an axis"]) {
+        if is_any(&["cut", "culled", "from the middle", "along an axis", LOST]) {
             0
-        } else if is_any(&[LOST]) {
-            // The depth buffer holds nearly all of the scene as deep as the far plane.
-            1
         } else if is_any(&["zoomed", "narrowed"]) {
             // The detail fills 30 or 10 percent of the picture.
             let tenths = if self.over == Over::Own { 3 } else { 1 };

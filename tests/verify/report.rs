@@ -21,11 +21,17 @@ fn at(pixel: [u32; 2], class: Class, strain: f64) -> Disagreement {
 }
 
 /// The verdict if nothing was drawn and `count` of 100 pixels differ, all of one class.
-fn nothing_drawn(class: Class, count: u32) -> Verdict {
+fn nothing_drawn(class: Class, count: usize) -> Verdict {
+    nothing_drawn_of(&vec![class; count])
+}
+
+/// The verdict if nothing was drawn and pixels of these classes differ.
+fn nothing_drawn_of(classes: &[Class]) -> Verdict {
+    let differ = (0..).zip(classes).map(|(x, class)| at([x, 0], *class, 0.5));
     let report = Report {
         pixels: 100,
-        picked: count as usize,
-        disagreements: (0..count).map(|x| at([x, 0], class, 0.5)).collect(),
+        picked: classes.len(),
+        disagreements: differ.collect(),
         ..Report::default()
     };
     let turned = Report {
@@ -79,6 +85,9 @@ fn a_picture_of_nothing_agrees_only_with_a_speck_or_a_section() {
     assert_eq!(nothing_drawn(Class::Edge, 5), Verdict::NothingDrawn(5));
     assert_eq!(nothing_drawn(Class::Depth, 1), Verdict::NothingDrawn(1));
     assert_eq!(nothing_drawn(Class::Section, 50), Verdict::Agrees);
+    let with_edges = |edge| [vec![Class::Edge; edge], vec![Class::Section; 20]].concat();
+    assert_eq!(nothing_drawn_of(&with_edges(20)), Verdict::Agrees);
+    assert_eq!(nothing_drawn_of(&with_edges(21)), Verdict::NothingDrawn(41));
     assert_eq!(
         nothing_drawn(Class::BeyondF32, 50),
         Verdict::NothingDrawn(50)
