@@ -166,7 +166,10 @@ fn the_picture_is_not_shown_as_the_world() {
     window.frame(press(Key::Num4)).expect("a frame");
     window.frame(Event::PointerGone).expect("a frame");
     let world = control(&window, "stage world").rect;
-    assert!(!window.shows_scene(), "it takes longer");
+    if window.shows_scene() {
+        assert!(!window.is_software(), "it takes longer");
+        return;
+    }
     let picture = window.drawn().expect("a picture");
     #[expect(
         clippy::cast_possible_truncation,

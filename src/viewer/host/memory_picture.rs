@@ -2,7 +2,7 @@
 
 use crate::{
     camera::Viewport,
-    render::{Gpu, GpuError},
+    render::{Gpu, GpuError, Restraint},
     viewer::{
         model::State,
         screen::{Canvas, Laid, PictureProgress, Screen},
@@ -16,6 +16,8 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 pub(super) struct MemoryPicture {
     /// The device, once there was something to draw.
     pub canvas: Option<Canvas>,
+    /// What the device may do.
+    pub restraint: Restraint,
     pub size: Viewport,
     /// Whether the last frame looks different from the one before.
     pub is_another: bool,
@@ -27,7 +29,8 @@ impl Screen for MemoryPicture {
         if self.canvas.as_ref().is_some_and(works) {
             return Ok(false);
         }
-        self.canvas = Some(Canvas::new(Gpu::headless()?, FORMAT));
+        let gpu = Gpu::headless_within(&self.restraint)?;
+        self.canvas = Some(Canvas::new(gpu, FORMAT));
         Ok(true)
     }
 

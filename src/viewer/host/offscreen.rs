@@ -8,7 +8,7 @@ use super::{
 use crate::{
     camera::Viewport,
     image::{Image, Rgb},
-    render::GpuError,
+    render::{GpuError, Restraint},
     viewer::{
         app::{App, Extent, Frame, Host, REST_S, Wake, Waker},
         model::{Seen, State},
@@ -73,6 +73,7 @@ impl Offscreen {
             wakes,
             picture: MemoryPicture {
                 canvas: None,
+                restraint: Restraint::default(),
                 size,
                 is_another: false,
             },
@@ -333,6 +334,12 @@ impl Offscreen {
             self.draw()?;
         }
         Ok(())
+    }
+
+    /// Draws with a device that can do no more than this, from the next picture on.
+    pub fn restrain(&mut self, restraint: Restraint) {
+        self.picture.restraint = restraint;
+        self.picture.canvas = None;
     }
 
     /// Destroys the device, as a driver that restarts does.
