@@ -2,6 +2,7 @@
 
 use super::{
     Destination,
+    formats::stores_blue_first,
     gpu::{Gpu, GpuError},
     readback,
     targets::Targets,
@@ -18,8 +19,14 @@ impl Targets {
         let Some([x, y, width, height]) = onto.within([0, 0, size[0], size[1]]) else {
             return Ok(());
         };
-        let is_bgra = onto.texture.format().remove_srgb_suffix() == wgpu::TextureFormat::Bgra8Unorm;
-        let stored = |[r, g, b, a]: [u8; 4]| if is_bgra { [b, g, r, a] } else { [r, g, b, a] };
+        let blue_first = stores_blue_first(onto.texture.format());
+        let stored = |[r, g, b, a]: [u8; 4]| {
+            if blue_first {
+                [b, g, r, a]
+            } else {
+                [r, g, b, a]
+            }
+        };
         let pixels = readback::read(gpu, &self.colour, [0, 0], size, stored)?;
         let (times, row) = (onto.coarseness as usize, width as usize);
         let mut enlarged = vec![[0; 4]; row * height as usize];
@@ -59,8 +66,9 @@ mod tests {
     use crate::{
         camera::{CameraChoice, View, Viewport},
         geometry::Placement,
+        image::Image,
         render::{
-            Destination, Gpu, Marks, Renderer, SceneBuffers, Targets, formats::COLOUR, read_rgb,
+            Destination, Gpu, Marks, Renderer, SceneBuffers, Targets, formats::COLOUR, readback,
             without_depth,
         },
         scene::{Object, Scene, Shape},
@@ -104,7 +112,9 @@ mod tests {
             };
             let marks = Marks::default();
             (renderer.composite(&gpu, &buffers, &targets, &view, &marks, &onto)).expect("it fits");
-            let picture = read_rgb(&gpu, &texture, page).expect("it is read");
+            let stored = |[first, second, third, _]: [u8; 4]| [first, second, third];
+            let pixels = readback::read(&gpu, &texture, [0, 0], size, stored).expect("it is read");
+            let picture = Image::new(page, pixels);
             for y in 0..90 {
                 for x in 0..120 {
                     let is_in = (7..7 + 112).contains(&x) && (5..5 + 80).contains(&y);

@@ -12,3 +12,8 @@ pub(super) const IDS: TextureFormat = TextureFormat::Rg32Uint;
 pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 /// How much of a pixel is selected, or is outline.
 pub(super) const MARKS: TextureFormat = TextureFormat::R8Unorm;
+
+/// Whether textures of a format with four 8-bit channels store blue first, as many windows want it; else red is first.
+pub(super) fn stores_blue_first(format: TextureFormat) -> bool {
+    format.remove_srgb_suffix() == TextureFormat::Bgra8Unorm
+}

@@ -2,7 +2,7 @@
 
 use super::{
     Destination, Marks, Renderer, SceneBuffers,
-    formats::{COLOUR, COLOUR_VALUES},
+    formats::{COLOUR, COLOUR_VALUES, stores_blue_first},
     gpu::{Gpu, GpuError},
     targets::Targets,
     without_depth,
@@ -109,15 +109,16 @@ fn id([object, triangle]: [u32; 2]) -> Id {
     Id { object, triangle }
 }
 
-/// Red, green and blue of a texture with four 8-bit channels, as stored.
+/// Red, green and blue of a texture with four 8-bit channels, in whichever order it stores them.
 pub(crate) fn read_rgb(
     gpu: &Gpu,
     texture: &wgpu::Texture,
     viewport: Viewport,
 ) -> Result<Image<Rgb>, GpuError> {
     let size = [viewport.width(), viewport.height()];
-    let pixels = read(gpu, texture, [0, 0], size, |[r, g, b, _]: [u8; 4]| {
-        [r, g, b]
+    let blue_first = stores_blue_first(texture.format());
+    let pixels = read(gpu, texture, [0, 0], size, |[a, b, c, _]: [u8; 4]| {
+        if blue_first { [c, b, a] } else { [a, b, c] }
     })?;
     Ok(Image::new(viewport, pixels))
 }

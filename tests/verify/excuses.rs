@@ -26,7 +26,7 @@ fn pipe() -> (Scene, View) {
     for i in 0..STRIPS {
         let (x, z) = (std::f64::consts::TAU * f64::from(i) / f64::from(STRIPS)).sin_cos();
         positions
-            .extend([-1.0, 1.0].map(|y| DVec3::new(0.15 * x, y, 0.15 * z).as_vec3().to_array()));
+            .extend([-0.5, 0.5].map(|y| DVec3::new(0.15 * x, y, 0.15 * z).as_vec3().to_array()));
         let [a, b] = [2 * i, 2 * ((i + 1) % STRIPS)];
         triangles.extend([[a, b, b + 1], [a, b + 1, a + 1]]);
     }
@@ -53,7 +53,7 @@ fn a_mesh_missing_whose_triangles_are_slimmer_than_the_grid() {
         let right = compare(&scene, &view, &drawn_once(&scene, &view), &picked);
         assert_eq!(right.verdict(), Verdict::Agrees, "{:?}", right.worst());
         let shown = picked.pixels().iter().filter(|id| id.object == 1).count();
-        assert!(shown > 150, "only {shown} pixels show the pipe");
+        assert!(shown > 70, "only {shown} pixels show the pipe");
         let mut without = scene.clone();
         without.set_visible(0, false);
         let wrong = compare(&scene, &view, &drawn_once(&without, &view), &picked);

@@ -295,12 +295,7 @@ impl Canvas {
     /// # Errors
     /// When memory runs out, or the device fails.
     pub fn read(&self) -> Result<Image<Rgb>, GpuError> {
-        let picture = read_rgb(&self.gpu, &self.page, self.size)?;
-        if !matches!(self.format, TextureFormat::Bgra8Unorm) {
-            return Ok(picture);
-        }
-        let pixels = picture.pixels().iter().map(|[b, g, r]| [*r, *g, *b]);
-        Ok(Image::new(self.size, pixels.collect()))
+        read_rgb(&self.gpu, &self.page, self.size)
     }
 }
 
