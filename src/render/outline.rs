@@ -169,6 +169,11 @@ impl Renderer {
         ];
         let mut encoder = gpu.encoder();
         for (format, picture, rects) in passes {
+            let shown = |&(entry, rect): &_| Some((entry, destination.within(rect)?));
+            let shown: Vec<_> = rects.iter().filter_map(shown).collect();
+            if shown.is_empty() {
+                continue;
+            }
             let view = texture.create_view(&wgpu::TextureViewDescriptor {
                 format: Some(format),
                 ..Default::default()
@@ -176,10 +181,7 @@ impl Renderer {
             let bind_group = post.bind(gpu, targets, picture, &targets.outline_view);
             let mut pass = without_depth::begin(&mut encoder, &view, false);
             pass.set_bind_group(0, &bind_group, &[]);
-            for &(entry, rect) in rects {
-                let Some([x, y, width, height]) = destination.within(rect) else {
-                    continue;
-                };
+            for (entry, [x, y, width, height]) in shown {
                 pass.set_scissor_rect(x, y, width, height);
                 pass.set_pipeline(&post.pipeline(gpu, entry, format));
                 pass.draw(0..3, 0..1);
