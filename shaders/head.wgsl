@@ -1,4 +1,4 @@
-// Shared by all passes that draw the scene. Structs equal those of src/render/layout.rs.
+// Shared by all passes that draw the scene. Structs equal those of src/render/shader_structs.rs.
 
 struct Frame {
     ndc_per_view: vec2<f32>,

@@ -84,9 +84,10 @@ impl ScreenSection {
     /// How far beyond the plane fragments of triangles are still drawn, in units of the test's value, on a rasteriser
     /// with this grid.
     ///
-    /// Corners move by up to half a step along each axis, and some drivers (NVIDIA's) interpolate q between them as
-    /// moved. So q at a pixel is that of a position up to half a step away. On a face in the plane q changes by as much
-    /// as the test's other terms do, which is `per_px`. Without this slack such a face shows in specks.
+    /// Corners move by up to half a step along each axis, and some drivers (an NVIDIA H100's) interpolate q between
+    /// them as moved. So q at a pixel is that of a position up to half a step away along each axis. On a face in the
+    /// plane the value is 0 everywhere, so its q term changes as fast as `per_px`. Without this slack the face shows in
+    /// specks.
     pub fn corner_slack(&self, grid_px: f64) -> f64 {
         0.5 * grid_px * self.per_px.abs().element_sum()
     }

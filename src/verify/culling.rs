@@ -1,7 +1,7 @@
 //! Decides what culling does with a polygon, and whether moving its corners may change that.
 
 use super::{
-    polygon::Corner,
+    polygon::Polygon,
     projection::{project, shift_px, w},
 };
 use crate::{camera::View, render::rounding::larger};
@@ -11,42 +11,51 @@ use glam::DVec2;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Culled {
     /// All of it: it shows its front. If it turns over when its corners move, its neighbours overlap it, so a surface
-    /// has no holes.
+    /// has no holes. (At an open edge or a silhouette the edge is an outline anyway.)
     No,
     /// Nothing: it shows its back.
     Yes,
-    /// It shows its back, but is so slim that it may turn over when its corners move. It is then drawn alone, while its
+    /// It shows its back, but drawing may turn it over when it moves the corners. It is then drawn alone, while its
     /// neighbours stay culled.
     Perhaps,
 }
 
-/// What culling does with the polygon of these corners on a rasteriser with this grid; `mirrors` says whether its model
-/// matrix mirrors. A polygon turns over only if it is no wider than two of its corners may move towards each other.
-pub(super) fn culled(view: &View, grid_px: f64, corners: &[Corner], mirrors: bool) -> Culled {
-    let px: Vec<DVec2> = (corners.iter())
-        .map(|corner| project(view, corner.view))
-        .collect();
-    let next = |i: usize| px[(i + 1) % px.len()];
-    let all = || 0..px.len();
+/// What culling does with a polygon on a rasteriser with this grid; `mirrors` says whether its model matrix mirrors.
+///
+/// While a triangle turns over, its corners lie on one line. So before, they lay within the distance by which one
+/// corner may move of some line, and the triangle was no wider than twice that. The polygon's part in the picture may
+/// be drawn as any triangles between its corners. What the near plane cuts may turn over, since its corners there are
+/// less certain.
+pub(super) fn culled(view: &View, grid_px: f64, polygon: &Polygon, mirrors: bool) -> Culled {
+    let Polygon { shown, error, .. } = polygon;
+    let mut px: Vec<DVec2> = shown.iter().map(|corner| project(view, *corner)).collect();
+    // Clipping doubles a corner that lies on a border.
+    px.dedup();
+    if px.len() > 1 && px.first() == px.last() {
+        px.pop();
+    }
+    let triangles = || {
+        let all = (0..px.len()).flat_map(|i| (0..i).map(move |j| [j, i]));
+        let px = &px;
+        all.flat_map(move |[j, i]| (0..j).map(move |k| [px[k], px[j], px[i]]))
+    };
     // Twice the area: positive where the corners run clockwise, since y points down.
-    let area: f64 = all()
-        .map(|i| (px[i] - px[0]).perp_dot(next(i) - px[i]))
-        .sum();
-    let is_front = if mirrors { area > 0.0 } else { area < 0.0 };
+    let area = |[a, b, c]: [DVec2; 3]| (b - a).perp_dot(c - a);
+    let fan = (1..px.len().max(1) - 1).map(|i| area([px[0], px[i], px[i + 1]]));
+    let whole: f64 = fan.sum();
+    let is_front = if mirrors { whole > 0.0 } else { whole < 0.0 };
     if is_front {
         return Culled::No;
     }
-    let width_from = |i: usize| {
-        let along = (next(i) - px[i]).normalize_or_zero();
-        let off = px.iter().map(|at| along.perp_dot(*at - px[i]).abs());
-        off.fold(0.0, larger)
+    let width = |triangle: [DVec2; 3]| {
+        let [a, b, c] = triangle;
+        let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
+        area(triangle).abs() / longest
     };
-    let width = all().map(width_from).fold(f64::INFINITY, f64::min);
-    let moves = corners
-        .iter()
-        .zip(&px)
-        .map(|(corner, px)| grid_px + shift_px(view, *px, w(view, corner.view), &corner.error));
-    if width > 2.0 * moves.fold(0.0, larger) {
+    let narrowest = triangles().map(width).reduce(f64::min);
+    let moves = (shown.iter()).map(|at| shift_px(view, project(view, *at), w(view, *at), error));
+    let moved = grid_px + moves.fold(0.0, larger);
+    if !polygon.is_cut && narrowest.is_some_and(|width| width > 2.0 * moved) {
         Culled::Yes
     } else {
         Culled::Perhaps

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     camera::View,
-    geometry::{Hit, Square, is_between, overlap_at},
+    geometry::{Hit, is_between, overlap_at},
     image::Id,
     pick::{SceneHit, face_of},
     render::{
@@ -129,7 +129,7 @@ impl<'a> Surfaces<'a> {
         };
         match &object.shape {
             Shape::Sphere => sphere::surfaces(&self.space, &object.placement, px),
-            Shape::Square => Vec::from_iter(self.flat(px, index).face(&Square::corners())),
+            Shape::Square => Vec::from_iter(self.flat(px, index).square()),
             Shape::Cube => self.flat(px, index).cube(),
             Shape::Mesh { mesh, part } => {
                 let data = mesh.data();

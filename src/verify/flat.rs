@@ -15,7 +15,7 @@ use super::{
 };
 use crate::{
     camera::Projection,
-    geometry::{Cuboid, MeshData, Placement, Sides},
+    geometry::{Cuboid, MeshData, Placement, Sides, Square},
     render::{
         transform::{Rounding, VertexToView, ViewError},
         view_space::ViewSpace,
@@ -60,6 +60,12 @@ impl Flat<'_> {
     pub fn face(&self, corners_vertex_space: &[DVec3]) -> Option<Surface> {
         let polygon = self.polygon(corners_vertex_space)?;
         Some(surface(polygon, |_, _| false))
+    }
+
+    /// A square as drawn: [`Flat::face`], or `None` where it is culled.
+    pub fn square(&self) -> Option<Surface> {
+        let polygon = self.polygon(&Square::corners())?;
+        (self.culled(&polygon) != Culled::Yes).then(|| surface(polygon, |_, _| false))
     }
 
     /// Whether drawing may move an edge or a corner, given by its ends, onto the pixel's centre.
@@ -119,12 +125,7 @@ impl Flat<'_> {
             let Some(polygon) = self.polygon(&vertices.map(corner)) else {
                 continue;
             };
-            let culled = if sides == Sides::Front {
-                let mirrors = self.placement.mirrors();
-                culled(self.space.view(), self.grid_px, &polygon.seen, mirrors)
-            } else {
-                Culled::No
-            };
+            let culled = self.culled(&polygon);
             if culled == Culled::Yes {
                 continue;
             }
@@ -170,6 +171,14 @@ impl Flat<'_> {
         let is_near =
             (min - REACH_PX).cmple(self.px).all() && (max + REACH_PX).cmpge(self.px).all();
         is_near || !corners.iter().all(|corner| corner.z > 0.0)
+    }
+
+    fn culled(&self, polygon: &Polygon) -> Culled {
+        let view = self.space.view();
+        match view.sides {
+            Sides::Both => Culled::No,
+            Sides::Front => culled(view, self.grid_px, polygon, self.placement.mirrors()),
+        }
     }
 
     fn polygon(&self, corners_vertex_space: &[DVec3]) -> Option<Polygon> {

@@ -21,13 +21,13 @@
 //!   occurs where all bounds lie below the ceiling and the buffer can tell every surface from nothing;
 //! * **unexplained**: anything else: a defect.
 //!
-//! An edge across which the surface continues is no outline: a neighbour may show there, but not what lies behind. Where
-//! only front sides show, a back has an exception: a triangle as slim as the grid may turn over when its corners move.
-//! It is then drawn alone.
+//! An edge across which the surface continues is no outline: a neighbour may show there, but not what lies behind.
+//! Where only front sides show, a back may turn over if it is no wider than its corners may move towards each other. It
+//! is then drawn while its neighbours stay culled, so all of its edges are outlines.
 //!
 //! A bound that is infinite or NaN explains nothing: the pixel is then beyond f32. If nothing is drawn but something is
 //! picked, or the reverse, the comparison fails, whatever explains the single pixels. The exceptions are a speck
-//! smaller than a pixel, and a section through all of the pixels ([`Report::verdict`]).
+//! smaller than a pixel, and a section through most of the pixels ([`Report::verdict`]).
 //!
 //! Where the bounds leave the order of two surfaces open, the surfaces lie *in one place* ([`Places`]), whether or not
 //! drawing and pick differ there.
@@ -40,7 +40,9 @@
 //!   and wgpu does not report it: each device's grid is measured ([`Rasteriser::grid_px`](crate::render::Rasteriser)).
 //! * A pixel is covered when its centre lies within the edges through the rounded corners. Clipping at the picture's
 //!   border makes new corners between old ones and rounds them.
-//! * What is interpolated over a triangle belongs to its corners as given (lavapipe) or as rounded (NVIDIA's cards).
+//! * What is interpolated over a triangle belongs to its corners as given (lavapipe) or as rounded (an NVIDIA H100).
+//!   How far rounding corners moves a surface is bounded for both. The roundings of slopes are those of the corners as
+//!   given.
 //! * Depth over a triangle is the plane through its corners, with slopes rounded relative to their terms. For a
 //!   triangle that leaves the picture, it is the plane through the corners of its clipped part, or as accurate.
 //!   `SwiftShader` does not keep to this: its plane goes through the whole triangle's corners as projected, rounded to

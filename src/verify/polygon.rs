@@ -43,8 +43,12 @@ pub(super) struct Polygon {
     pub surface: Surface,
     /// The edges that are seen, each with the index of its first corner.
     pub edges: Vec<(usize, Outline)>,
-    /// The corners of its part behind the near plane, with the error of clipping in theirs.
-    pub seen: Vec<Corner>,
+    /// The corners of its part in the picture, in view space with depth past near as z.
+    pub shown: Vec<DVec3>,
+    /// A bound on the error of each.
+    pub error: ViewError,
+    /// Whether the near plane cuts it.
+    pub is_cut: bool,
 }
 
 /// A flat convex polygon at a pixel, drawn on a grid of `grid_px`; `None` when all of it lies in front of the near
@@ -145,14 +149,12 @@ pub(super) fn polygon(
         },
         source: *source,
     };
-    let seen = seen.iter().map(|corner| Corner {
-        error: corner.at.error + clipped,
-        ..corner.at
-    });
     Some(Polygon {
         surface,
         edges,
-        seen: seen.collect(),
+        shown,
+        error,
+        is_cut: seen.iter().any(|corner| corner.is_cut),
     })
 }
 

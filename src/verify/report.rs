@@ -55,8 +55,8 @@ pub enum Verdict {
     /// This many pixels differ by more than `f32` can draw. The rest is explained.
     BeyondF32(usize),
     /// This many pixels are picked and none is drawn, whatever explains each of them. There are two exceptions: at most
-    /// four pixels, each on an edge (something smaller than a pixel may be missed), and pixels that all lie on a
-    /// section.
+    /// four pixels, each on an edge (something smaller than a pixel may be missed), and pixels that lie on a section
+    /// or, no more of them, on an edge.
     NothingDrawn(usize),
     /// This many pixels are drawn and none is picked, with the same exceptions.
     NothingPicked(usize),
@@ -109,7 +109,7 @@ impl Report {
     /// drawing may keep or not.
     fn may_be_empty(&self) -> bool {
         let [edge, section] = [Class::Edge, Class::Section].map(|class| self.count(class));
-        // At the outline of such a face, an edge explains more.
+        // At the outline of such a face the class is edge, the more harmless one.
         let is_cut = edge <= section && edge + section == self.disagreements.len();
         self.is_a_speck() || is_cut
     }

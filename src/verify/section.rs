@@ -2,8 +2,8 @@
 //!
 //! The shaders' test ([`ScreenSection`]) takes a pixel's position and its q. A face moved aside has another q there: it
 //! changes by q's slope times the distance. Bounds have the same ceiling as depths:
-//! [`DEPTH_CEILING_STEPS`](super::DEPTH_CEILING_STEPS) and half a pixel's width, plus the change of the test's value over
-//! half a pixel.
+//! [`DEPTH_CEILING_STEPS`](super::DEPTH_CEILING_STEPS) and half a pixel's width, plus the change of the test's value
+//! over half a pixel.
 
 use super::{
     Class, OUTLINE_CEILING_PX,
@@ -64,10 +64,13 @@ impl<'a> Sectioned<'a> {
         };
         let per_depth = q(self.space, past_near)[1];
         let of_q = screen.per_q * per_depth * slope;
-        let moved = of_q.length() * (grid_px + f32_px) + screen.corner_slack(grid_px);
+        let aside_px = grid_px + f32_px;
+        // The shaders keep this much of what is cut away. It is rounded once, and once in a sum.
+        let slack = (1.0 + 2.0 * U) * screen.corner_slack(grid_px);
+        let moved = of_q.length() * aside_px + slack;
         let room = (screen.per_px + of_q).length() * OUTLINE_CEILING_PX;
         let off = screen.per_q.abs() * interpolation();
-        self.at(screen, px, past_near, error, [moved, off, room])
+        self.at(screen, px, past_near, error, aside_px, [moved, off, room])
     }
 
     /// Tests a sphere. Nothing moves it aside; half a pixel aside would change its depth by `of_slope`.
@@ -78,17 +81,18 @@ impl<'a> Sectioned<'a> {
         let per_depth = q(self.space, past_near)[1];
         let room = (screen.per_q * per_depth).abs() * of_slope
             + screen.per_px.length() * OUTLINE_CEILING_PX;
-        self.at(screen, px, past_near, error, [0.0, 0.0, room])
+        self.at(screen, px, past_near, error, 0.0, [0.0, 0.0, room])
     }
 
-    /// `moved` is the error of the test's value from moving aside, and `off` the error from all else so far. `room` is
-    /// the ceiling's part for moving aside.
+    /// Tests a surface that moves aside by up to `aside_px`. `moved` is the error of the test's value from that, with
+    /// the slack for it, and `off` the error from all else so far. `room` is the ceiling's part for moving aside.
     fn at(
         &self,
         screen: &ScreenSection,
         px: DVec2,
         past_near: f64,
         error: &ViewError,
+        aside_px: f64,
         [moved, off, room]: [f64; 3],
     ) -> AtSection {
         let [q, per_depth] = q(self.space, past_near);
@@ -104,7 +108,7 @@ impl<'a> Sectioned<'a> {
         let ceiling = (screen.per_q * per_depth).abs() * length + room;
         let strain = bound::strain(value.abs(), moved + off);
         let reason = strain.map(|strain| Reason {
-            class: if bound::beyond_f32(0.0, off, ceiling) {
+            class: if bound::beyond_f32(aside_px, off, ceiling) {
                 Class::BeyondF32
             } else {
                 Class::Section

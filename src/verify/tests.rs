@@ -14,6 +14,7 @@ use crate::{
         Rasteriser,
         rounding::U,
         section::{ScreenSection, q},
+        shader_structs::Frame,
         transform::{self, VertexToView, ViewError},
         view_space::ViewSpace,
         view_units::{depth_origin, view_unit},
@@ -103,6 +104,11 @@ fn views(count: usize) -> impl Iterator<Item = (View, Random)> {
     })
 }
 
+/// What the shaders get, for the common rasteriser.
+fn frame(view: &View) -> Frame {
+    transform::frame(view, Rasteriser::COMMON.grid_px)
+}
+
 /// The vertex shader's result: right, up, measured depth, view depth.
 fn vertex(to_view: &VertexToView, position: Vec3) -> [f32; 4] {
     let from_pivot = [0, 1, 2].map(|i| sum(position[i], -to_view.pivot[i]));
@@ -165,7 +171,7 @@ fn vertices_that_underflow_lie_within_their_bounds() {
 fn projected_points_lie_within_their_bounds() {
     let mut shares = Shares::default();
     for (view, mut random) in views(20_000) {
-        let frame = transform::frame(&view, Rasteriser::COMMON.grid_px);
+        let frame = frame(&view);
         let unit = view_unit(&view);
         let orthographic = view.camera.lens().is_orthographic();
         let depth = rounded(3.0 + random.next());
@@ -218,10 +224,7 @@ fn the_near_plane_cuts_within_its_bound() {
                 let mut off = |at: f64, error: f64| at + 0.75 * error * random.next().signum();
                 let measured = rounded(unit * off(exact[0], error.measured));
                 let depth = rounded(unit * off(exact[1], error.depth));
-                let clip = product(
-                    transform::frame(&view, Rasteriser::COMMON.grid_px).clip_per_depth,
-                    measured,
-                );
+                let clip = product(frame(&view).clip_per_depth, measured);
                 let is_seen = match mapping {
                     DepthMapping::Reversed => clip <= if orthographic { 1.0 } else { depth },
                     DepthMapping::Standard => clip >= 0.0,
@@ -261,11 +264,7 @@ fn stored(near: f64) -> [Shares; 2] {
                 measured: 2.0 * U * exact[0].abs(),
             };
             let [measured, w] = exact.map(|at| rounded(unit * at));
-            let factor = rounded(
-                transform::frame(&view, Rasteriser::COMMON.grid_px)
-                    .clip_per_depth
-                    .into(),
-            );
+            let factor = rounded(frame(&view).clip_per_depth.into());
             let found = product(product(factor, measured), reciprocal(&mut random, w));
             let bound = depths.error(past_near, &error);
             shares.add(f64::from(found) - depths.stored(past_near), bound);
@@ -350,7 +349,9 @@ fn sections_decide_within_their_bounds_on_moved_corners() {
         }
         if is_drawn != exact.keeps {
             let reason = exact.reason.expect("a reason");
-            assert_eq!(reason.class, Class::Section);
+            // `f32` cannot hold a section along a face that is seen edge-on.
+            let sine = face.normalize().dot(ray.direction.normalize()).abs();
+            assert!(reason.class == Class::Section || sine < 1e-3, "{sine}");
             shares.add(reason.strain, 1.0);
         }
     }

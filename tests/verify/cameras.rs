@@ -108,7 +108,12 @@ fn near_and_far(stage: &Stage) -> Vec<Shot> {
     for ratio in [1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9] {
         let far = distance + 2.0 * r;
         let view = between(base, far / ratio, far);
-        let names = ["near/far 1e2 to 1e9", "near/far 1e2 to 1e9, standard depth"];
+        let standard_depth = if ratio < 1e8 {
+            "near/far 1e2 to 1e7, standard depth"
+        } else {
+            "near/far 1e8 and 1e9, standard depth"
+        };
+        let names = ["near/far 1e2 to 1e9", standard_depth];
         shots.extend(with_both_depths(names, &view, true));
         let near = (distance - r).max(1e-3 * distance);
         shots.push(Shot::new(

@@ -22,7 +22,10 @@ const LEAST_SHOWN: usize = 10;
 /// The most `f32 limit` pixels of a view.
 const MOST_AT_F32_LIMIT: usize = 20;
 
-/// The words in a condition's name under which the depth buffer cannot tell most surfaces from nothing.
+/// The words in a condition's name under which the depth buffer cannot tell many surfaces from nothing.
+const COARSE: &str = "1e7, standard";
+
+/// The words in a condition's name under which it cannot tell most surfaces from nothing, and on an NVIDIA H100 none.
 const LOST: &str = "1e9, standard";
 
 /// Whether a mesh takes long to draw. Only a third of the cameras look at such a mesh.
@@ -134,12 +137,12 @@ impl Sweep {
     }
 
     /// Whether a view under such a condition may be beyond `f32`. Standard depth stores 1 for nearly everything between
-    /// planes far apart, and some drivers for all of it. Other reasons are triangles that are a million pictures wide,
-    /// that run under the eye into the distance, or that are slimmer than the grid.
+    /// planes far apart. Other reasons are triangles that are a million pictures wide, that run under the eye into the
+    /// distance, or that are slimmer than the grid.
     fn may_be_beyond_f32(&self, condition: &str) -> bool {
         let is_any = |words: &[&str]| words.iter().any(|word| condition.contains(word));
         match self.over {
-            _ if is_any(&[LOST]) => true,
+            _ if is_any(&[COARSE, LOST]) => true,
             Over::Own => false,
             Over::Files => is_any(&["zoomed", NARROWEST, "from the middle", "178", "thin"]),
             Over::Hardest => true,
@@ -151,6 +154,8 @@ impl Sweep {
         let is_any = |words: &[&str]| words.iter().any(|word| condition.contains(word));
         if is_any(&["cut", "culled", "from the middle", "along an axis", LOST]) {
             0
+        } else if is_any(&[COARSE]) {
+            1
         } else if is_any(&["zoomed", "narrowed"]) {
             // The detail fills 30 or 10 percent of the picture.
             let tenths = if self.over == Over::Own { 3 } else { 1 };

@@ -3,7 +3,8 @@
 
 use crate::extremes::{Counts, run, scene};
 
-/// Asserts that verify calls at least `least` pixels beyond `f32`, and excuses at most half as many as *depth*.
+/// Asserts that verify calls at least `least` pixels beyond `f32`, and excuses at most half as many as *depth*. An
+/// NVIDIA H100 has the fewest: 486 and 812 where 400 and 700 are asked, since it rounds depths better.
 #[track_caller]
 fn cannot_be_held(toml: Option<&str>, view: &str, least: u64) {
     let file = toml.map(scene);

@@ -94,6 +94,8 @@ fn of_a_back_only_triangles_as_slim_as_the_grid_may_show() {
     // The middle of many, where only other strips are near; the board's edge; an edge between wide strips.
     for (strips, width_px, below, class) in [
         (40, 0.004, 20, Class::Edge),
+        (40, 0.0075, 20, Class::Edge),
+        (40, 0.009, 20, Class::Unexplained),
         (1, 0.4, 0, Class::Unexplained),
         (2, 0.4, 1, Class::Unexplained),
     ] {

@@ -141,7 +141,7 @@ fn what_is_not_drawn_yet_is_not_picked() {
     }
     assert!(is_there(&window));
     if window.shows_scene() {
-        assert!(!window.is_software(), "it takes longer");
+        assert!(!window.is_software(), "software takes longer");
         return;
     }
     let says_so = |window: &Offscreen| window.controls().iter().any(|is| is.name == "drawing");

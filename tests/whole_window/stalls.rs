@@ -167,7 +167,7 @@ fn the_picture_is_not_shown_as_the_world() {
     window.frame(Event::PointerGone).expect("a frame");
     let world = control(&window, "stage world").rect;
     if window.shows_scene() {
-        assert!(!window.is_software(), "it takes longer");
+        assert!(!window.is_software(), "software takes longer");
         return;
     }
     let picture = window.drawn().expect("a picture");
