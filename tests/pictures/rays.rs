@@ -2,7 +2,7 @@
 
 use crate::{
     differing, draw,
-    images::apart,
+    images::{apart, differing_where},
     overview,
     scenes::{gpu, shapes},
     show,
@@ -11,11 +11,11 @@ use glam::{DVec3, dvec3};
 use sightline::{
     camera::{DepthMapping, Lens, Projection, View, Viewport},
     colour::Srgb,
-    geometry::{Section, Sides},
+    geometry::{Placement, Section, Sides},
     image::{Image, Pixel, Rgb},
     pick,
-    render::{Gpu, Line, Marks, Renderer, SceneBuffers, Targets},
-    scene::Scene,
+    render::{Gpu, Line, Marks, Renderer, SceneBuffers, Targets, picture},
+    scene::{Object, Scene, Shape},
 };
 use std::time::{Duration, Instant};
 
@@ -207,4 +207,29 @@ fn a_picture_that_is_not_done_in_time_is_none() {
         ..view
     };
     assert!(pick::mask_until(&scene, &wide, 3, Instant::now()).is_none());
+}
+
+/// A face in the section's plane hides what lies behind it, in smooth colours too.
+#[test]
+fn a_face_in_the_plane_is_drawn_as_a_whole() {
+    let cube = Object::new("cube", Shape::Cube, Placement::IDENTITY);
+    let scene = Scene::new(vec![cube]);
+    let top = View {
+        section: Some(Section::new(DVec3::NEG_Y, 0.5).expect("a plane")),
+        ..overview([320, 240])
+    };
+    let parallel = Lens {
+        projection: Projection::Orthographic { height: 3.0 },
+        ..*top.camera.lens()
+    };
+    let camera = top.camera.with_lens(parallel).expect("a camera");
+    for view in [top, View { camera, ..top }] {
+        let drawn = picture(&gpu(), &scene, &view).expect("a picture");
+        let (ids, by_rays) = pick::raycast(&scene, &view);
+        let shown = ids.pixels().iter().filter(|id| id.object == 1).count();
+        let differ = differing_where(&drawn, &by_rays, |a, b, _| apart(a, b, 20));
+        assert!(shown > 2000, "{shown}");
+        // Outlines are smooth in one of them.
+        assert!(differ < shown / 10, "{differ} of {shown}");
+    }
 }
