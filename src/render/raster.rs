@@ -39,7 +39,7 @@ impl Renderer {
 
     /// Writes the numbers that all of a frame shares to the GPU.
     pub(super) fn write_frame(&self, gpu: &Gpu, view: &View) {
-        let frame: Frame = transform::frame(view, gpu.rasteriser.grid_px);
+        let frame: Frame = transform::frame(view);
         gpu.queue
             .write_buffer(&self.frame, 0, bytemuck::bytes_of(&frame));
     }

@@ -7,6 +7,7 @@
 //! picture on every plane, and serves meshes, spheres and edges alike.
 
 use super::{
+    rasteriser::Rasteriser,
     rounding::{U, to_f32},
     view_space::ViewSpace,
     view_units::{depth_origin, view_unit},
@@ -81,15 +82,16 @@ impl ScreenSection {
         self.start + self.per_px.dot(px - self.middle_px) + self.per_q * q
     }
 
-    /// How far beyond the plane fragments of triangles are still drawn, in units of the test's value, on a rasteriser
-    /// with this grid.
+    /// How far beyond the plane fragments of triangles are still drawn, in units of the test's value.
     ///
     /// Corners move by up to half a step along each axis, and some drivers (an NVIDIA H100's) interpolate q between
     /// them as moved. So q at a pixel is that of a position up to half a step away along each axis. On a face in the
     /// plane the value is 0 everywhere, so its q term changes as fast as `per_px`. Without this slack the face shows in
     /// specks.
-    pub fn corner_slack(&self, grid_px: f64) -> f64 {
-        0.5 * grid_px * self.per_px.abs().element_sum()
+    ///
+    /// The grid is the common one, so that all drivers draw alike.
+    pub fn corner_slack(&self) -> f64 {
+        0.5 * Rasteriser::COMMON.grid_px * self.per_px.abs().element_sum()
     }
 
     /// An upper bound on the error of the shader's test at a position: its own roundings and its slack of

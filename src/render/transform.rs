@@ -21,16 +21,16 @@ use crate::{
 use glam::{DMat3, DVec2, DVec3, Mat3, Vec3};
 use std::ops::{Add, Mul, Range};
 
-/// The numbers that all of a frame shares, for a rasteriser with this grid.
+/// The numbers that all of a frame shares.
 #[must_use]
-pub fn frame(view: &View, grid_px: f64) -> shader_structs::Frame {
+pub fn frame(view: &View) -> shader_structs::Frame {
     let lens = view.camera.lens();
     let half = view.half_extent();
     let perspective = matches!(lens.projection, Projection::Perspective { .. });
     let [ambient, key, fill] = look::LIGHT;
     let [background_top, background_bottom] = look::BACKGROUND.map(crate::colour::Srgb::to_linear);
     let section = ScreenSection::of(view);
-    let corner_slack = section.map_or(0.0, |section| section.corner_slack(grid_px));
+    let corner_slack = section.map_or(0.0, |section| section.corner_slack());
     let numbers = section.map_or([0.0; 4], |section| section.numbers());
     let [right, down, section_start, section_per_q] = numbers;
     // In perspective the unit cancels in the division.

@@ -66,7 +66,7 @@ impl<'a> Sectioned<'a> {
         let of_q = screen.per_q * per_depth * slope;
         let aside_px = grid_px + f32_px;
         // The shaders keep this much of what is cut away. It is rounded once, and once in a sum.
-        let slack = (1.0 + 2.0 * U) * screen.corner_slack(grid_px);
+        let slack = (1.0 + 2.0 * U) * screen.corner_slack();
         let moved = of_q.length() * aside_px + slack;
         let room = (screen.per_px + of_q).length() * OUTLINE_CEILING_PX;
         let off = screen.per_q.abs() * interpolation();

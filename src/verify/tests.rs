@@ -14,7 +14,6 @@ use crate::{
         Rasteriser,
         rounding::U,
         section::{ScreenSection, q},
-        shader_structs::Frame,
         transform::{self, VertexToView, ViewError},
         view_space::ViewSpace,
         view_units::{depth_origin, view_unit},
@@ -104,11 +103,6 @@ fn views(count: usize) -> impl Iterator<Item = (View, Random)> {
     })
 }
 
-/// What the shaders get, for the common rasteriser.
-fn frame(view: &View) -> Frame {
-    transform::frame(view, Rasteriser::COMMON.grid_px)
-}
-
 /// The vertex shader's result: right, up, measured depth, view depth.
 fn vertex(to_view: &VertexToView, position: Vec3) -> [f32; 4] {
     let from_pivot = [0, 1, 2].map(|i| sum(position[i], -to_view.pivot[i]));
@@ -171,7 +165,7 @@ fn vertices_that_underflow_lie_within_their_bounds() {
 fn projected_points_lie_within_their_bounds() {
     let mut shares = Shares::default();
     for (view, mut random) in views(20_000) {
-        let frame = frame(&view);
+        let frame = transform::frame(&view);
         let unit = view_unit(&view);
         let orthographic = view.camera.lens().is_orthographic();
         let depth = rounded(3.0 + random.next());
@@ -224,7 +218,7 @@ fn the_near_plane_cuts_within_its_bound() {
                 let mut off = |at: f64, error: f64| at + 0.75 * error * random.next().signum();
                 let measured = rounded(unit * off(exact[0], error.measured));
                 let depth = rounded(unit * off(exact[1], error.depth));
-                let clip = product(frame(&view).clip_per_depth, measured);
+                let clip = product(transform::frame(&view).clip_per_depth, measured);
                 let is_seen = match mapping {
                     DepthMapping::Reversed => clip <= if orthographic { 1.0 } else { depth },
                     DepthMapping::Standard => clip >= 0.0,
@@ -264,7 +258,7 @@ fn stored(near: f64) -> [Shares; 2] {
                 measured: 2.0 * U * exact[0].abs(),
             };
             let [measured, w] = exact.map(|at| rounded(unit * at));
-            let factor = rounded(frame(&view).clip_per_depth.into());
+            let factor = rounded(transform::frame(&view).clip_per_depth.into());
             let found = product(product(factor, measured), reciprocal(&mut random, w));
             let bound = depths.error(past_near, &error);
             shares.add(f64::from(found) - depths.stored(past_near), bound);
@@ -330,7 +324,7 @@ fn sections_decide_within_their_bounds_on_moved_corners() {
         let (px, q_moved) = mixed.fold((DVec2::ZERO, 0.0), |sum, at| (sum.0 + at.0, sum.1 + at.1));
         let screen = ScreenSection::of(&view).expect("a section");
         let is_drawn =
-            screen.value(px, q_moved) >= -screen.corner_slack(grid_px) - screen.bound(px, q_moved);
+            screen.value(px, q_moved) >= -screen.corner_slack() - screen.bound(px, q_moved);
         let ray = ViewRay::new(&view, px);
         let face = (seen[1] - seen[0]).cross(seen[2] - seen[0]);
         let past_near = ray.depth_on(seen[0], face);
