@@ -106,8 +106,8 @@ fn cut(in: Corner) {
     }
 }
 
-// At the pixel's centre, so the cut has hard steps. At a sample, clip.xy and clip.w do not belong to one position with
-// lavapipe, nor with an NVIDIA H100: a face in the plane was lost.
+// At the pixel's centre, so the cut has hard steps. Per sample, lavapipe gives clip.xy at the sample but clip.w at the
+// centre, and an NVIDIA H100 lost a face in the plane.
 @fragment
 fn colour_cut(in: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     cut(in);

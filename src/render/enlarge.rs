@@ -2,7 +2,7 @@
 
 use super::{
     Destination,
-    formats::stores_blue_first,
+    formats::reordered,
     gpu::{Gpu, GpuError},
     readback,
     targets::Targets,
@@ -19,14 +19,7 @@ impl Targets {
         let Some([x, y, width, height]) = onto.within([0, 0, size[0], size[1]]) else {
             return Ok(());
         };
-        let blue_first = stores_blue_first(onto.texture.format());
-        let stored = |[r, g, b, a]: [u8; 4]| {
-            if blue_first {
-                [b, g, r, a]
-            } else {
-                [r, g, b, a]
-            }
-        };
+        let stored = reordered(onto.texture.format());
         let pixels = readback::read(gpu, &self.colour, [0, 0], size, stored)?;
         let (times, row) = (onto.coarseness as usize, width as usize);
         let mut enlarged = vec![[0; 4]; row * height as usize];

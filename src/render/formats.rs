@@ -13,7 +13,15 @@ pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 /// How much of a pixel is selected, or is outline.
 pub(super) const MARKS: TextureFormat = TextureFormat::R8Unorm;
 
-/// Whether textures of a format with four 8-bit channels store blue first, as many windows want it; else red is first.
-pub(super) fn stores_blue_first(format: TextureFormat) -> bool {
-    format.remove_srgb_suffix() == TextureFormat::Bgra8Unorm
+/// Changes between red, green, blue, alpha and the order in which a format with four 8-bit channels stores them, in
+/// either direction: many windows want blue first.
+pub(super) fn reordered(format: TextureFormat) -> impl Fn([u8; 4]) -> [u8; 4] {
+    let blue_first = format.remove_srgb_suffix() == TextureFormat::Bgra8Unorm;
+    move |[a, b, c, d]| {
+        if blue_first {
+            [c, b, a, d]
+        } else {
+            [a, b, c, d]
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::{
     Destination, Marks, Renderer, SceneBuffers,
-    formats::{COLOUR, COLOUR_VALUES, stores_blue_first},
+    formats::{COLOUR, COLOUR_VALUES, reordered},
     gpu::{Gpu, GpuError},
     targets::Targets,
     without_depth,
@@ -116,9 +116,10 @@ pub(crate) fn read_rgb(
     viewport: Viewport,
 ) -> Result<Image<Rgb>, GpuError> {
     let size = [viewport.width(), viewport.height()];
-    let blue_first = stores_blue_first(texture.format());
-    let pixels = read(gpu, texture, [0, 0], size, |[a, b, c, _]: [u8; 4]| {
-        if blue_first { [c, b, a] } else { [a, b, c] }
+    let ordered = reordered(texture.format());
+    let pixels = read(gpu, texture, [0, 0], size, |pixel| {
+        let [r, g, b, _] = ordered(pixel);
+        [r, g, b]
     })?;
     Ok(Image::new(viewport, pixels))
 }

@@ -29,6 +29,9 @@ pub(super) enum Culled {
 pub(super) fn culled(view: &View, grid_px: f64, polygon: &Polygon, mirrors: bool) -> Culled {
     let Polygon { shown, error, .. } = polygon;
     let mut px: Vec<DVec2> = shown.iter().map(|corner| project(view, *corner)).collect();
+    let moves = shown.iter().zip(&px);
+    let moves = moves.map(|(at, px)| shift_px(view, *px, w(view, *at), error));
+    let moved = grid_px + moves.fold(0.0, larger);
     // Clipping doubles a corner that lies on a border.
     px.dedup();
     if px.len() > 1 && px.first() == px.last() {
@@ -53,8 +56,6 @@ pub(super) fn culled(view: &View, grid_px: f64, polygon: &Polygon, mirrors: bool
         area(triangle).abs() / longest
     };
     let narrowest = triangles().map(width).reduce(f64::min);
-    let moves = (shown.iter()).map(|at| shift_px(view, project(view, *at), w(view, *at), error));
-    let moved = grid_px + moves.fold(0.0, larger);
     if !polygon.is_cut && narrowest.is_some_and(|width| width > 2.0 * moved) {
         Culled::Yes
     } else {
