@@ -8,7 +8,7 @@
 
 use super::{
     rasteriser::Rasteriser,
-    rounding::{U, to_f32},
+    rounding::{U, UNDERFLOW, to_f32},
     view_space::ViewSpace,
     view_units::{depth_origin, view_unit},
 };
@@ -26,9 +26,11 @@ use glam::DVec2;
 /// drawn, so that a face in the plane shows whole, not in specks. Triangles get [`ScreenSection::corner_slack`] too.
 pub(super) const KEPT_BEFORE: f64 = 16.0;
 
-/// `start` and `per_q` are clamped to this. Beyond it only their sign matters; within it products stay in the range of
-/// `f32`.
+/// No coefficient is larger, and not all are below 1: then products stay in the range of `f32`.
 const LARGEST: f64 = 1e30;
+
+/// Offsets are clamped to this: beyond it only the sign matters.
+const LARGEST_OFFSET: f64 = 1e200;
 
 /// A section in the picture of a view. It keeps points with `start + per_px . (px - middle) + per_q q >= 0`.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +41,8 @@ pub(crate) struct ScreenSection {
     pub per_px: DVec2,
     /// The change for one unit of q: the fragment's w in perspective, the stored depth in orthographic projection.
     pub per_q: f64,
+    /// The change times clip space's w, for one unit of length off the plane.
+    pub per_length: f64,
     middle_px: DVec2,
 }
 
@@ -54,7 +58,8 @@ impl ScreenSection {
         let (_, exponent) = split(power_of_two_below(section.normal().abs().max_element()));
         let scaled = |value: f64| times_power_of_two(value, -exponent);
         let normal: Vector<DoubleDouble> = section.normal().map(scaled).into();
-        let offset = DoubleDouble::from(scaled(section.offset()).clamp(-1e300, 1e300));
+        let offset = scaled(section.offset()).clamp(-LARGEST_OFFSET, LARGEST_OFFSET);
+        let offset = DoubleDouble::from(offset);
         let middle_px = 0.5 * view.viewport.size_px();
         let grid = view.camera.pixel_grid(view.viewport);
         let ray = grid.differential::<DoubleDouble>(middle_px, glam::DVec3::ZERO);
@@ -68,11 +73,15 @@ impl ScreenSection {
         } else {
             (ahead.into(), f64::from(start) * view_unit(view))
         };
-        let held = |value: f64| value.clamp(-LARGEST, LARGEST);
+        let per_length = normal.rounded().length();
+        // Only the sign of the test's value counts, so all may grow or shrink together.
+        let largest = (start.abs().max(per_q.abs())).max(per_px.abs().max_element());
+        let scale = largest.clamp(1.0, LARGEST) / largest;
         Self {
-            start: held(start),
-            per_px,
-            per_q: held(per_q),
+            start: scale * start,
+            per_px: scale * per_px,
+            per_q: scale * per_q,
+            per_length: scale * per_length,
             middle_px,
         }
     }
@@ -98,11 +107,13 @@ impl ScreenSection {
     /// [`KEPT_BEFORE`].
     ///
     /// Each coefficient and each product is rounded once, and three sums follow: 5 U of the terms' sizes. 1 U more is
-    /// for second order.
+    /// for second order. Coefficients and products may underflow.
     pub fn bound(&self, px: DVec2, q: f64) -> f64 {
-        let aside = (self.per_px * (px - self.middle_px)).abs();
-        let terms = self.start.abs() + aside.element_sum() + (self.per_q * q).abs();
-        (6.0 + KEPT_BEFORE) * U * terms + 4.0 * f64::from(f32::MIN_POSITIVE)
+        let from_middle = (px - self.middle_px).abs();
+        let aside = self.per_px.abs().dot(from_middle);
+        let terms = self.start.abs() + aside + (self.per_q * q).abs();
+        let underflow = UNDERFLOW * (4.0 + from_middle.element_sum() + q.abs());
+        (6.0 + KEPT_BEFORE) * U * terms + underflow
     }
 
     /// What the shaders get: the change per pixel right and down, the value in the middle, and the change per q.

@@ -118,8 +118,15 @@ impl<'a> Surfaces<'a> {
     }
 
     /// The surfaces that an id may stand for at a pixel: the background, a square, the faces of a cube, a sphere's
-    /// front and back, or a triangle with the neighbours that may show in its place.
+    /// front and back, or a triangle with the neighbours that may show in its place. What the section certainly cuts
+    /// away is left out.
     pub fn of_id(&self, px: DVec2, id: Id) -> Vec<Surface> {
+        let mut surfaces = self.of_id_uncut(px, id);
+        surfaces.retain(|surface| surface.may_keep);
+        surfaces
+    }
+
+    fn of_id_uncut(&self, px: DVec2, id: Id) -> Vec<Surface> {
         let Some(index) = (id.object as usize).checked_sub(1) else {
             return vec![Surface::background(self.space.view())];
         };

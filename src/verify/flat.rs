@@ -220,9 +220,11 @@ impl Flat<'_> {
             Projection::Perspective { .. } => a + lens.near * DVec3::Z,
             Projection::Orthographic { .. } => DVec3::Z,
         };
-        let across = to_eye.cross(b - a).normalize_or_zero();
-        let [side, other_side] =
-            [apex, other].map(|point| across.dot((point - a).normalize_or_zero()));
+        // Lengths go first: their products leave the range of `f64`.
+        let [to_eye, along, apex, other] =
+            [to_eye, b - a, apex - a, other - a].map(DVec3::normalize_or_zero);
+        let across = to_eye.cross(along).normalize_or_zero();
+        let [side, other_side] = [apex, other].map(|to_point| across.dot(to_point));
         side.signum() != other_side.signum() && side.abs().min(other_side.abs()) > EDGE_ON
     }
 }

@@ -15,7 +15,7 @@
 //!   `f32` test ([`ScreenSection`](crate::render)) leave open whether it is kept, and the surface's depth fits that
 //!   answer;
 //! * **f32 limit**: an edge, but `f32` may move the outline by more than the grid does;
-//! * **beyond f32**: one of these, but by a bound above the ceiling ([`OUTLINE_CEILING_PX`], [`DEPTH_CEILING_STEPS`]);
+//! * **beyond f32**: one of these, but by a bound above the ceiling ([`OUTLINE_CEILING_PX`], [`DEPTH_CEILING`]);
 //!   or a bound that does not exist or exceeds the picture; or a surface well between near and far that the buffer
 //!   cannot tell from nothing. Drawing in `f32` cannot render the view faithfully; casting rays can. No such pixel
 //!   occurs where all bounds lie below the ceiling and the buffer can tell every surface from nothing;
@@ -99,13 +99,13 @@ use surface::{Depths, Surface};
 /// wrong.
 pub const OUTLINE_CEILING_PX: f64 = 0.5;
 
-/// The largest depth error of `f32` in a view that it can draw, in steps of 2^-23 of the depth, or of the distance
-/// between near and far where that is less: 1/8192 of it. The error is also at most half a pixel's width. A slanted
-/// surface may in addition be off by the change of its depth when it is moved aside by half a pixel.
+/// The largest depth error of `f32` in a view that it can draw, over the depth, or over the distance between near and
+/// far where that is less: 1024 of its steps. The error is also at most half a pixel's width. A slanted surface may in
+/// addition be off by the change of its depth when it is moved aside by half a pixel.
 ///
-/// These are lengths and do not depend on what a depth buffer stores. They also limit how far along the line of sight
-/// the shaders may misplace a section.
-pub const DEPTH_CEILING_STEPS: f64 = 1024.0;
+/// These are lengths and do not depend on what a depth buffer stores. The shaders may misplace a section by as much,
+/// along its normal, whatever the distance between near and far; in orthographic projection by half a pixel's width.
+pub const DEPTH_CEILING: f64 = 1024.0 * f32::EPSILON as f64;
 
 /// Why a pixel is drawn as one thing and picked as another, from harmless to grave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]

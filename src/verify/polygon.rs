@@ -78,16 +78,8 @@ pub(super) fn polygon(
     let nearest_w = depths.w(nearest_shown.unwrap_or(ends[0]));
     let border_px = shift_px(view, px, nearest_w, &clipped);
     let border = border(view, px, corners, [grid_px, border_px]);
-    let sides = (0..seen.len()).map(|i| [seen[i], seen[(i + 1) % seen.len()]]);
-    let sides = sides.filter(|[from, to]| !(from.is_cut && to.is_cut));
-    let edges: Vec<(usize, Outline)> = sides
-        .map(|[from, to]| {
-            (
-                from.edge,
-                edge(view, grid_px, px, [from.at, to.at], clipped),
-            )
-        })
-        .collect();
+    let edges_of = |seen: &[SeenCorner]| edges(view, grid_px, px, seen, clipped);
+    let edges = edges_of(&seen);
     // A polygon seen edge-on may have any depth of its corners.
     let slope_px = ray.slope(near + past_near, normal);
     let slope = slope_px.length();
@@ -101,7 +93,10 @@ pub(super) fn polygon(
     let aside_px = grid_px + f32_px;
     let aside = slope * aside_px;
     let may_be = if aside.is_finite() {
-        [past_near - aside, past_near + aside].map(|end| end.clamp(ends[0], ends[1]))
+        // Moved corners keep their depths. A driver that interpolates between corners as given goes on to the centre.
+        let first = ends[0].min(past_near.max(nearest(view, f64::INFINITY)));
+        let last = ends[1].max(past_near);
+        [past_near - aside, past_near + aside].map(|end| end.clamp(first, last))
     } else {
         ends
     };
@@ -123,7 +118,17 @@ pub(super) fn polygon(
     let cut_stored = cut_error * depths.stored_per_depth(0.0);
     let cut_beyond = bound::beyond_f32(aside_px, cut_stored, ceiling(0.0));
     let errors = [slope * grid_px, slope * f32_px + cut_error];
-    let cut = Reason::at_near_plane(past_near.abs(), errors, cut_beyond).filter(|_| covers);
+    let cut = Reason::at_near_plane(past_near.abs(), errors, cut_beyond);
+    let cut = cut.and_then(|reason| {
+        if covers {
+            return Some(reason);
+        }
+        // The part that is cut off wrongly has edges, too.
+        let wrongly = seen_from(corners, nearest(view, errors[0] + errors[1]));
+        let edges = edges_of(&wrongly).into_iter();
+        let at_edge = edges.filter_map(|(_, outline)| outline.reason());
+        Some(reason.and(at_edge.map(|reason| reason.class).min()?))
+    });
     let section = Sectioned::new(space);
     let section = section.face(px, past_near, slope_px, [grid_px, f32_px], &error, || {
         interpolation::error(view, |z| section.q(z), &shown, px, [grid_px, aside_px])
@@ -135,6 +140,7 @@ pub(super) fn polygon(
         loose: border.reason().into_iter().chain(cuts).reduce(Reason::or),
         crossed: None,
         cut: section.reason,
+        may_keep: section.may_keep,
         triangle: None,
         outline: outlines.fold(border, Outline::nearer),
         covers: covers && past_near >= 0.0 && section.keeps,
@@ -226,6 +232,24 @@ impl Corner {
     }
 }
 
+/// The polygon's edges as far as they are seen, each with the index of its first corner.
+fn edges(
+    view: &View,
+    grid_px: f64,
+    px: DVec2,
+    seen: &[SeenCorner],
+    clipped: ViewError,
+) -> Vec<(usize, Outline)> {
+    let sides = (0..seen.len()).map(|i| [seen[i], seen[(i + 1) % seen.len()]]);
+    let sides = sides.filter(|[from, to]| !(from.is_cut && to.is_cut));
+    sides
+        .map(|[from, to]| {
+            let ends = [from.at, to.at];
+            (from.edge, edge(view, grid_px, px, ends, clipped))
+        })
+        .collect()
+}
+
 /// Whether `f64` resolves the depth at a pixel: with corners this large, it loses less than the ceiling.
 fn is_known(depths: &Depths, corners: &[Corner], past_near: f64) -> bool {
     let sizes = corners.iter().map(|corner| corner.view.abs().max_element());
@@ -255,10 +279,13 @@ fn covers(ray: &ViewRay, corners: &[Corner]) -> bool {
 /// Drawing moves the point at share `s` of the edge by `1 - s` times the first end's error plus `s` times the second's.
 ///
 /// A near plane just before the eye may cut an edge at a corner that is shown so far out that its position in the
-/// picture loses the distance. So everything is computed from homogeneous coordinates about the pixel.
+/// picture loses the distance. So everything is computed from homogeneous coordinates about the pixel, over the larger
+/// w: fourth powers of a scene's size leave the range of `f64`.
 fn edge(view: &View, grid_px: f64, px: DVec2, [a, b]: [Corner; 2], clipped: ViewError) -> Outline {
-    let [from, to] = [a, b].map(|corner| project_about(view, px, corner.view));
-    let [wa, wb] = [a, b].map(|corner| w(view, corner.view));
+    let [from_w, to_w] = [a, b].map(|corner| w(view, corner.view));
+    let largest = from_w.max(to_w);
+    let [from, to] = [a, b].map(|corner| project_about(view, px, corner.view) / largest);
+    let [wa, wb] = [from_w, to_w].map(|w| w / largest);
     // Along the edge as the picture shows it.
     let along = to * wa - from * wb;
     let (before, after) = (from.dot(along), to.dot(along));
@@ -275,7 +302,7 @@ fn edge(view: &View, grid_px: f64, px: DVec2, [a, b]: [Corner; 2], clipped: View
     Outline {
         distance_px,
         grid_px,
-        f32_px: shift_px(view, px, wa + s * (wb - wa), &error),
+        f32_px: shift_px(view, px, from_w + s * (to_w - from_w), &error),
     }
 }
 

@@ -1,9 +1,10 @@
 //! Decides whether the section keeps a surface at a pixel, and whether drawing may decide otherwise.
 //!
 //! The shaders' test ([`ScreenSection`]) takes a pixel's position and its q. A face moved aside has another q there: it
-//! changes by q's slope times the distance. Bounds have the same ceiling as depths:
-//! [`DEPTH_CEILING_STEPS`](super::DEPTH_CEILING_STEPS) and half a pixel's width, plus the change of the test's value
-//! over half a pixel.
+//! changes by q's slope times the distance.
+//!
+//! Bounds have a ceiling: the section is misplaced by at most [`Depths::section_ceiling_world`], plus the change of the
+//! surface's q over half a pixel.
 
 use super::{
     Class, OUTLINE_CEILING_PX,
@@ -22,7 +23,9 @@ use glam::DVec2;
 pub(super) struct AtSection {
     /// Whether it is kept at the centre.
     pub keeps: bool,
-    /// Why drawing may decide otherwise.
+    /// Whether drawing may keep it.
+    pub may_keep: bool,
+    /// Why drawing may decide otherwise than `keeps`.
     pub reason: Option<Reason>,
 }
 
@@ -68,7 +71,7 @@ impl<'a> Sectioned<'a> {
         // The shaders keep this much of what is cut away. It is rounded once, and once in a sum.
         let slack = (1.0 + 2.0 * U) * screen.corner_slack();
         let moved = of_q.length() * aside_px + slack;
-        let room = (screen.per_px + of_q).length() * OUTLINE_CEILING_PX;
+        let room = of_q.length() * OUTLINE_CEILING_PX;
         let off = screen.per_q.abs() * interpolation();
         self.at(screen, px, past_near, error, aside_px, [moved, off, room])
     }
@@ -79,8 +82,7 @@ impl<'a> Sectioned<'a> {
             return AtSection::WHOLE;
         };
         let per_depth = q(self.space, past_near)[1];
-        let room = (screen.per_q * per_depth).abs() * of_slope
-            + screen.per_px.length() * OUTLINE_CEILING_PX;
+        let room = (screen.per_q * per_depth).abs() * of_slope;
         self.at(screen, px, past_near, error, 0.0, [0.0, 0.0, room])
     }
 
@@ -104,8 +106,8 @@ impl<'a> Sectioned<'a> {
             per_depth.abs() * error.depth + 6.0 * U * q
         };
         let off = off + screen.per_q.abs() * off_q + screen.bound(px, q);
-        let length = self.depths.ceiling_world(past_near);
-        let ceiling = (screen.per_q * per_depth).abs() * length + room;
+        let length = self.depths.section_ceiling_world(past_near);
+        let ceiling = screen.per_length * length / self.depths.w(past_near) + room;
         let strain = bound::strain(value.abs(), moved + off);
         let reason = strain.map(|strain| Reason {
             class: if bound::beyond_f32(aside_px, off, ceiling) {
@@ -118,6 +120,8 @@ impl<'a> Sectioned<'a> {
         });
         AtSection {
             keeps: value >= 0.0,
+            // NaN and an infinite bound leave it open.
+            may_keep: !(value < -(moved + off)),
             reason,
         }
     }
@@ -127,6 +131,7 @@ impl AtSection {
     /// What holds without a section.
     const WHOLE: Self = Self {
         keeps: true,
+        may_keep: true,
         reason: None,
     };
 }

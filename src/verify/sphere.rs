@@ -79,6 +79,7 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
                 .reduce(Reason::or),
             crossed: None,
             cut: None,
+            may_keep: sections[i].may_keep,
             triangle: None,
             outline: rim,
             covers: discriminant >= 0.0 && past_near >= 0.0 && sections[i].keeps,

@@ -1,7 +1,7 @@
 //! A surface at a pixel, depths as the GPU computes them, and whether two surfaces explain a difference.
 
 use super::{
-    Class, DEPTH_CEILING_STEPS, OUTLINE_CEILING_PX,
+    Class, DEPTH_CEILING, OUTLINE_CEILING_PX,
     bound::{Outline, Reason, Stored},
 };
 use crate::{
@@ -25,6 +25,8 @@ pub(super) struct Surface {
     pub crossed: Option<Reason>,
     /// Why drawing may decide otherwise whether the section keeps it.
     pub cut: Option<Reason>,
+    /// Whether drawing may keep it: false where the section cuts it away by more than drawing can be off.
+    pub may_keep: bool,
     /// For a mesh's triangle: its batch's first object, and its number.
     pub triangle: Option<(usize, u32)>,
     /// Its nearest outline, however far away.
@@ -63,6 +65,7 @@ impl Surface {
             loose: None,
             crossed: None,
             cut: None,
+            may_keep: true,
             triangle: None,
             outline: Outline::NONE,
             covers: true,
@@ -202,6 +205,8 @@ pub(super) fn explain(depths: &Depths, drawn: &Surface, picked: &Surface) -> Opt
 pub(super) struct Depths {
     lens: Lens,
     unit: f64,
+    /// The w that the GPU computes, per unit of [`Depths::w`].
+    unit_of_w: f64,
     /// From the near plane to where the depth buffer stores 0.
     origin: f64,
     /// The stored value times w, per unit of measured depth.
@@ -216,6 +221,10 @@ impl Depths {
         Self {
             lens,
             unit: space.unit(),
+            unit_of_w: match lens.projection {
+                Projection::Perspective { .. } => space.unit(),
+                Projection::Orthographic { .. } => 1.0,
+            },
             origin: match lens.depth {
                 DepthMapping::Reversed => lens.far - lens.near,
                 DepthMapping::Standard => 0.0,
@@ -255,8 +264,8 @@ impl Depths {
             Projection::Orthographic { .. } => 0.0,
         };
         let measured = (past_near - self.origin).abs();
-        let underflow =
-            UNDERFLOW * ((self.unit * measured).max(1.0) / (self.unit * w).min(1.0) + 2.0);
+        let [measured_drawn, w_drawn] = [self.unit * measured, self.unit_of_w * w];
+        let underflow = UNDERFLOW * (measured_drawn.max(1.0) / w_drawn.min(1.0) + 2.0);
         (self.per_measured.abs() * error.measured + stored * of_w) / w
             + 10.0 * U * stored
             + underflow
@@ -278,7 +287,7 @@ impl Depths {
         let product = if exact {
             0.0
         } else {
-            2.0 * U * w + 2.0 * UNDERFLOW / self.unit
+            2.0 * U * w + 2.0 * UNDERFLOW / self.unit_of_w
         };
         larger((product + factor * error.measured + of_w) / change, 0.0)
     }
@@ -295,9 +304,8 @@ impl Depths {
         is_exact && is_f32(factor) && is_f32(measured) && is_f32(factor * measured)
     }
 
-    /// The largest error of the stored value in a view that `f32` can draw: [`DEPTH_CEILING_STEPS`] of 2^-23 of the
-    /// depth, or of the distance between near and far where that is less; at most half a pixel's width, as for
-    /// outlines.
+    /// The largest error of the stored value in a view that `f32` can draw: [`DEPTH_CEILING`] of the depth, or of the
+    /// distance between near and far where that is less; at most half a pixel's width, as for outlines.
     ///
     /// It comes from lengths, whatever the buffer stores: a coarser buffer does not allow larger errors.
     pub fn ceiling(&self, past_near: f64) -> f64 {
@@ -312,9 +320,22 @@ impl Depths {
             Projection::Perspective { .. } => range.min(w),
             Projection::Orthographic { .. } => range,
         };
-        let steps = DEPTH_CEILING_STEPS * f64::from(f32::EPSILON) * known;
-        let aside = OUTLINE_CEILING_PX * self.pixel_at_w_1 * w;
-        steps.min(aside)
+        (DEPTH_CEILING * known).min(self.half_a_pixel(past_near))
+    }
+
+    /// The most by which the shaders may misplace a section, along its normal, in a view that `f32` can draw. The test
+    /// does not measure from the near or far plane, so their distance does not count.
+    pub fn section_ceiling_world(&self, past_near: f64) -> f64 {
+        let known = match self.lens.projection {
+            Projection::Perspective { .. } => DEPTH_CEILING * self.w(past_near).abs(),
+            Projection::Orthographic { .. } => f64::INFINITY,
+        };
+        known.min(self.half_a_pixel(past_near))
+    }
+
+    /// Half a pixel's width at a depth, in world units.
+    fn half_a_pixel(&self, past_near: f64) -> f64 {
+        OUTLINE_CEILING_PX * self.pixel_at_w_1 * self.w(past_near).abs()
     }
 
     /// How fast the stored value changes with depth.

@@ -1,16 +1,17 @@
 //! The bounds excuse what drawing in `f32` must get wrong and nothing else. The cases are triangles slimmer than the
-//! grid, floors that run under the eye, specks, and surfaces that `f32` cannot tell apart.
+//! grid, floors that run under the eye, worlds of any size, sections, specks, and surfaces that `f32` cannot tell apart.
 
 use crate::{
     broken_drawings::{SIZE, mapped},
     cameras::culled,
     common::{mesh, orthographic, perspective, view},
     compare, drawn_once,
-    scenes::object,
+    scenes::{bumpy, object},
 };
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 use sightline::{
     camera::{DepthMapping, Lens, View},
+    geometry::Section,
     image::Id,
     pick,
     scene::{Scene, Shape},
@@ -57,6 +58,7 @@ fn a_mesh_missing_whose_triangles_are_slimmer_than_the_grid() {
 /// pixels show.
 #[track_caller]
 fn is_missed(scene: &Scene, view: &View, least: usize) {
+    scene.build_trees();
     let picked = pick::ids(scene, view);
     let right = compare(scene, view, &drawn_once(scene, view), &picked);
     let worst = right.worst();
@@ -69,7 +71,8 @@ fn is_missed(scene: &Scene, view: &View, least: usize) {
     let found = wrong.count(Class::Unexplained);
     assert!(
         found >= shown * 9 / 10,
-        "{found} of {shown} are found out: {view:?}"
+        "{found} of {shown} are found out: {:?}, {view:?}",
+        wrong.worst()
     );
 }
 
@@ -150,6 +153,67 @@ fn a_floor_under_the_eye_missing() {
         let lens = perspective(60.0, near, 100.0);
         let view = view([0.0, 1.6, 1.0], [0.5, 1.2, -4.0], lens, SIZE);
         is_missed(&scene, &view, 10_000);
+    }
+}
+
+fn bumpy_mesh() -> Shape {
+    let (positions, triangles) = bumpy(3);
+    Shape::Mesh {
+        mesh: mesh(positions, triangles, DVec3::ZERO),
+        part: 0,
+    }
+}
+
+/// However large or small the world is: products of lengths leave the range of `f64`.
+#[test]
+fn a_shape_missing_in_worlds_of_any_size() {
+    for exponent in [-80, -40, 40, 80, 97] {
+        let size = 10_f64.powi(exponent);
+        let place = |at: DVec3, scale: f64| {
+            DAffine3::from_translation(size * at) * DAffine3::from_scale(DVec3::splat(size * scale))
+        };
+        let perspective = perspective(45.0, size, 30.0 * size);
+        let orthographic = orthographic(3.0 * size, size, 30.0 * size);
+        // In orthographic projection the picks of a larger world take minutes.
+        let lenses = if exponent > 80 {
+            vec![perspective]
+        } else {
+            vec![perspective, orthographic]
+        };
+        for shape in [bumpy_mesh(), Shape::Cube] {
+            let scene = Scene::new(vec![
+                object("shape", shape, place(DVec3::ZERO, 1.0), None),
+                object("wall", Shape::Square, place(-2.0 * DVec3::Z, 9.0), None),
+            ]);
+            let eye = [0.5, 0.7, 5.0].map(|along: f64| size * along);
+            for lens in &lenses {
+                is_missed(&scene, &view(eye, [0.0; 3], *lens, SIZE), 1000);
+            }
+        }
+    }
+}
+
+/// A drawing shows a shape that the section cuts away. Its outline explains none of that.
+#[test]
+fn a_section_that_does_not_cut() {
+    let size = DAffine3::from_scale(DVec3::splat(1.2));
+    for (name, shape) in [
+        ("square", Shape::Square),
+        ("cube", Shape::Cube),
+        ("sphere", Shape::Sphere),
+        ("mesh", bumpy_mesh()),
+    ] {
+        let scene = Scene::new(vec![object(name, shape, size, None)]);
+        for lens in [perspective(45.0, 1.0, 30.0), orthographic(3.0, 1.0, 30.0)] {
+            let whole = view([0.5, 0.7, 5.0], [0.0, 0.0, 0.0], lens, SIZE);
+            let section = Section::through(DVec3::new(0.0, 2.0, 0.0), DVec3::Y).ok();
+            let cut = View { section, ..whole };
+            let [drawn, picked] = [drawn_once(&scene, &whole), pick::ids(&scene, &cut)];
+            let report = compare(&scene, &cut, &drawn, &picked);
+            assert!(report.drawn > 1000 && report.picked == 0, "{name}");
+            let found = report.count(Class::Unexplained);
+            assert_eq!(found, report.drawn, "{name}: {report:?}");
+        }
     }
 }
 

@@ -34,6 +34,7 @@ mod report;
 #[path = "../common/scenes.rs"]
 mod scenes;
 mod sections;
+mod slivers;
 #[path = "../exact_picks/ties.rs"]
 mod ties;
 mod views;

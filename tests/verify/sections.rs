@@ -7,6 +7,7 @@ use crate::{
     compare,
     cuts::some_section,
     drawn,
+    extremes::{self, Counts},
     scenes::{gpu, shapes},
 };
 use glam::DVec3;
@@ -184,4 +185,44 @@ fn a_face_in_the_plane_shows_as_a_whole() {
         }
     }
     assert!(shown > 20_000, "{shown} pixels");
+}
+
+/// The test's numbers have the size of the scene in orthographic projection, and of the distance in perspective.
+#[test]
+fn in_scenes_of_any_size() {
+    for exponent in [-95, -39, -20, 30, 39, 97] {
+        let text = format!("[[object]]\nshape = \"cube\"\nscale = 1e{exponent}\n");
+        let (_folder, file) = extremes::scene(&text);
+        for projection in ["--fov 40".to_owned(), format!("--ortho 2e{exponent}")] {
+            let view = format!("{projection} --section=0.3,0.5,0.2,0");
+            let [whole, cut] = [&projection, &view].map(|view| {
+                let counts =
+                    Counts::of(extremes::run(Some(&file), &format!("--size 128x96 {view}")));
+                assert_eq!(counts.code, Some(0), "1e{exponent} {view}: {}", counts.line);
+                counts
+            });
+            let [whole, cut] = [whole, cut].map(|counts| counts.get("picked"));
+            assert!(
+                500 < cut && cut + 50 < whole,
+                "1e{exponent}: {cut} of {whole}"
+            );
+        }
+    }
+}
+
+/// Planes that fit a thin plate lie close together, and its front lies within the rounding of the section's plane. The
+/// bound on that rounding does not depend on the planes.
+#[test]
+fn a_thin_plate_cut_in_its_own_face() {
+    let square = |z: &str| format!("[[object]]\nshape = \"square\"\nposition = [0, 0, {z}]\n");
+    let toml = ["0.10000001", "0.101"].map(square).concat();
+    let (_folder, file) = extremes::scene(&toml);
+    for projection in ["--fov 45", "--ortho 2"] {
+        let view =
+            format!("--size 128x96 --eye 0,0,2 --target 0,0,0 {projection} --section=-z:0.1");
+        let counts = Counts::of(extremes::run(Some(&file), &view));
+        assert_eq!(counts.code, Some(0), "{projection}: {}", counts.line);
+        let found = counts.get("section");
+        assert!(found > 2000, "{projection}: {}", counts.line);
+    }
 }

@@ -1,0 +1,194 @@
+//! Slivers seen nearly edge-on, before a wall, at the near plane or under a section: whatever drawing gets wrong there
+//! is explained, by bounds below their ceilings.
+
+use crate::{
+    cameras::culled,
+    common::{Random, mesh, orthographic, perspective, view},
+    compare, drawn, drawn_once,
+    scenes::{gpu, object},
+};
+use glam::{DAffine3, DQuat, DVec2, DVec3};
+use sightline::{
+    camera::{Camera, View},
+    geometry::Section,
+    pick,
+    render::{Renderer, SceneBuffers},
+    scene::{Scene, Shape},
+    verify::{Class, Verdict},
+};
+
+/// Pictures per test in an ordinary run, and slivers per picture.
+const PICTURES: usize = 80;
+const SLIVERS: usize = 24;
+
+const SIZE: [u32; 2] = [128, 96];
+const NEAR: f64 = 10.0;
+const WALL: f64 = 19.9;
+
+/// Cameras that look along -z, one unit per pixel at depth 1 in orthographic projection.
+fn views() -> [View; 2] {
+    let height = f64::from(SIZE[1]);
+    let at = |lens| view([0.01, 0.02, 0.0], [0.01, 0.02, -1.0], lens, SIZE);
+    [
+        at(orthographic(height, NEAR, 100.0)),
+        at(perspective(60.0, NEAR, 100.0)),
+    ]
+}
+
+/// The world's point at a pixel position and depth.
+fn point(view: &View, px: DVec2, depth: f64) -> DVec3 {
+    view.camera.eye() + view.offset_from_eye(px, depth)
+}
+
+/// A triangle that passes a pixel's centre within a step of the grid. It is up to 90 pixels long and mostly slimmer
+/// than the grid; across it, depth changes by up to ten units.
+fn sliver(random: &mut Random, view: &View) -> [DVec3; 3] {
+    let size = DVec2::from(SIZE.map(f64::from));
+    let centre = (size * DVec2::new(random.unit(), random.unit())).floor() + 0.5;
+    let along = DVec2::from_angle(random.within(0.0, std::f64::consts::TAU));
+    let across = 10_f64.powf(random.within(-4.0, 0.3));
+    let past_centre = centre + random.within(-0.004, 0.004) * along.perp();
+    let [before, after] = [0, 1].map(|_| random.within(0.0, 45.0));
+    let px = [
+        past_centre - before * along,
+        past_centre + after * along,
+        past_centre + random.within(-before, after) * along + across * along.perp(),
+    ];
+    let plane = [NEAR, WALL][random.below(2)];
+    let mut depth = || plane + 10_f64.powf(random.within(-5.0, 1.0)) * random.within(-1.0, 1.0);
+    let [a, b, c] = px.map(|px| point(view, px, depth().max(1.0)));
+    // Half of them show their backs.
+    if random.below(2) == 0 {
+        [a, b, c]
+    } else {
+        [a, c, b]
+    }
+}
+
+/// Triangles as one mesh, before a wall.
+fn scene_of(triangles: impl IntoIterator<Item = [DVec3; 3]>) -> Scene {
+    let corners = triangles.into_iter().flatten();
+    let positions: Vec<[f32; 3]> = corners.map(|p| p.as_vec3().into()).collect();
+    let corners = (0..).step_by(3).take(positions.len() / 3);
+    let triangles = corners.map(|i| [i, i + 1, i + 2]).collect();
+    let mesh = mesh(positions, triangles, DVec3::ZERO);
+    let wall = DAffine3::from_scale_rotation_translation(
+        DVec3::splat(200.0),
+        DQuat::IDENTITY,
+        DVec3::new(0.0, 0.0, -WALL),
+    );
+    Scene::new(vec![
+        object(
+            "slivers",
+            Shape::Mesh { mesh, part: 0 },
+            DAffine3::IDENTITY,
+            None,
+        ),
+        object("wall", Shape::Square, wall, None),
+    ])
+}
+
+/// A section that passes a point on a sliver, in any direction or along the sliver's own plane.
+fn section_of(random: &mut Random, scene: &Scene) -> Section {
+    let Shape::Mesh { mesh, .. } = &scene.objects()[0].shape else {
+        unreachable!("the slivers are a mesh");
+    };
+    let corner = |i: usize| DVec3::from_array(mesh.data().positions[i].map(f64::from));
+    loop {
+        let first = 3 * random.below(SLIVERS);
+        let [a, b, c] = [0, 1, 2].map(|i| corner(first + i));
+        let normal = if random.below(2) == 0 {
+            (b - a).cross(c - a)
+        } else {
+            random.direction()
+        };
+        if let Ok(section) = Section::through(a.lerp(b, random.unit()), normal) {
+            return section;
+        }
+    }
+}
+
+/// Compares many pictures of slivers. At least `least` pixels must differ, or the slivers miss what they aim at.
+#[track_caller]
+fn check(seed: u64, least: usize, arrange: impl Fn(&mut Random, &mut Scene, &mut View)) {
+    let pictures = std::env::var("SIGHTLINE_CUTS").map_or(PICTURES, |count| {
+        count.parse::<usize>().expect("SIGHTLINE_CUTS is a number") * PICTURES
+    });
+    let gpu = gpu();
+    let mut renderer = Renderer::new(&gpu, 1);
+    let mut random = Random::new(seed);
+    let mut classes = [0; 6];
+    let mut worst = String::new();
+    for mut view in (0..pictures).flat_map(|_| views()) {
+        let slivers: Vec<_> = (0..SLIVERS).map(|_| sliver(&mut random, &view)).collect();
+        let mut scene = scene_of(slivers);
+        arrange(&mut random, &mut scene, &mut view);
+        scene.build_trees();
+        let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+        let drawn = drawn(&gpu, &mut renderer, &buffers, &view);
+        let report = compare(&scene, &view, &drawn, &pick::ids(&scene, &view));
+        for (count, class) in classes.iter_mut().zip(Class::ALL) {
+            *count += report.count(class);
+        }
+        if report.count(Class::Unexplained) + report.count(Class::BeyondF32) > 0 {
+            worst = format!("{:?}\n{view:?}\n{:?}", report.worst(), corners(&scene));
+        }
+    }
+    println!("{classes:?}");
+    assert_eq!(classes[4..], [0, 0], "of {classes:?}: {worst}");
+    let differ: usize = classes.iter().sum();
+    assert!(differ >= least, "only {differ} pixels differ");
+}
+
+fn corners(scene: &Scene) -> Option<Vec<[f32; 3]>> {
+    let Shape::Mesh { mesh, .. } = &scene.objects()[0].shape else {
+        return None;
+    };
+    Some(mesh.data().positions.clone())
+}
+
+/// A driver that interpolates between corners as given draws this one at a centre beside it, deeper than any corner and
+/// behind the wall.
+#[test]
+fn deeper_than_its_corners() {
+    let corners = [
+        DVec3::new(37.479_361_7, -42.953_489_6, -20.0),
+        DVec3::new(37.541_860_7, -44.688_775_3, -20.015_250_5),
+        DVec3::new(37.565_069_7, -45.407_083_2, -22.0),
+    ];
+    let scene = scene_of([corners]);
+    let [orthographic, _] = views();
+    let camera = orthographic.camera;
+    let camera = Camera::looking(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, *camera.lens());
+    let view = View::new(camera.expect("a camera"), orthographic.viewport);
+    let drawn = drawn_once(&scene, &view);
+    let report = compare(&scene, &view, &drawn, &pick::ids(&scene, &view));
+    assert_eq!(report.verdict(), Verdict::Agrees, "{:?}", report.worst());
+    assert_eq!(report.drawn, report.pixels, "the wall fills the picture");
+}
+
+#[test]
+fn before_a_wall() {
+    check(41, 250, |_, _, _| ());
+}
+
+#[test]
+fn alone() {
+    check(42, 300, |_, scene, _| scene.set_visible(1, false));
+}
+
+#[test]
+fn of_which_only_front_sides_show() {
+    check(43, 150, |_, scene, view| {
+        scene.set_visible(1, false);
+        *view = culled(view);
+    });
+}
+
+#[test]
+fn under_a_section() {
+    check(44, 200, |random, scene, view| {
+        scene.set_visible(1, random.below(2) == 0);
+        view.section = Some(section_of(random, scene));
+    });
+}
