@@ -10,6 +10,10 @@ use super::{
     swap::{AnyStep, Swap},
 };
 use crate::{camera::View, scene::Scene};
+use std::{
+    collections::BTreeMap,
+    sync::{Arc, Mutex, PoisonError},
+};
 
 /// A method that breaks on a scene.
 #[derive(Clone, Copy, Debug)]
@@ -89,9 +93,8 @@ pub fn rows(of: &Break, scene: &Scene, view: View, go_on: &dyn Fn() -> bool) -> 
     const RAYS: usize = 6000;
     let camera = &view.camera;
     let px = px_angle(&view, camera.eye().distance(camera.target()));
-    let own = SceneRays::new(scene, view, RAYS, Effort::QUICK.seed);
-    let mut rows = (of.step).rows(of.family, Effort::QUICK, Some(&own), go_on)?;
-    for row in rows.iter_mut().filter(|row| row.family != SCENE) {
+    let mut rows = family_rows(of, go_on)?.to_vec();
+    for row in &mut rows {
         if row.info.step.wrong_unit == "px" {
             row.worst_wrong *= PX / px;
         }
@@ -99,7 +102,28 @@ pub fn rows(of: &Break, scene: &Scene, view: View, go_on: &dyn Fn() -> bool) -> 
             row.worst_error *= PX / px;
         }
     }
+    if !go_on() {
+        return None;
+    }
+    let own = SceneRays::new(scene, view, RAYS, Effort::QUICK.seed);
+    rows.extend((of.step).rows(SCENE, Effort::QUICK, Some(&own), go_on)?);
     Some(rows)
+}
+
+/// The rows of a break's family, in pixels of general workloads. They hang on no scene and no view, so they are kept
+/// once they are there. `None` once `go_on` says no.
+fn family_rows(of: &Break, go_on: &dyn Fn() -> bool) -> Option<Arc<[Row]>> {
+    /// By a step's key and a family's name.
+    type Kept = BTreeMap<(&'static str, &'static str), Arc<[Row]>>;
+    static KEPT: Mutex<Kept> = Mutex::new(BTreeMap::new());
+    let kept = || KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    let key = (of.step.about.key, of.family);
+    if let Some(rows) = kept().get(&key) {
+        return Some(Arc::clone(rows));
+    }
+    // The lock is free meanwhile: other families are looked up.
+    let rows = of.step.rows(of.family, Effort::QUICK, None, go_on)?;
+    Some(Arc::clone(kept().entry(key).or_insert(rows.into())))
 }
 
 /// The methods besides Sightline's whose mistakes cannot be seen on the scene: every decision is right, and every error
@@ -125,4 +149,30 @@ pub fn swaps(exhibit: &str) -> Vec<Swap> {
         (0..step.methods().len()).map(move |method| Swap { step, method })
     });
     distinct(broken.chain(all.filter(|swap| !swap.info().ours)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::methods::picks::ball_scene;
+
+    /// What is kept is the rows themselves, and no view's pixels get into them.
+    #[test]
+    fn a_family_is_studied_once_for_all_views() {
+        let of = &BREAKS[0];
+        let fresh = (of.step).rows(of.family, Effort::QUICK, None, &|| true);
+        let fresh = fresh.expect("nobody stops it");
+        let (scene, view) = ball_scene(0.0);
+        let large = rows(of, &scene, view, &|| true).expect("nobody stops it");
+        let kept = family_rows(of, &|| false).expect("it was studied");
+        assert_eq!(*kept, *fresh);
+        let scale = PX / px_angle(&view, 1.0);
+        assert!((scale - 1.0).abs() > 0.01, "a scale that shows");
+        let general = large.iter().filter(|row| row.family != SCENE);
+        assert!(general.clone().count() == fresh.len() && large.len() > fresh.len());
+        for (row, fresh) in general.zip(&fresh) {
+            let scaled = fresh.worst_wrong * scale;
+            assert_eq!(row.worst_wrong.to_bits(), scaled.to_bits());
+        }
+    }
 }

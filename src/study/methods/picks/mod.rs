@@ -21,21 +21,22 @@ use crate::{
 };
 use glam::DVec2;
 use num_traits::ToPrimitive;
-use std::{sync::Arc, time::Instant};
+use std::{
+    sync::{Arc, OnceLock},
+    time::Instant,
+};
 
-/// A scene as each kind of method picks from it.
+/// A scene as each kind of method picks from it. What only whole picks need is made once one of them asks for it: the
+/// other steps take their cases from the same scene.
 #[derive(Debug)]
 pub struct PickWorld {
     /// With trees over all meshes that are worth one.
     pub scene: Scene,
-    /// Without any tree.
-    pub treeless: Scene,
     /// The view.
     pub view: View,
-    /// The ids that a graphics adapter drew; `None` where there is no adapter.
-    pub ids: Option<Image<Id>>,
-    /// The visible objects in `f32`, with their indices.
-    flat: Vec<(usize, Flat)>,
+    treeless: OnceLock<Scene>,
+    ids: OnceLock<Option<Image<Id>>>,
+    flat: OnceLock<Vec<(usize, Flat)>>,
 }
 
 /// An object as a program in `f32` world coordinates holds it.
@@ -65,23 +66,42 @@ impl Flat {
 }
 
 impl PickWorld {
-    /// Copies the scene, builds trees over one of the copies, and draws it where there is a graphics adapter.
+    /// Builds the trees of the scene's meshes.
     #[must_use]
     pub fn new(scene: &Scene, view: View) -> Self {
-        let with_trees = copy(scene);
-        with_trees.build_trees();
-        let drawn = gpu().and_then(|gpu| render::render(gpu, scene, &view, None).ok());
+        scene.build_trees();
         Self {
-            scene: with_trees,
-            treeless: copy(scene),
+            scene: scene.clone(),
             view,
-            ids: drawn.map(|(ids, _)| ids),
-            flat: (0..)
-                .zip(scene.objects())
-                .filter(|(_, object)| object.visible)
-                .map(|(index, object)| (index, Flat::new(object)))
-                .collect(),
+            treeless: OnceLock::new(),
+            ids: OnceLock::new(),
+            flat: OnceLock::new(),
         }
+    }
+
+    /// The scene without any tree.
+    fn treeless(&self) -> &Scene {
+        self.treeless.get_or_init(|| copy(&self.scene))
+    }
+
+    /// The ids that a graphics adapter draws; `None` where there is no adapter.
+    fn ids(&self) -> Option<&Image<Id>> {
+        let draw = || {
+            let (ids, _) = render::render(gpu()?, &self.scene, &self.view, None).ok()?;
+            Some(ids)
+        };
+        self.ids.get_or_init(draw).as_ref()
+    }
+
+    /// The visible objects in `f32`, with their indices.
+    fn flat(&self) -> &[(usize, Flat)] {
+        self.flat.get_or_init(|| {
+            let visible = (0..).zip(self.scene.objects());
+            let visible = visible.filter(|(_, object)| object.visible);
+            visible
+                .map(|(index, object)| (index, Flat::new(object)))
+                .collect()
+        })
     }
 }
 
@@ -162,7 +182,7 @@ impl Case for PickCase {
             "Sightline's without its tree",
             Precision::Exact,
             "pick::closest",
-            |c| sightlines(&c.world.treeless, c),
+            |c| sightlines(c.world.treeless(), c),
         ),
         Method::ours(Precision::Exact, OURS, |c| sightlines(&c.world.scene, c)),
     ]];
@@ -176,7 +196,7 @@ impl Case for PickCase {
     }
 
     fn can_run(&self, method: &Method<Self>) -> bool {
-        ![GPU_IDS, GPU_ID].contains(&method.info.name) || self.world.ids.is_some()
+        ![GPU_IDS, GPU_ID].contains(&method.info.name) || self.world.ids().is_some()
     }
 
     fn whole_picture(cases: &[Self], method: &Method<Self>) -> Option<f64> {
@@ -245,7 +265,7 @@ impl PickCase {
     /// The adapter's id at the pixel.
     fn drawn(&self) -> Picked {
         let [x, y] = self.pixel_at();
-        let id = self.world.ids.as_ref()?.at(x, y);
+        let id = self.world.ids()?.at(x, y);
         let object = usize::try_from(id.object).ok()?.checked_sub(1)?;
         Some((object, id.triangle.checked_sub(1)))
     }
@@ -260,7 +280,7 @@ impl PickCase {
         let (origin, direction) = (V3::<f32>::of(pixel_ray.from), V3::of(pixel_ray.along));
         let world = pixel_ray.ray(&self.world.view)?;
         let mut best: Option<(f64, usize, Option<u32>)> = None;
-        for (index, object) in &self.world.flat {
+        for (index, object) in self.world.flat() {
             let triangles = match object {
                 Flat::Triangles(triangles) => triangles,
                 Flat::Shape(scene) => {
@@ -298,4 +318,36 @@ fn sightlines(scene: &Scene, case: &PickCase) -> Picked {
 /// A hit as a method's answer.
 fn picked(scene: &Scene, hit: SceneHit) -> (usize, Option<u32>) {
     (hit.object, hit.triangle_of_object(scene))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::{methods::TriangleCase, run::family};
+
+    /// Cases of one triangle are taken from a scene that nobody draws or copies.
+    #[test]
+    fn only_whole_picks_draw_the_scene_and_copy_it() {
+        let (scene, view) = ball_scene(0.0);
+        let rays = SceneRays::new(&scene, view, 20, 1);
+        let made = || {
+            let PickWorld {
+                treeless,
+                ids,
+                flat,
+                ..
+            } = &*rays.world;
+            [
+                treeless.get().is_some(),
+                ids.get().is_some(),
+                flat.get().is_some(),
+            ]
+        };
+        let rows = family::<TriangleCase>(SCENE, Effort::QUICK, Some(&rays), &|| true);
+        assert!(rows.is_some_and(|rows| !rows.is_empty()));
+        assert_eq!(made(), [false; 3]);
+        let rows = family::<PickCase>(SCENE, Effort::QUICK, Some(&rays), &|| true);
+        assert!(rows.is_some_and(|rows| !rows.is_empty()));
+        assert_eq!(made(), [true; 3]);
+    }
 }
