@@ -85,3 +85,14 @@ fn what_happens_meanwhile_is_shown_at_once() {
     press_key(&mut fresh, Modifiers::NONE, Key::Num1);
     assert_eq!(differing(&at_rest, &fresh.picture().expect("a picture")), 0);
 }
+
+/// A cursor in a field blinks twice a second. Between two blinks nothing is laid out.
+#[test]
+fn a_blinking_cursor_lays_out_what_it_must() {
+    let (mut window, _folder) = row(1.0);
+    click_on(&mut window, "eye x");
+    let before = window.passes();
+    window.wait_s(1.0);
+    let laid = window.passes() - before;
+    assert!((3..10).contains(&laid), "{laid}");
+}

@@ -20,14 +20,14 @@ use egui::accesskit::TreeUpdate;
 use std::{
     path::PathBuf,
     sync::{
-        Arc,
+        Arc, Mutex, PoisonError,
         mpsc::{Receiver, channel},
     },
     time::{Duration, Instant},
 };
 
-/// If one event takes more passes than this, the panels never come to rest.
-const MOST_PASSES: usize = 100;
+/// If one event takes more frames than this, the panels never come to rest: a cursor blinks, or a message waits to go.
+const MOST_FRAMES: usize = 100;
 /// No job takes as long as this.
 const LONGEST_WAIT: Duration = Duration::from_mins(2);
 
@@ -49,6 +49,23 @@ pub struct Offscreen {
     tells_controls: bool,
     at_rest: bool,
     theme: Option<egui::Theme>,
+    due: Due,
+}
+
+/// In how many seconds the panels want their next pass, by what was asked since this was cleared.
+#[derive(Clone, Default)]
+struct Due(Arc<Mutex<Option<f64>>>);
+
+impl Due {
+    fn ask(&self, in_s: f64) {
+        let mut due = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        *due = Some(due.map_or(in_s, |due| due.min(in_s)));
+    }
+
+    fn take(&self) -> Option<f64> {
+        let mut due = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        due.take()
+    }
 }
 
 impl Offscreen {
@@ -85,7 +102,11 @@ impl Offscreen {
             tells_controls: true,
             at_rest: false,
             theme: None,
+            due: Due::default(),
         };
+        let due = window.due.clone();
+        let ask = move |info: egui::RequestRepaintInfo| due.ask(info.delay.as_secs_f64());
+        window.app.context.set_request_repaint_callback(ask);
         window.settle();
         window
     }
@@ -404,11 +425,12 @@ impl Offscreen {
         }
     }
 
-    /// Runs passes until nothing moves and nothing is under way.
+    /// Runs passes until nothing moves and nothing is under way. As a window does, it runs none before one is due.
     pub(super) fn settle(&mut self) {
         let start = Instant::now();
         self.make_tree(self.tells_controls);
-        for _ in 0..MOST_PASSES {
+        let mut left = MOST_FRAMES;
+        while left > 0 {
             while self.app.is_busy() && start.elapsed() < LONGEST_WAIT {
                 // Only answers of dialogs are taken: tests set the theme themselves.
                 let wake = self.wakes.recv_timeout(Duration::from_millis(5));
@@ -417,13 +439,29 @@ impl Offscreen {
                 }
                 self.app.take_finished();
             }
+            self.due.take();
             let input = self.input(Vec::new());
             self.pass(input);
-            self.at_rest = !self.app.context.has_requested_repaint() && !self.app.is_busy();
+            left -= 1;
+            let is_busy = self.app.is_busy();
+            self.at_rest = !self.app.context.has_requested_repaint() && !is_busy;
             if self.at_rest {
                 break;
             }
+            if !is_busy {
+                self.sleep(&mut left);
+            }
         }
         self.take_controls();
+    }
+
+    /// Lets the frames go by in which no pass is due, but for the last of those that are left.
+    fn sleep(&mut self, left: &mut usize) {
+        let mut wait_s = self.due.take().unwrap_or(0.0) - FRAME_S;
+        while wait_s > 0.0 && *left > 1 {
+            self.time_s += FRAME_S;
+            wait_s -= FRAME_S;
+            *left -= 1;
+        }
     }
 }
