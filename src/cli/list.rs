@@ -8,7 +8,10 @@ use crate::{
 };
 use glam::DVec3;
 use serde::Serialize;
-use std::io::{self, BufWriter, Write};
+use std::{
+    io::{self, BufWriter, Write},
+    ops::Range,
+};
 
 /// Arguments of `sightline list`.
 #[derive(Debug, clap::Args)]
@@ -20,6 +23,9 @@ pub struct ListArgs {
     #[arg(long)]
     pub json: bool,
 }
+
+/// Sizes of numbers that a table shows without an exponent.
+const PLAIN: Range<f64> = 1e-5..1e9;
 
 /// One object as a line of JSON; the field names are the JSON's.
 #[derive(Serialize)]
@@ -71,53 +77,97 @@ fn lines(scene: &Scene) -> impl Iterator<Item = Line<'_>> {
 }
 
 /// Prints a table whose columns are as wide as their widest cell. Numbers are right-aligned; coordinates have as many
-/// digits as vertices. Cells are made twice, because those of a large scene would not all fit into memory.
+/// digits as vertices. Cells are made twice, because those of a large scene would not all fit into memory. The last
+/// column needs no width.
 fn write_table(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
     let places = scene.bounds().decimal_places();
-    let head = ["id", "name", "shape", "triangles", "min", "max"].map(str::to_owned);
-    let rows =
-        || std::iter::once(head.clone()).chain(lines(scene).map(|line| cells(&line, places)));
-    let mut widths = [0; 6];
-    for row in rows() {
-        for (width, cell) in widths.iter_mut().zip(row) {
+    let head = ["id", "name", "shape", "triangles", "min"];
+    let mut widths = head.map(str::len);
+    for line in lines(scene) {
+        for (width, cell) in widths.iter_mut().zip(cells(&line, places)) {
             *width = cell.chars().count().max(*width);
         }
     }
-    let [w0, w1, w2, w3, w4, _] = widths;
-    for [id, name, shape, triangles, min, max] in rows() {
+    let [w0, w1, w2, w3, w4] = widths;
+    let mut write = |[id, name, shape, triangles, min]: [&str; 5], max: &str| {
         writeln!(
             out,
             "{id:>w0$}  {name:<w1$}  {shape:<w2$}  {triangles:>w3$}  {min:<w4$}  {max}"
-        )?;
-    }
-    Ok(())
+        )
+    };
+    write(head, "max")?;
+    lines(scene).try_for_each(|line| {
+        let cells = cells(&line, places);
+        let max = corner(&line, |bounds| bounds.max, places);
+        write(cells.each_ref().map(String::as_str), &max)
+    })
 }
 
-fn cells(line: &Line, places: usize) -> [String; 6] {
-    let corner = |pick: fn(&Bounds) -> DVec3| {
-        let bounds = line.bounds.as_ref();
-        bounds.map_or("-".to_owned(), |bounds| short(pick(bounds), places))
-    };
+/// All cells of a row but the last.
+fn cells(line: &Line, places: usize) -> [String; 5] {
     [
         line.id.to_string(),
         line.name.escape_debug().to_string() + if line.visible { "" } else { " (hidden)" },
         line.shape.to_owned(),
         line.triangles
             .map_or("-".to_owned(), |count| count.to_string()),
-        corner(|bounds| bounds.min),
-        corner(|bounds| bounds.max),
+        corner(line, |bounds| bounds.min, places),
     ]
+}
+
+fn corner(line: &Line, pick: fn(&Bounds) -> DVec3, places: usize) -> String {
+    let bounds = line.bounds.as_ref();
+    bounds.map_or("-".to_owned(), |bounds| short(pick(bounds), places))
 }
 
 /// A point with this many decimal places, without trailing zeros.
 fn short(point: DVec3, places: usize) -> String {
-    let digits = |value: f64| {
-        let rounded: f64 = format!("{value:.places$}").parse().unwrap_or(value);
-        match rounded.abs() {
-            0.0 => "0".to_owned(),
-            1e-5..1e9 => rounded.to_string(),
-            _ => format!("{rounded:e}"),
+    point
+        .to_array()
+        .map(|value| digits(value, places))
+        .join(", ")
+}
+
+fn digits(value: f64, places: usize) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    // Most numbers of a file are short. Rounding those to decimal places is ten times slower.
+    if PLAIN.contains(&value.abs()) {
+        let shortest = value.to_string();
+        let after_point = shortest.split_once('.').map_or(0, |(_, after)| after.len());
+        if after_point <= places {
+            return shortest;
         }
-    };
-    point.to_array().map(digits).join(", ")
+    }
+    rounded(value, places)
+}
+
+fn rounded(value: f64, places: usize) -> String {
+    let rounded: f64 = format!("{value:.places$}").parse().unwrap_or(value);
+    match rounded.abs() {
+        0.0 => "0".to_owned(),
+        size if PLAIN.contains(&size) => rounded.to_string(),
+        _ => format!("{rounded:e}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_short_number_is_what_rounding_makes_of_it() {
+        let mut short = 0;
+        for value in (-4000..4000).map(|i| f64::from(i) / 64.0) {
+            for value in [value, value * 1e-7, value * 1e7, value * 1e12, -0.0] {
+                for places in 0..9 {
+                    let text = digits(value, places);
+                    assert_eq!(text, rounded(value, places), "{value} to {places} places");
+                    short += usize::from(text == value.to_string());
+                }
+            }
+        }
+        assert!(short > 100_000, "only {short} are short");
+    }
 }
