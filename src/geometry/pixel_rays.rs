@@ -3,10 +3,11 @@
 use super::{PixelGrid, Ray, RayError, Section, U, WorldRay, binary::power_of_two, line::Line};
 use glam::{DVec2, DVec3};
 
-/// Factors between this and its reciprocal make products that neither underflow nor overflow.
-const MODERATE: f64 = power_of_two(300);
+/// Two factors between this and its reciprocal make a product that neither underflows nor overflows, nor does `U` times
+/// it.
+const MODERATE: f64 = power_of_two(450);
 
-/// Whether a factor is 0, or moderate enough for relative bounds on products of three. False for NaN.
+/// Whether a factor is 0, or moderate enough for relative bounds on products of two. False for NaN.
 fn is_moderate(factor: f64) -> bool {
     factor == 0.0 || (1.0 / MODERATE..=MODERATE).contains(&factor.abs())
 }

@@ -38,7 +38,7 @@ impl Sphere {
 #[inline]
 fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     /// Squares of larger directions have all their digits.
-    const LEAST: f64 = power_of_two(-500);
+    const LEAST: f64 = power_of_two(-900);
     let Ray {
         origin: o,
         direction: d,

@@ -3,8 +3,10 @@
 use super::{LocalRay, Ray, U, binary::power_of_two, local_ray::Exactly};
 use glam::DVec3;
 
-/// `2^200`. Origins and directions up to this and `f32` vertices make no product that overflows.
+/// `2^200`. Origins up to this, directions up to [`LARGE_DIRECTION`] and `f32` vertices make no product that overflows.
 const LARGE: f64 = power_of_two(200);
+/// Rays in the space of small objects have large directions: a world of `1e-100` is seen by about `2^332`.
+const LARGE_DIRECTION: f64 = power_of_two(400);
 
 /// A ray in the space of a mesh's vertices, with no digit lost on the way from object space.
 ///
@@ -53,7 +55,7 @@ impl<'a> VertexRay<'a> {
     fn of(ray: Ray, tail: DVec3) -> Self {
         let taxicab = ray.direction.abs().element_sum();
         // False for NaN.
-        let is_moderate = ray.origin.abs().element_sum() <= LARGE && taxicab <= LARGE;
+        let is_moderate = ray.origin.abs().element_sum() <= LARGE && taxicab <= LARGE_DIRECTION;
         Self {
             ray,
             tail,

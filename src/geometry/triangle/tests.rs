@@ -25,7 +25,9 @@ fn products_that_vanish_or_overflow_decide_nothing() {
         .into_iter()
         .flat_map(|vertex| [-1074, -900, -600, -149, 0, 130, 700].map(|away| (vertex, away)))
     {
-        for direction in [-1074, -1060, -900, -760, -500, -200, 0, 196, 765, 1000] {
+        for direction in [
+            -1074, -1060, -900, -760, -500, -200, 0, 196, 320, 397, 765, 1000,
+        ] {
             for i in 0..500 {
                 let mut corners = [point(vertex), point(vertex), point(vertex)];
                 let mut near = point(vertex);
