@@ -26,7 +26,8 @@ use glam::DVec2;
 /// drawn, so that a face in the plane shows whole, not in specks. Triangles get [`ScreenSection::corner_slack`] too.
 pub(super) const KEPT_BEFORE: f64 = 16.0;
 
-/// No coefficient is larger, and not all are below 1: then products stay in the range of `f32`.
+/// No term of the test is larger for a pixel's step or for what is drawn, and not all are below 1: then all stay in the
+/// range of `f32`.
 const LARGEST: f64 = 1e30;
 
 /// Offsets are clamped to this: beyond it only the sign matters.
@@ -75,7 +76,8 @@ impl ScreenSection {
         };
         let per_length = normal.rounded().length();
         // Only the sign of the test's value counts, so all may grow or shrink together.
-        let largest = (start.abs().max(per_q.abs())).max(per_px.abs().max_element());
+        let of_q = largest_q(view) * per_q.abs();
+        let largest = (start.abs().max(of_q)).max(per_px.abs().max_element());
         let scale = largest.clamp(1.0, LARGEST) / largest;
         Self {
             start: scale * start,
@@ -120,6 +122,17 @@ impl ScreenSection {
     pub fn numbers(&self) -> [f32; 4] {
         [self.per_px.x, self.per_px.y, self.start, self.per_q].map(to_f32)
     }
+}
+
+/// The largest q behind the near plane that `f32` holds; at least 1.
+fn largest_q(view: &View) -> f64 {
+    let lens = view.camera.lens();
+    let q = if lens.is_orthographic() {
+        1.0
+    } else {
+        (view_unit(view) * lens.near).recip()
+    };
+    q.clamp(1.0, f32::MAX.into())
 }
 
 /// q at a depth past near, and its derivative with respect to depth.

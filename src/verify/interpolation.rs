@@ -18,7 +18,7 @@ type Corner = (DVec2, f64);
 /// The polygon is drawn as unknown triangles between its corners. The slopes of the plane through three corners are
 /// differences of products of corner differences, over the area; they round relative to those products. At the far end
 /// of the triangle the error is some U times the range of depths times the longest side squared over the area. A few
-/// roundings of the largest depth add to it.
+/// roundings of the largest depth add to it. There is no bound where the area itself is lost in rounding.
 pub(super) fn error(
     view: &View,
     stored: impl Fn(f64) -> f64,
@@ -49,6 +49,9 @@ pub(super) fn error(
             let of_all = |sizes: [f64; 3]| sizes.map(f64::abs).into_iter().fold(0.0, larger);
             let (range, largest) = (of_all([b - a, c - b, a - c]), of_all(stored));
             let slimness = larger(slimness(&triangle), 1.0);
+            if range > 0.0 && 8.0 * U * slimness >= 1.0 {
+                return f64::INFINITY;
+            }
             8.0 * U * (range * slimness + largest) + across * slimness
         })
         .fold(0.0, larger)

@@ -114,11 +114,11 @@ impl<'a> Places<'a> {
     #[must_use]
     pub fn at(&self, px: DVec2) -> Vec<SceneHit> {
         let (scene, view) = (self.surfaces.scene, self.surfaces.space.view());
-        self.on_ray(&Beam::whole(scene), &view.ray(px), px)
+        self.on_ray(&Beam::whole(scene), &view.ray(px), px, usize::MAX)
     }
 
-    /// [`Places::at`] by the ray through the position, which belongs to a beam.
-    fn on_ray(&self, beam: &Beam, ray: &WorldRay, px: DVec2) -> Vec<SceneHit> {
+    /// [`Places::at`] by the ray through the position, which belongs to a beam; ends when `most` hits are found.
+    fn on_ray(&self, beam: &Beam, ray: &WorldRay, px: DVec2, most: usize) -> Vec<SceneHit> {
         let (scene, view) = (self.surfaces.scene, self.surfaces.space.view());
         let reach = Reach::new(&self.surfaces, ray, px);
         // Filter: most hits lie too far behind.
@@ -175,6 +175,9 @@ impl<'a> Places<'a> {
             last = patch;
             let counts = matches!(last_is, Counted::Apart | Counted::NewSheet(_));
             found.extend(counts.then_some(*hit));
+            if found.len() >= most {
+                break;
+            }
         }
         if found.len() > 1 { found } else { Vec::new() }
     }
@@ -185,7 +188,7 @@ impl<'a> Places<'a> {
     pub fn pixels(&self, stop: impl Fn() -> bool + Sync) -> Vec<[u32; 2]> {
         let view = self.surfaces.space.view();
         let marked = pick::each_ray(self.surfaces.scene, view, |beam, ray, px| {
-            !stop() && !self.on_ray(beam, ray, px).is_empty()
+            !stop() && !self.on_ray(beam, ray, px, 2).is_empty()
         });
         let marked = Image::new(view.viewport, marked);
         let marked = marked.positions().filter(|&(x, y)| marked.at(x, y));

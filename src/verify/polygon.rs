@@ -9,7 +9,7 @@ use super::{
     surface::{Depths, Source, Surface, ViewRay},
 };
 use crate::{
-    camera::{Projection, View},
+    camera::View,
     geometry::clip,
     render::{
         rounding::{U, larger},
@@ -69,7 +69,7 @@ pub(super) fn polygon(
     let clipped = clipping_error(view, corners);
     let error = greatest_error(corners, clipped);
     let cut_error = cut_error(&depths, corners, &error);
-    let seen = seen_from(corners, nearest(view, cut_error));
+    let seen = seen_from(corners, depths.projectable(-cut_error));
     let ends = depth_ends(&seen)?;
     let seen_views: Vec<DVec3> = seen.iter().map(|corner| corner.at.view).collect();
     let shown = interpolation::within_picture(view, &seen_views);
@@ -94,7 +94,7 @@ pub(super) fn polygon(
     let aside = slope * aside_px;
     let may_be = if aside.is_finite() {
         // Moved corners keep their depths. A driver that interpolates between corners as given goes on to the centre.
-        let first = ends[0].min(past_near.max(nearest(view, f64::INFINITY)));
+        let first = ends[0].min(depths.projectable(past_near));
         let last = ends[1].max(past_near);
         [past_near - aside, past_near + aside].map(|end| end.clamp(first, last))
     } else {
@@ -124,7 +124,7 @@ pub(super) fn polygon(
             return Some(reason);
         }
         // The part that is cut off wrongly has edges, too.
-        let wrongly = seen_from(corners, nearest(view, errors[0] + errors[1]));
+        let wrongly = seen_from(corners, depths.projectable(-(errors[0] + errors[1])));
         let edges = edges_of(&wrongly).into_iter();
         let at_edge = edges.filter_map(|(_, outline)| outline.reason());
         Some(reason.and(at_edge.map(|reason| reason.class).min()?))
@@ -164,16 +164,6 @@ pub(super) fn polygon(
     })
 }
 
-/// The least depth past near that drawing may take for behind the near plane. In perspective it stays away from the
-/// eye's plane, which cannot be projected.
-fn nearest(view: &View, cut_error: f64) -> f64 {
-    let lens = view.camera.lens();
-    match lens.projection {
-        Projection::Perspective { .. } => -cut_error.min(0.5 * lens.near),
-        Projection::Orthographic { .. } => -cut_error,
-    }
-}
-
 /// The part of a polygon at or behind this depth past near.
 fn seen_from(corners: &[Corner], past_near: f64) -> Vec<SeenCorner> {
     let tagged = corners.iter().enumerate().map(|(edge, &at)| SeenCorner {
@@ -202,8 +192,9 @@ pub(super) fn outline(
 ) -> Option<Outline> {
     let view = space.view();
     let clipped = clipping_error(view, ends);
-    let cut_error = cut_error(&Depths::new(space), ends, &greatest_error(ends, clipped));
-    let seen = seen_from(ends, nearest(view, cut_error));
+    let depths = Depths::new(space);
+    let cut_error = cut_error(&depths, ends, &greatest_error(ends, clipped));
+    let seen = seen_from(ends, depths.projectable(-cut_error));
     // A segment that begins in front of the plane leaves a third corner, equal to the first.
     let from = seen.first()?;
     let to = seen.get(1).unwrap_or(from);

@@ -57,18 +57,20 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
         measured: error.measured[i],
     });
     let section = Sectioned::new(space);
-    let sections = [0, 1].map(|i| section.sphere(px, ends[i], of_slope, &errors[i]));
+    let projectable = ends.map(|end| depths.projectable(end));
+    let sections = [0, 1].map(|i| section.sphere(px, projectable[i], of_slope, &errors[i]));
     let is_opened = ends[0] < depths.near_error(&errors[0], false)
         || !sections[0].keeps
         || sections[0].reason.is_some();
     let both = [0, 1].map(|i| {
         let (past_near, error) = (ends[i], errors[i]);
-        let nearness = depths.nearness(past_near);
-        let rounding = depths.error(past_near, &error);
+        let at = projectable[i];
+        let nearness = depths.nearness(at);
+        let rounding = depths.error(at, &error);
         // Nothing moves the surface aside at the centre: no grid acts on it, and the rim is handled on its own.
         let ceiling =
             |past_near| depths.ceiling(past_near) + of_slope * depths.stored_per_depth(past_near);
-        let beyond_f32 = bound::beyond_f32(0.0, rounding, ceiling(past_near));
+        let beyond_f32 = bound::beyond_f32(0.0, rounding, ceiling(at));
         let near_error = depths.near_error(&error, false);
         let cut_error = near_error * depths.stored_per_depth(0.0);
         let cut_beyond = bound::beyond_f32(0.0, cut_error, ceiling(0.0));
@@ -89,7 +91,7 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
                 nearest: nearness + rounding,
                 farthest: nearness - rounding,
                 rounding,
-                ceiling: ceiling(past_near),
+                ceiling: ceiling(at),
                 beyond_f32,
             },
             source: Source::Sphere(*placement),

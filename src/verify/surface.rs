@@ -235,6 +235,15 @@ impl Depths {
         }
     }
 
+    /// A depth that drawing may take for behind the near plane, or as near to it as can be projected: in perspective
+    /// depths stay away from the eye's plane.
+    pub fn projectable(&self, past_near: f64) -> f64 {
+        match self.lens.projection {
+            Projection::Perspective { .. } => past_near.max(-0.5 * self.lens.near),
+            Projection::Orthographic { .. } => past_near,
+        }
+    }
+
     /// Clip space's w.
     pub fn w(&self, past_near: f64) -> f64 {
         self.lens.w(self.lens.near + past_near)

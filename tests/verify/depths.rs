@@ -173,6 +173,31 @@ scale = [1, 1, SCALE]
     }
 }
 
+/// The eye is as near to a sphere as `f32` can tell, so drawing may find a point behind the eye.
+#[test]
+fn an_eye_at_a_sphere() {
+    let (_folder, file) = scene("[[object]]\nshape = \"sphere\"\n");
+    for view in [
+        "--eye=0,0,0.4999999907223457 --look=-0.3277,-0.9447,0 --up=0.6653,0.3142,-0.6772 \
+         --fov 90 --cull",
+        "--eye=0,0,0.5000000008798282 --look=-0.997523766847411,0.07033018252892506,1 \
+         --up=0.6191185368453906,0.7634907927806005,0.1837771658114057 --fov 90",
+        "--eye=0,0,0.5000000000036953 --look=-0.2126052844296056,0.977138164761057,1 \
+         --up=0.6573975317088843,0.7528656431097823,0.0319657430378217 --fov 90 \
+         --near 1.1120454778045945e-12 --far 1.4486109947380254",
+    ] {
+        for depth in ["reversed", "standard"] {
+            let counts = Counts::of(run(
+                Some(&file),
+                &format!("--size 64x48 --depth {depth} {view}"),
+            ));
+            assert_eq!(counts.get("unexplained"), 0, "{view}: {}", counts.line);
+            let shown = counts.get("drawn") + counts.get("picked");
+            assert!(shown > 0, "{view}: {}", counts.line);
+        }
+    }
+}
+
 /// The poster and its wall are zero apart, so however far off standard depth is, the view is not beyond `f32`.
 #[test]
 fn a_poster_in_the_plane_of_its_wall() {

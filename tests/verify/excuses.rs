@@ -167,27 +167,21 @@ fn bumpy_mesh() -> Shape {
 /// However large or small the world is: products of lengths leave the range of `f64`.
 #[test]
 fn a_shape_missing_in_worlds_of_any_size() {
-    for exponent in [-80, -40, 40, 80, 97] {
+    for exponent in [-95, -80, -40, 40, 80, 97] {
         let size = 10_f64.powi(exponent);
         let place = |at: DVec3, scale: f64| {
             DAffine3::from_translation(size * at) * DAffine3::from_scale(DVec3::splat(size * scale))
         };
         let perspective = perspective(45.0, size, 30.0 * size);
         let orthographic = orthographic(3.0 * size, size, 30.0 * size);
-        // In orthographic projection the picks of a larger world take minutes.
-        let lenses = if exponent > 80 {
-            vec![perspective]
-        } else {
-            vec![perspective, orthographic]
-        };
         for shape in [bumpy_mesh(), Shape::Cube] {
             let scene = Scene::new(vec![
                 object("shape", shape, place(DVec3::ZERO, 1.0), None),
                 object("wall", Shape::Square, place(-2.0 * DVec3::Z, 9.0), None),
             ]);
             let eye = [0.5, 0.7, 5.0].map(|along: f64| size * along);
-            for lens in &lenses {
-                is_missed(&scene, &view(eye, [0.0; 3], *lens, SIZE), 1000);
+            for lens in [perspective, orthographic] {
+                is_missed(&scene, &view(eye, [0.0; 3], lens, SIZE), 1000);
             }
         }
     }

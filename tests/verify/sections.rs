@@ -210,6 +210,33 @@ fn in_scenes_of_any_size() {
     }
 }
 
+/// The plane lies so much farther away than what is drawn that their ratio leaves the range of `f32`.
+#[test]
+fn by_a_plane_beyond_everything() {
+    for (exponent, plane) in [(-36, 3), (-30, 9), (-20, 19), (-9, 31)] {
+        let text = format!("[[object]]\nshape = \"square\"\nscale = 1e{exponent}\n");
+        let (_folder, file) = extremes::scene(&text);
+        let near = exponent - 1;
+        let view = format!(
+            "--size 64x48 --eye 0,0,1e{exponent} --target 0,0,0 --near 5e{near} --far 1 --section=0,0"
+        );
+        for (normal, least) in [(1, 0), (-1, 2000)] {
+            let view = format!(
+                "{view},{normal},{}1e{plane}",
+                if normal > 0 { "-" } else { "" }
+            );
+            let counts = Counts::of(extremes::run(Some(&file), &view));
+            assert_eq!(counts.code, Some(0), "{view}: {}", counts.line);
+            let [drawn, picked] = ["drawn", "picked"].map(|name| counts.get(name));
+            assert!(
+                drawn == picked && (least == 0) == (drawn == 0),
+                "{view}: {drawn}"
+            );
+            assert!(drawn >= least, "{view}: {drawn}");
+        }
+    }
+}
+
 /// Planes that fit a thin plate lie close together, and its front lies within the rounding of the section's plane. The
 /// bound on that rounding does not depend on the planes.
 #[test]

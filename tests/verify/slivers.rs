@@ -5,6 +5,7 @@ use crate::{
     cameras::culled,
     common::{Random, mesh, orthographic, perspective, view},
     compare, drawn, drawn_once,
+    extremes::{self, Counts},
     scenes::{gpu, object},
 };
 use glam::{DAffine3, DQuat, DVec2, DVec3};
@@ -165,6 +166,27 @@ fn deeper_than_its_corners() {
     let report = compare(&scene, &view, &drawn, &pick::ids(&scene, &view));
     assert_eq!(report.verdict(), Verdict::Agrees, "{:?}", report.worst());
     assert_eq!(report.drawn, report.pixels, "the wall fills the picture");
+}
+
+/// This one is so slim that `f32` loses its area, so nothing bounds the depths that are drawn.
+#[test]
+fn slimmer_than_f32() {
+    let objects = ["sliver", "wall"]
+        .map(|name| format!("[[object]]\nshape = \"mesh\"\nfile = \"{name}.obj\"\n"));
+    let (folder, file) = extremes::scene(&objects.concat());
+    let sliver = "v 5.233733279981976 -4.850016549183324 -999999.9986653161\n\
+                  v -12.124899676984793 10.50167723427351 -1000000.0161085948\n\
+                  v -2.128892500509564 1.6613704187231326 -999999.9938871317\nf 1 2 3\n";
+    let wall = "v -13.05 19.57 -180\nv -13.05 -19.57 -180\nv 13.05 -19.57 -150\nv 13.05 19.57 -150\n\
+                f 1 2 3 4\n";
+    for (name, text) in [("sliver.obj", sliver), ("wall.obj", wall)] {
+        std::fs::write(folder.path().join(name), text).expect("a file");
+    }
+    let view = "--size 40x60 --eye=0,0,0 --look=0,0,-1 --ortho 13.047210075203077";
+    let counts = Counts::of(extremes::run(Some(&file), view));
+    assert_eq!(counts.get("unexplained"), 0, "{}", counts.line);
+    // Drawing shows it before the wall.
+    assert_eq!(counts.get("beyond_f32"), 1, "{}", counts.line);
 }
 
 #[test]
