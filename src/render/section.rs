@@ -26,8 +26,8 @@ use glam::DVec2;
 /// drawn, so that a face in the plane shows whole, not in specks. Triangles get [`ScreenSection::corner_slack`] too.
 pub(super) const KEPT_BEFORE: f64 = 16.0;
 
-/// No term of the test is larger for a pixel's step or for what is drawn, and not all are below 1: then all stay in the
-/// range of `f32`.
+/// The largest of the test's coefficients lies between 1 and this, with that of q taken times the largest q. So all
+/// terms stay in the range of `f32`.
 const LARGEST: f64 = 1e30;
 
 /// Offsets are clamped to this: beyond it only the sign matters.

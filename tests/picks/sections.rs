@@ -125,9 +125,14 @@ fn outline_px(case: &Case) -> Option<(f64, bool)> {
             best = Some((px, at_cut));
         }
     };
-    for i in 0..STEPS {
-        let (mut from, mut to) = (f64::from(i) * step, f64::from(i + 1) * step);
-        let [at_from, at_to] = [from, to].map(|angle| side(angle) >= 0.0);
+    let angles = (0..=STEPS).map(|i| f64::from(i) * step);
+    let samples: Vec<_> = angles.map(|at| (at, side(at) >= 0.0, px(at))).collect();
+    let kept = samples.iter().filter(|(_, is_kept, _)| *is_kept);
+    let least = kept.map(|(.., px)| *px).fold(f64::INFINITY, f64::min);
+    let steps = || samples.windows(2).map(|pair| [pair[0], pair[1]]);
+    let changes = steps().map(|[(.., a), (.., b)]| (a - b).abs());
+    let most = changes.fold(0.0, f64::max);
+    for [(mut from, at_from, px_from), (mut to, at_to, px_to)] in steps() {
         if at_from != at_to {
             let (mut kept, mut gone) = if at_from { (from, to) } else { (to, from) };
             for _ in 0..60 {
@@ -141,6 +146,10 @@ fn outline_px(case: &Case) -> Option<(f64, bool)> {
             found(px(kept), true);
             (from, to) = if at_from { (from, kept) } else { (kept, to) };
         } else if !at_from {
+            continue;
+        }
+        // Between samples the distance changes by about as much as from one to the next.
+        if px_from.min(px_to) > least + 2.0 * most {
             continue;
         }
         // Distances have one minimum in an interval this short.
@@ -175,44 +184,60 @@ fn truth(case: &Case, pick: &Pick) -> Option<(f64, bool)> {
     }
 }
 
+/// Checks a record's distance to the next edge or outline for a shape under 4000 cameras, matrices and sections.
+#[track_caller]
+fn edges_count_as_far_as_a_section_keeps_them(shape: &Shape, seed: u64) {
+    let mut random = Random::new(seed);
+    let [mut picked, mut at_cut, mut none] = [0; 3];
+    for _ in 0..4000 {
+        let case = case(&mut random, shape);
+        let scene = Scene::new(vec![case.object.clone()]);
+        let Some(pick) = pick::pick(&scene, &case.view, case.px) else {
+            continue;
+        };
+        let truth = truth(&case, &pick);
+        picked += 1;
+        at_cut += u32::from(truth.is_some_and(|(_, cut)| cut));
+        none += u32::from(truth.is_none());
+        let right = match (pick.edge_px, truth) {
+            (Some(px), Some((truth, _))) => (px - truth).abs() <= 1e-6,
+            (px, truth) => px.is_none() && truth.is_none(),
+        };
+        assert!(
+            right,
+            "{:?} but {truth:?}: {:?} {:?} at {}",
+            pick.edge_px,
+            case.object.placement.model(),
+            case.view,
+            case.px
+        );
+    }
+    println!("{picked} picked, {at_cut} at a cut, {none} none");
+    assert!(picked > 400 && at_cut > 20, "{picked} {at_cut}");
+}
+
 #[test]
-fn edges_and_outlines_count_as_far_as_a_section_keeps_them() {
+fn edges_of_triangles_count_as_far_as_a_section_keeps_them() {
     let triangle = Shape::Mesh {
         mesh: mesh(CORNERS.to_vec(), vec![[0, 1, 2]], DVec3::ZERO),
         part: 0,
     };
-    let mut random = Random::new(41);
-    for shape in [triangle, Shape::Square, Shape::Cube, Shape::Sphere] {
-        let [mut picked, mut at_cut, mut none] = [0; 3];
-        for _ in 0..4000 {
-            let case = case(&mut random, &shape);
-            let scene = Scene::new(vec![case.object.clone()]);
-            let Some(pick) = pick::pick(&scene, &case.view, case.px) else {
-                continue;
-            };
-            let truth = truth(&case, &pick);
-            picked += 1;
-            at_cut += u32::from(truth.is_some_and(|(_, cut)| cut));
-            none += u32::from(truth.is_none());
-            let right = match (pick.edge_px, truth) {
-                (Some(px), Some((truth, _))) => (px - truth).abs() <= 1e-6,
-                (px, truth) => px.is_none() && truth.is_none(),
-            };
-            assert!(
-                right,
-                "{:?} but {truth:?}: {:?} {:?} at {}",
-                pick.edge_px,
-                case.object.placement.model(),
-                case.view,
-                case.px
-            );
-        }
-        println!(
-            "{}: {picked} picked, {at_cut} at a cut, {none} none",
-            shape.kind()
-        );
-        assert!(picked > 400 && at_cut > 20, "{picked} {at_cut}");
-    }
+    edges_count_as_far_as_a_section_keeps_them(&triangle, 41);
+}
+
+#[test]
+fn edges_of_squares_count_as_far_as_a_section_keeps_them() {
+    edges_count_as_far_as_a_section_keeps_them(&Shape::Square, 42);
+}
+
+#[test]
+fn edges_of_cubes_count_as_far_as_a_section_keeps_them() {
+    edges_count_as_far_as_a_section_keeps_them(&Shape::Cube, 43);
+}
+
+#[test]
+fn outlines_of_spheres_count_as_far_as_a_section_keeps_them() {
+    edges_count_as_far_as_a_section_keeps_them(&Shape::Sphere, 44);
 }
 
 /// A ball whose front is cut away shows its back if both sides show. Points in the plane itself are kept.
