@@ -147,6 +147,17 @@ fn hit(mesh: &Mesh, ray: &Ray) -> Option<u32> {
     Some(hit.on_triangle?.triangle)
 }
 
+/// The sum of what `of` says of each solid.
+fn sum_on_two_cores(solids: &[Standing], of: impl Fn(&Standing) -> u32 + Sync) -> u32 {
+    let left = Mutex::new(solids.iter());
+    let next = || left.lock().expect("nobody panics with it").next();
+    let work = || std::iter::from_fn(next).map(&of).sum::<u32>();
+    thread::scope(|scope| {
+        let other = scope.spawn(work);
+        work() + other.join().expect("no panic")
+    })
+}
+
 #[test]
 fn no_ray_leaves_a_closed_mesh() {
     let solids: Vec<Standing> = solids().iter().flat_map(standing).collect();
@@ -167,30 +178,14 @@ fn no_ray_leaves_a_closed_mesh() {
         println!("{:<45} {rays} rays from inside, {leaks} leaks", solid.name);
         leaks
     };
-    let (first, second) = solids.split_at(solids.len() / 2);
-    let leaks: u32 = thread::scope(|scope| {
-        let other = scope.spawn(|| second.iter().map(leaks_of).sum::<u32>());
-        first.iter().map(leaks_of).sum::<u32>() + other.join().expect("no panic")
-    });
+    let leaks = sum_on_two_cores(&solids, leaks_of);
     assert_eq!(leaks, 0);
 }
 
 #[test]
 fn from_outside_the_nearest_triangle_is_the_oracles() {
     let solids: Vec<_> = solids().iter().flat_map(standing).collect();
-    let left = Mutex::new(solids.iter());
-    let next = || left.lock().expect("no solid failed").next();
-    // The oracle takes its time: on two cores half of it.
-    let missed: u32 = thread::scope(|scope| {
-        let work = || {
-            std::iter::from_fn(next)
-                .map(misses_from_outside)
-                .sum::<u32>()
-        };
-        let workers = [(); 2].map(|()| scope.spawn(work));
-        let missed = workers.map(|worker| worker.join().expect("each ray is right"));
-        missed.iter().sum()
-    });
+    let missed = sum_on_two_cores(&solids, misses_from_outside);
     assert!(missed > 0, "no ray passed by");
 }
 

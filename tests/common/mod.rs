@@ -13,6 +13,14 @@ use sightline::{
 };
 use std::{collections::HashMap, sync::Arc};
 
+/// How much of something a run tries: the number in this variable of the environment, or else as much as ordinary.
+pub fn wanted(variable: &str, ordinary: usize) -> usize {
+    std::env::var(variable).map_or(ordinary, |count| {
+        let count = count.parse();
+        count.unwrap_or_else(|_| panic!("{variable} is a number"))
+    })
+}
+
 /// A perspective lens with reversed depth; `fov` in degrees.
 pub fn perspective(fov: f64, near: f64, far: f64) -> Lens {
     Lens {

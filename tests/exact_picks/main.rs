@@ -65,9 +65,7 @@ struct AtLeast {
 
 /// Positions of each family in this run.
 fn wanted() -> usize {
-    std::env::var("SIGHTLINE_POSITIONS").map_or(POSITIONS, |count| {
-        count.parse().expect("SIGHTLINE_POSITIONS is a number")
-    })
+    common::wanted("SIGHTLINE_POSITIONS", POSITIONS)
 }
 
 fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, at_least: &AtLeast) {

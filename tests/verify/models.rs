@@ -9,7 +9,7 @@ use crate::{
 use glam::{DAffine3, DMat3, DQuat, DVec3, dvec3};
 use sightline::{
     camera::View,
-    geometry::Placement,
+    geometry::{Mesh, Placement},
     scene::{Object, Scene, Shape},
 };
 use std::sync::Arc;
@@ -86,6 +86,11 @@ pub fn slivers() -> Scene {
         matrix3: 6.0 * DMat3::from_quat(DQuat::from_rotation_arc(DVec3::Z, way)),
         translation: -1.5 * way,
     };
+    slivers_before(mesh, behind)
+}
+
+/// A mesh of slivers as it is, before a square in this place.
+pub fn slivers_before(mesh: Arc<Mesh>, square: DAffine3) -> Scene {
     Scene::new(vec![
         object(
             "slivers",
@@ -93,7 +98,7 @@ pub fn slivers() -> Scene {
             DAffine3::IDENTITY,
             None,
         ),
-        object("behind", Shape::Square, behind, None),
+        object("behind", Shape::Square, square, None),
     ])
 }
 

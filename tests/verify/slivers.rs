@@ -6,7 +6,9 @@ use crate::{
     common::{Random, mesh, orthographic, perspective, view},
     compare, drawn, drawn_once,
     extremes::{self, Counts},
-    scenes::{gpu, object},
+    models::slivers_before,
+    scenes::gpu,
+    sections,
 };
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 use sightline::{
@@ -14,12 +16,12 @@ use sightline::{
     geometry::Section,
     pick,
     render::{Renderer, SceneBuffers},
-    scene::{Scene, Shape},
+    scene::Scene,
     verify::{Class, Verdict},
 };
 
-/// Pictures per test in an ordinary run, and slivers per picture.
-const PICTURES: usize = 80;
+/// Pictures of each lens per test for each cut of an ordinary test of sections, and slivers per picture.
+const PICTURES: usize = 10;
 const SLIVERS: usize = 24;
 
 const SIZE: [u32; 2] = [128, 96];
@@ -57,7 +59,9 @@ fn sliver(random: &mut Random, view: &View) -> [DVec3; 3] {
     ];
     let plane = [NEAR, WALL][random.below(2)];
     let mut depth = || plane + 10_f64.powf(random.within(-5.0, 1.0)) * random.within(-1.0, 1.0);
-    let [a, b, c] = px.map(|px| point(view, px, depth().max(1.0)));
+    let corners = px.map(|px| point(view, px, depth().max(1.0)));
+    // As a mesh stores them.
+    let [a, b, c] = corners.map(|corner| corner.as_vec3().as_dvec3());
     // Half of them show their backs.
     if random.below(2) == 0 {
         [a, b, c]
@@ -67,10 +71,10 @@ fn sliver(random: &mut Random, view: &View) -> [DVec3; 3] {
 }
 
 /// Triangles as one mesh, before a wall.
-fn scene_of(triangles: impl IntoIterator<Item = [DVec3; 3]>) -> Scene {
-    let corners = triangles.into_iter().flatten();
+fn scene_of(triangles: &[[DVec3; 3]]) -> Scene {
+    let corners = triangles.as_flattened().iter();
     let positions: Vec<[f32; 3]> = corners.map(|p| p.as_vec3().into()).collect();
-    let corners = (0..).step_by(3).take(positions.len() / 3);
+    let corners = (0..).step_by(3).take(triangles.len());
     let triangles = corners.map(|i| [i, i + 1, i + 2]).collect();
     let mesh = mesh(positions, triangles, DVec3::ZERO);
     let wall = DAffine3::from_scale_rotation_translation(
@@ -78,26 +82,13 @@ fn scene_of(triangles: impl IntoIterator<Item = [DVec3; 3]>) -> Scene {
         DQuat::IDENTITY,
         DVec3::new(0.0, 0.0, -WALL),
     );
-    Scene::new(vec![
-        object(
-            "slivers",
-            Shape::Mesh { mesh, part: 0 },
-            DAffine3::IDENTITY,
-            None,
-        ),
-        object("wall", Shape::Square, wall, None),
-    ])
+    slivers_before(mesh, wall)
 }
 
 /// A section that passes a point on a sliver, in any direction or along the sliver's own plane.
-fn section_of(random: &mut Random, scene: &Scene) -> Section {
-    let Shape::Mesh { mesh, .. } = &scene.objects()[0].shape else {
-        unreachable!("the slivers are a mesh");
-    };
-    let corner = |i: usize| DVec3::from_array(mesh.data().positions[i].map(f64::from));
+fn section_of(random: &mut Random, slivers: &[[DVec3; 3]]) -> Section {
     loop {
-        let first = 3 * random.below(SLIVERS);
-        let [a, b, c] = [0, 1, 2].map(|i| corner(first + i));
+        let [a, b, c] = slivers[random.below(slivers.len())];
         let normal = if random.below(2) == 0 {
             (b - a).cross(c - a)
         } else {
@@ -111,10 +102,12 @@ fn section_of(random: &mut Random, scene: &Scene) -> Section {
 
 /// Compares many pictures of slivers. At least `least` pixels must differ, or the slivers miss what they aim at.
 #[track_caller]
-fn check(seed: u64, least: usize, arrange: impl Fn(&mut Random, &mut Scene, &mut View)) {
-    let pictures = std::env::var("SIGHTLINE_CUTS").map_or(PICTURES, |count| {
-        count.parse::<usize>().expect("SIGHTLINE_CUTS is a number") * PICTURES
-    });
+fn check(
+    seed: u64,
+    least: usize,
+    arrange: impl Fn(&mut Random, &[[DVec3; 3]], &mut Scene, &mut View),
+) {
+    let pictures = PICTURES * sections::wanted();
     let gpu = gpu();
     let mut renderer = Renderer::new(&gpu, 1);
     let mut random = Random::new(seed);
@@ -122,8 +115,8 @@ fn check(seed: u64, least: usize, arrange: impl Fn(&mut Random, &mut Scene, &mut
     let mut worst = String::new();
     for mut view in (0..pictures).flat_map(|_| views()) {
         let slivers: Vec<_> = (0..SLIVERS).map(|_| sliver(&mut random, &view)).collect();
-        let mut scene = scene_of(slivers);
-        arrange(&mut random, &mut scene, &mut view);
+        let mut scene = scene_of(&slivers);
+        arrange(&mut random, &slivers, &mut scene, &mut view);
         scene.build_trees();
         let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
         let drawn = drawn(&gpu, &mut renderer, &buffers, &view);
@@ -132,20 +125,13 @@ fn check(seed: u64, least: usize, arrange: impl Fn(&mut Random, &mut Scene, &mut
             *count += report.count(class);
         }
         if report.count(Class::Unexplained) + report.count(Class::BeyondF32) > 0 {
-            worst = format!("{:?}\n{view:?}\n{:?}", report.worst(), corners(&scene));
+            worst = format!("{:?}\n{view:?}\n{:?}", report.worst(), slivers);
         }
     }
     println!("{classes:?}");
     assert_eq!(classes[4..], [0, 0], "of {classes:?}: {worst}");
     let differ: usize = classes.iter().sum();
     assert!(differ >= least, "only {differ} pixels differ");
-}
-
-fn corners(scene: &Scene) -> Option<Vec<[f32; 3]>> {
-    let Shape::Mesh { mesh, .. } = &scene.objects()[0].shape else {
-        return None;
-    };
-    Some(mesh.data().positions.clone())
 }
 
 /// A driver that interpolates between corners as given draws this one at a centre beside it, deeper than any corner and
@@ -157,7 +143,7 @@ fn deeper_than_its_corners() {
         DVec3::new(37.541_860_7, -44.688_775_3, -20.015_250_5),
         DVec3::new(37.565_069_7, -45.407_083_2, -22.0),
     ];
-    let scene = scene_of([corners]);
+    let scene = scene_of(&[corners]);
     let [orthographic, _] = views();
     let camera = orthographic.camera;
     let camera = Camera::looking(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, *camera.lens());
@@ -191,17 +177,17 @@ fn slimmer_than_f32() {
 
 #[test]
 fn before_a_wall() {
-    check(41, 250, |_, _, _| ());
+    check(41, 250, |_, _, _, _| ());
 }
 
 #[test]
 fn alone() {
-    check(42, 300, |_, scene, _| scene.set_visible(1, false));
+    check(42, 300, |_, _, scene, _| scene.set_visible(1, false));
 }
 
 #[test]
 fn of_which_only_front_sides_show() {
-    check(43, 150, |_, scene, view| {
+    check(43, 150, |_, _, scene, view| {
         scene.set_visible(1, false);
         *view = culled(view);
     });
@@ -209,8 +195,8 @@ fn of_which_only_front_sides_show() {
 
 #[test]
 fn under_a_section() {
-    check(44, 200, |random, scene, view| {
+    check(44, 200, |random, slivers, scene, view| {
         scene.set_visible(1, random.below(2) == 0);
-        view.section = Some(section_of(random, scene));
+        view.section = Some(section_of(random, slivers));
     });
 }

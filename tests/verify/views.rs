@@ -6,7 +6,7 @@
 
 use crate::{
     blocks::{Layout, Sample, chance},
-    common::Random,
+    common::{self, Random},
     compare, drawn, families, lattice,
     one_place::{is_of_two_surfaces, name},
     places,
@@ -79,9 +79,7 @@ struct Expected {
 const BY_PLANES: usize = 250;
 
 fn wanted() -> usize {
-    std::env::var("SIGHTLINE_VIEWS").map_or(VIEWS, |count| {
-        count.parse().expect("SIGHTLINE_VIEWS is a number")
-    })
+    common::wanted("SIGHTLINE_VIEWS", VIEWS)
 }
 
 fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, expected: &Expected) {
