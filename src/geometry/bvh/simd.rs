@@ -117,6 +117,11 @@ pub(super) trait Lanes: Copy {
     /// The greater of each pair; NaN where both are, and possibly where one is.
     fn max(self, a: Self::F, b: Self::F) -> Self::F;
     fn abs(self, a: Self::F) -> Self::F;
+    /// The largest absolute value; NaN where all are, and possibly where one is.
+    #[inline(always)]
+    fn largest_size(self, of: [Self::F; 6]) -> Self::F {
+        largest_size(self, of)
+    }
     /// Where `a <= b`.
     fn le(self, a: Self::F, b: Self::F) -> u32;
     /// The last four lanes first.
@@ -125,6 +130,16 @@ pub(super) trait Lanes: Copy {
     fn prefetch<T>(self, items: &[T], index: usize);
     /// Does `work` with the same instructions, but out of line: for rare work that would crowd a loop.
     fn apart<W: Work>(self, work: W) -> W::Output;
+}
+
+/// [`Lanes::largest_size`] by other operations.
+#[inline(always)]
+fn largest_size<L: Lanes>(lanes: L, [a, b, c, d, e, f]: [L::F; 6]) -> L::F {
+    let [a, b] = [lanes.abs(a), lanes.abs(b)];
+    let [c, d] = [lanes.abs(c), lanes.abs(d)];
+    let [e, f] = [lanes.abs(e), lanes.abs(f)];
+    let (ab, cd, ef) = (lanes.max(a, b), lanes.max(c, d), lanes.max(e, f));
+    lanes.max(lanes.max(ab, cd), ef)
 }
 
 /// Eight numbers in memory, aligned so that they never span two pages: spanning two makes a walk take a third longer.
@@ -167,12 +182,12 @@ use x86::{Avx2, Avx512};
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::{Eight, Lanes, Work};
+    use super::{Eight, Lanes, Work, largest_size};
     use std::arch::x86_64::*;
 
-    /// Proof that the processor has AVX2 and FMA.
+    /// Proof that the processor has AVX2 and FMA, and with `MORE` all that [`Avx512`] proves.
     #[derive(Clone, Copy, Debug)]
-    pub(in crate::geometry::bvh) struct Avx2(());
+    pub(in crate::geometry::bvh) struct Avx2<const MORE: bool = false>(());
 
     impl Avx2 {
         #[inline(always)]
@@ -194,23 +209,25 @@ mod x86 {
         }
     }
 
-    /// Proof that the processor has what AVX-512 adds for eight lanes. The instructions are those of [`Avx2`], with 32
-    /// registers in place of 16: a walk need not store and reload half of its values.
+    /// Proof that the processor has what AVX-512 adds for eight lanes. The instructions are those of [`Avx2`] but for
+    /// one, with 32 registers in place of 16: a walk need not store and reload half of its values.
     #[derive(Clone, Copy, Debug)]
-    pub(in crate::geometry::bvh) struct Avx512(Avx2);
+    pub(in crate::geometry::bvh) struct Avx512(Avx2<true>);
 
     impl Avx512 {
         #[inline(always)]
         pub fn detect() -> Option<Self> {
-            let has = is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512vl");
-            Avx2::detect().filter(|_| has).map(Self)
+            let has = is_x86_feature_detected!("avx512f")
+                && is_x86_feature_detected!("avx512vl")
+                && is_x86_feature_detected!("avx512dq");
+            Avx2::detect().filter(|_| has).map(|_| Self(Avx2(())))
         }
 
         /// Runs `work` compiled for these instructions.
         #[inline(always)]
         pub fn run<W: Work>(self, work: W) -> W::Output {
-            #[target_feature(enable = "avx2,fma,avx512f,avx512vl")]
-            fn compiled_for_avx512<W: Work>(lanes: Avx2, work: W) -> W::Output {
+            #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq")]
+            fn compiled_for_avx512<W: Work>(lanes: Avx2<true>, work: W) -> W::Output {
                 work.run(lanes)
             }
             // SAFETY: `self` proves that the processor has all of them.
@@ -221,7 +238,7 @@ mod x86 {
     // SAFETY of all: `self` proves that the processor has the instructions; loads and stores are unaligned and of
     // eight floats, which the arrays have; a prefetch reads nothing.
     #[rustfmt::skip] // A line an operation.
-    impl Lanes for Avx2 {
+    impl<const MORE: bool> Lanes for Avx2<MORE> {
         type F = __m256;
         #[inline(always)] fn splat(self, x: f32) -> __m256 { unsafe { _mm256_set1_ps(x) } }
         #[inline(always)] fn load(self, from: &[f32; 8]) -> __m256 { unsafe { _mm256_loadu_ps(from.as_ptr()) } }
@@ -234,15 +251,29 @@ mod x86 {
         #[inline(always)] fn min(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_min_ps(a, b) } }
         #[inline(always)] fn max(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_max_ps(a, b) } }
         #[inline(always)] fn abs(self, a: __m256) -> __m256 { unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), a) } }
+        #[inline(always)] fn largest_size(self, of: [__m256; 6]) -> __m256 { if MORE { unsafe { largest_size_by_avx512(of) } } else { largest_size(self, of) } }
         #[inline(always)] fn le(self, a: __m256, b: __m256) -> u32 { unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(a, b)).cast_unsigned() } }
         #[inline(always)] fn halves_swapped(self, a: __m256) -> __m256 { unsafe { _mm256_permute2f128_ps::<1>(a, a) } }
         #[inline(always)] fn prefetch<T>(self, items: &[T], index: usize) { unsafe { _mm_prefetch::<_MM_HINT_T0>(items.as_ptr().wrapping_add(index).cast()) } }
         #[inline(always)] fn apart<W: Work>(self, work: W) -> W::Output { unsafe { apart_by_avx2(self, work) } }
     }
 
+    /// [`Lanes::largest_size`] with one instruction a pair.
+    #[inline]
+    #[target_feature(enable = "avx2,avx512f,avx512vl,avx512dq")]
+    fn largest_size_by_avx512([a, b, c, d, e, f]: [__m256; 6]) -> __m256 {
+        /// The greater of two absolute values.
+        const SIZE: i32 = 0b1011;
+        let (ab, cd) = (_mm256_range_ps::<SIZE>(a, b), _mm256_range_ps::<SIZE>(c, d));
+        _mm256_range_ps::<SIZE>(
+            _mm256_range_ps::<SIZE>(ab, cd),
+            _mm256_range_ps::<SIZE>(e, f),
+        )
+    }
+
     #[inline(never)]
     #[target_feature(enable = "avx2,fma")]
-    fn apart_by_avx2<W: Work>(lanes: Avx2, work: W) -> W::Output {
+    fn apart_by_avx2<W: Work, const MORE: bool>(lanes: Avx2<MORE>, work: W) -> W::Output {
         work.run(lanes)
     }
 

@@ -287,6 +287,8 @@ struct TriangleFilter {
     ray: ShearedRay,
     /// The start of the interval as a length, less the ray's `reach`.
     start: f32,
+    /// `5 reach`.
+    five_reach: f32,
 }
 
 /// Eight corners as the ray sees them: distance along it, and offsets beside it.
@@ -302,8 +304,11 @@ impl TriangleFilter {
     fn new(ray: &TreeRay) -> Self {
         let start = ray.start;
         let ray = ray.sheared();
-        let start = start * ray.size - ray.reach;
-        Self { ray, start }
+        Self {
+            start: start * ray.size - ray.reach,
+            five_reach: 5.0 * ray.reach,
+            ray,
+        }
     }
 
     #[inline(always)]
@@ -337,19 +342,20 @@ impl TriangleFilter {
         let (u, v, w) = (edge(lanes, b, c), edge(lanes, c, a), edge(lanes, a, b));
         let least = lanes.min(lanes.min(u, v), w);
         let greatest = lanes.max(lanes.max(u, v), w);
-        let m = lanes.max(
-            lanes.max(beside(lanes, a), beside(lanes, b)),
-            beside(lanes, c),
-        );
+        let m = lanes.largest_size([a.x, a.y, b.x, b.y, c.x, c.y]);
         let ShearedRay { size, reach, .. } = self.ray;
-        let slack = lanes.sub_mul(
-            lanes.splat(5.0 * reach),
+        let slack = lanes.mul_add(
             m,
-            lanes.splat(-5.0 * f32::EPSILON),
+            lanes.splat(5.0 * f32::EPSILON),
+            lanes.splat(self.five_reach),
         );
         let e = lanes.mul(lanes.add(m, lanes.splat(reach)), slack);
         let minus_e = lanes.sub(lanes.splat(0.0), e);
         let one_sign = lanes.le(minus_e, least) | lanes.le(greatest, e);
+        // So it is for most packets.
+        if one_sign == 0 {
+            return 0;
+        }
         let nearest = lanes.min(lanes.min(a.t, b.t), c.t);
         let farthest = lanes.max(lanes.max(a.t, b.t), c.t);
         let end = lanes.splat(end * size + reach);
@@ -361,10 +367,4 @@ impl TriangleFilter {
 #[inline(always)]
 fn edge<L: Lanes>(lanes: L, a: Seen<L>, b: Seen<L>) -> L::F {
     lanes.sub_mul(lanes.mul(a.x, b.y), a.y, b.x)
-}
-
-/// The larger of |x| and |y|.
-#[inline(always)]
-fn beside<L: Lanes>(lanes: L, a: Seen<L>) -> L::F {
-    lanes.max(lanes.abs(a.x), lanes.abs(a.y))
 }
