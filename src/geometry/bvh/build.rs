@@ -1,10 +1,13 @@
 //! Builds a tree top down, on several threads.
 //!
-//! A job is a range of triangles. A large job makes one top node and up to eight more jobs. A small job becomes a whole
-//! small tree, built by one thread. In the end the small trees are stored one after another, behind the top nodes.
+//! A job is a range of triangles. A large job makes one top node and up to eight more jobs: the range with the largest
+//! surface is cut in two, again and again. A small job becomes a whole small tree, built by one thread: first a binary
+//! one, out of which the best nodes are made. In the end the small trees are stored one after another, behind the top
+//! nodes.
 
 use super::{
     Bvh,
+    collapse::{BinaryTree, Index},
     node::{Child, Line, Node, Packet, Place, WIDTH},
     simd::{Instructions, with_large_pages},
     split::{Leaf, Range, Whole},
@@ -103,7 +106,6 @@ fn scale(positions: &[[f32; 3]]) -> Option<f32> {
 /// Triangles to be built, and the child of a top node that they become.
 struct Job<'a> {
     range: Range<'a>,
-    depth: usize,
     /// The top node and the lane of its child; `None` for the root.
     parent: Option<(usize, usize)>,
 }
@@ -128,7 +130,6 @@ impl<'a> Progress<'a> {
     fn starting_with(all: Range<'a>) -> Self {
         let root = Job {
             range: all,
-            depth: 0,
             parent: None,
         };
         Self {
@@ -181,15 +182,17 @@ impl<'a> Site<'a> {
                 Some(parent) if job.range.len() <= self.small.max(WIDTH) => {
                     // This capacity is enough for almost all trees.
                     let mut lines = Vec::with_capacity(job.range.len());
-                    let root = self.grow(&mut lines, job.range, job.depth);
-                    let grown = Grown {
-                        parent,
-                        root,
-                        lines,
-                    };
-                    self.lock().grown.push(grown);
+                    let tree = BinaryTree::over(job.range, self.instructions, self.stop);
+                    if !self.stop.load(Ordering::Relaxed) {
+                        let root = self.store(&tree, tree.root(), &mut lines);
+                        self.lock().grown.push(Grown {
+                            parent,
+                            root,
+                            lines,
+                        });
+                    }
                 }
-                parent => self.divide(job.range, job.depth, parent),
+                parent => self.divide(job.range, parent),
             }
             self.lock().open -= 1;
             self.news.notify_all();
@@ -216,49 +219,46 @@ impl<'a> Site<'a> {
     }
 
     /// Makes a top node and a job for each of its children.
-    fn divide(&self, range: Range<'a>, depth: usize, parent: Option<(usize, usize)>) {
-        let parts = range.split_wide(depth, self.instructions);
+    fn divide(&self, range: Range<'a>, parent: Option<(usize, usize)>) {
+        let parts = range.split_wide(self.instructions);
         let mut progress = self.lock();
         let index = progress.top.len();
         if let Some((node, lane)) = parent {
             let [node_place, place] = [node, index].map(|i| Place::new(i * Node::LINES, false));
             progress.top[node].children[lane] = Child::between(node_place, place);
         }
-        progress.top.push(node_of(&parts));
+        progress
+            .top
+            .push(node_about(parts.iter().map(Range::bounds)));
         progress.open += parts.len();
         let jobs = parts.into_iter().enumerate().map(|(lane, range)| Job {
             range,
-            depth: depth + 1,
             parent: Some((index, lane)),
         });
         progress.waiting.extend(jobs);
     }
 
-    /// Adds the tree over `range` to `lines`, and returns its place.
-    fn grow(&self, lines: &mut Vec<Line>, range: Range, depth: usize) -> Place {
-        if range.len() <= WIDTH {
+    /// Adds the nodes and packets over a binary node to `lines`, and returns the place of the first.
+    fn store(&self, tree: &BinaryTree, from: Index, lines: &mut Vec<Line>) -> Place {
+        if let Some(leaves) = tree.packet(from) {
             let place = Place::new(lines.len(), true);
-            lines.extend(self.vertices.packet(range.leaves()).lines());
+            lines.extend(self.vertices.packet(leaves).lines());
             return place;
         }
         let place = Place::new(lines.len(), false);
-        if self.stop.load(Ordering::Relaxed) {
-            return place;
-        }
-        let parts = range.split_wide(depth, self.instructions);
-        lines.extend(node_of(&parts).lines());
-        for (lane, part) in parts.into_iter().enumerate() {
-            let child = self.grow(lines, part, depth + 1);
+        let children = tree.children(from);
+        lines.extend(node_about(children.iter().map(|&child| tree.bounds(child))).lines());
+        for (lane, child) in children.into_iter().enumerate() {
+            let child = self.store(tree, child, lines);
             Node::at_mut(lines, place).children[lane] = Child::between(place, child);
         }
         place
     }
 }
 
-/// A node with the boxes of `parts`, and no children yet.
-fn node_of(parts: &[Range]) -> Node {
-    let bounds = parts.iter().map(Range::bounds);
-    Node::about(bounds.map(|corners| corners.map(|corner| corner.to_array())))
+/// A node with these boxes, and no children yet.
+fn node_about(boxes: impl Iterator<Item = [Vec3A; 2]>) -> Node {
+    Node::about(boxes.map(|corners| corners.map(|corner| corner.to_array())))
 }
 
 /// A mesh's vertices, scaled to the tree's unit of length.

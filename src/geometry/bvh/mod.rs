@@ -11,6 +11,7 @@
 )]
 
 mod build;
+mod collapse;
 mod node;
 mod simd;
 mod split;

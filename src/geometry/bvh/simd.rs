@@ -309,7 +309,7 @@ pub(super) struct StackRoom([MaybeUninit<u64>; Self::CAPACITY]);
 
 impl StackRoom {
     /// Items that fit.
-    pub const CAPACITY: usize = 160;
+    pub const CAPACITY: usize = 336;
 
     #[inline(always)]
     pub fn new() -> Self {

@@ -1,7 +1,5 @@
-//! Splits ranges of triangles by the surface area heuristic (Mac Donald & Booth 1990), estimated in bins (Wald, "On
+//! Cuts ranges of triangles in two by the surface area heuristic (Mac Donald & Booth 1990), estimated in bins (Wald, "On
 //! fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007).
-//!
-//! To make a node, the range with the largest surface is cut in two, again and again, until there are eight.
 //!
 //! A library's builder was tried instead, under the same nodes. With the trees of obvhs 0.4 (PLOC, medium quality),
 //! rays took 2 to 35 % longer on the benchmark's meshes. Building took 1.2 to 2.5 times as long, with twice the memory.
@@ -13,17 +11,14 @@ use super::{
 };
 use glam::Vec3A;
 
-/// From this many triangles on, a range is sorted into 16 bins along each axis, else into 8: more bins would cost more
-/// than they gain.
-const WORTH_16_BINS: usize = 64;
-/// From this depth on, ranges are halved by count, whatever that does to their boxes, so that no input makes the tree
-/// deeper than [`DEEPEST`]. Real meshes are 5 to 8 deep.
-const HALVED_BELOW: usize = 13;
-/// The most nodes above a packet: from `HALVED_BELOW` on, each child gets an eighth of its node's triangles, of which
-/// there are at most 2^27.
-pub(super) const DEEPEST: usize = HALVED_BELOW + 8;
+/// From these many triangles on, a range is sorted into 16 and into 32 bins along each axis, else into 8: more bins would
+/// cost more than they gain.
+const WORTH_BINS: [usize; 2] = [64, 512];
+/// The most nodes above a packet. Where another cut by surface could make a tree deeper, ranges are halved by count,
+/// whatever that does to their boxes. Real meshes are 5 to 8 deep.
+pub(super) const DEEPEST: usize = 48;
 // At each node on the way down, all children but one may wait.
-const _: () = assert!(DEEPEST * (WIDTH - 1) < StackRoom::CAPACITY);
+const _: () = assert!(DEEPEST * (WIDTH - 1) <= StackRoom::CAPACITY);
 
 /// A triangle's box, as in [`Extent`]; number 3 holds the triangle's index as bits.
 #[derive(Clone, Copy)]
@@ -95,6 +90,8 @@ fn center_of<L: Lanes>(lanes: L, leaf: L::F) -> L::F {
 
 /// Triangles that become one child, with the box about them and the box about their doubled centres.
 pub(super) struct Range<'a> {
+    /// Cuts that led to it.
+    depth: usize,
     leaves: &'a mut [Leaf],
     bounds: Extent,
     centers: Extent,
@@ -102,7 +99,7 @@ pub(super) struct Range<'a> {
 
 impl<'a> Range<'a> {
     #[inline(always)]
-    fn new<L: Lanes>(lanes: L, leaves: &'a mut [Leaf]) -> Self {
+    fn new<L: Lanes>(lanes: L, depth: usize, leaves: &'a mut [Leaf]) -> Self {
         let empty = lanes.splat(f32::INFINITY);
         let (mut bounds, mut centers) = (empty, empty);
         for leaf in &*leaves {
@@ -111,13 +108,14 @@ impl<'a> Range<'a> {
             centers = lanes.min(centers, center_of(lanes, leaf));
         }
         Self {
+            depth,
             leaves,
             bounds: Extent(lanes.store(bounds)),
             centers: Extent(lanes.store(centers)),
         }
     }
 
-    pub fn leaves(&self) -> &[Leaf] {
+    pub fn into_leaves(self) -> &'a [Leaf] {
         self.leaves
     }
 
@@ -130,36 +128,42 @@ impl<'a> Range<'a> {
         [self.bounds.min(), self.bounds.max()]
     }
 
-    /// Cuts the range into up to eight, none empty, for a node at this depth.
-    pub fn split_wide(self, depth: usize, instructions: Instructions) -> Vec<Self> {
-        let by_area = depth < HALVED_BELOW;
+    /// Half the surface of the box about the triangles.
+    pub fn area(&self) -> f32 {
+        self.bounds.area()
+    }
+
+    /// Cuts the range in two, neither empty. It must have two triangles at least.
+    pub fn split(self, instructions: Instructions) -> [Self; 2] {
+        instructions.run(Split(self))
+    }
+
+    /// Cuts the range into up to eight, none empty: always the one with the largest surface.
+    pub fn split_wide(self, instructions: Instructions) -> Vec<Self> {
         let mut parts = Vec::with_capacity(WIDTH);
         parts.push(self);
         while parts.len() < WIDTH {
-            let size = |part: &Self| {
-                #[expect(clippy::cast_precision_loss, reason = "a size to compare")]
-                if by_area {
-                    part.bounds.area()
-                } else {
-                    part.leaves.len() as f32
-                }
-            };
             let splittable = (parts.iter().enumerate()).filter(|(_, p)| p.leaves.len() > WIDTH);
-            let largest = splittable.max_by(|(_, a), (_, b)| size(a).total_cmp(&size(b)));
+            let largest = splittable.max_by(|(_, a), (_, b)| a.area().total_cmp(&b.area()));
             let Some((largest, _)) = largest else { break };
             let range = parts.swap_remove(largest);
-            let (a, b) = instructions.run(Split { range, by_area });
-            parts.extend([a, b]);
+            parts.extend(range.split(instructions));
         }
         parts
     }
 
+    /// How often it would have to be halved until packets are left.
+    fn halvings(&self) -> usize {
+        let packets = self.leaves.len().div_ceil(WIDTH);
+        packets.next_power_of_two().trailing_zeros() as usize
+    }
+
     /// Partitions the leaves at a cut, without branches: a processor would mispredict every other one.
     #[inline(always)]
-    fn split_at<L: Lanes>(self, lanes: L, cut: &Cut) -> (Self, Self) {
+    fn split_at<L: Lanes>(self, lanes: L, cut: &Cut) -> [Self; 2] {
         // `max` with +infinity, for a leaf on the other side, widens no box; `max` with -infinity changes no number.
         const GATE: [f32; 2] = [f32::INFINITY, f32::NEG_INFINITY];
-        let Self { leaves, .. } = self;
+        let Self { depth, leaves, .. } = self;
         let mut below = lanes.splat(f32::INFINITY);
         let mut above = below;
         let mut count = 0;
@@ -177,37 +181,41 @@ impl<'a> Range<'a> {
         }
         let (a, b) = leaves.split_at_mut(count);
         let part = |leaves, bounds, centers| Self {
+            depth: depth + 1,
             leaves,
             bounds,
             centers: Extent(lanes.store(centers)),
         };
         let [bounds_a, bounds_b] = cut.bounds;
-        (part(a, bounds_a, below), part(b, bounds_b, above))
+        [part(a, bounds_a, below), part(b, bounds_b, above)]
     }
 }
 
-/// A range to cut in two, neither empty: by area, or by count.
-struct Split<'a> {
-    range: Range<'a>,
-    by_area: bool,
-}
+/// A range to cut in two.
+struct Split<'a>(Range<'a>);
 
 impl<'a> Work for Split<'a> {
-    type Output = (Range<'a>, Range<'a>);
+    type Output = [Range<'a>; 2];
 
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> Self::Output {
-        let Self { range, by_area } = self;
+        let Self(range) = self;
+        let [worth_16, worth_32] = WORTH_BINS;
         let cut = match range.leaves.len() {
-            _ if !by_area => None,
-            count if count < WORTH_16_BINS => Binning::<8>::new(lanes, &range).best(lanes),
-            _ => Binning::<16>::new(lanes, &range).best(lanes),
+            _ if range.depth + range.halvings() >= DEEPEST => None,
+            count if count < worth_16 => Binning::<8>::new(lanes, &range).best(lanes),
+            count if count < worth_32 => Binning::<16>::new(lanes, &range).best(lanes),
+            _ => Binning::<32>::new(lanes, &range).best(lanes),
         };
         if let Some(cut) = cut {
             return range.split_at(lanes, &cut);
         }
-        let (a, b) = range.leaves.split_at_mut(range.leaves.len() / 2);
-        (Range::new(lanes, a), Range::new(lanes, b))
+        let Range { depth, leaves, .. } = range;
+        let (a, b) = leaves.split_at_mut(leaves.len() / 2);
+        [
+            Range::new(lanes, depth + 1, a),
+            Range::new(lanes, depth + 1, b),
+        ]
     }
 }
 
@@ -219,7 +227,7 @@ impl<'a> Work for Whole<'a> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> Range<'a> {
-        Range::new(lanes, self.0)
+        Range::new(lanes, 0, self.0)
     }
 }
 
@@ -356,4 +364,44 @@ fn cost(extent: &Extent, count: usize) -> f32 {
         return f32::INFINITY;
     }
     extent.area() * count.div_ceil(WIDTH) as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::bvh::simd::Simd;
+
+    /// The most cuts that lead to a packet.
+    fn deepest(range: Range, instructions: Instructions) -> usize {
+        if range.len() <= WIDTH {
+            return range.depth;
+        }
+        let parts = range.split(instructions);
+        let depths = parts.map(|part| deepest(part, instructions));
+        depths[0].max(depths[1])
+    }
+
+    /// Triangles of which each cut takes off only a few make a deep tree, but never one deeper than a walk's stack
+    /// allows, wherever in a large tree they are.
+    #[test]
+    fn no_tree_is_too_deep() {
+        let simd = Simd::available().next().and_then(Instructions::of);
+        let instructions = simd.expect("there is always one");
+        let mut leaves: Vec<_> = (0..1000_u32)
+            .map(|i| {
+                let at = 0.9_f32.powi(i.cast_signed());
+                Leaf::new(i, Vec3A::splat(at), Vec3A::splat(1.05 * at))
+            })
+            .collect();
+        let mut from = |depth| {
+            let all = instructions.run(Whole(&mut leaves));
+            deepest(Range { depth, ..all }, instructions)
+        };
+        let by_surface = from(0);
+        assert!(by_surface > 20, "{by_surface} cuts: not deep");
+        // 125 packets need seven halvings.
+        assert_eq!(from(DEEPEST - 7), DEEPEST);
+        assert_eq!(from(DEEPEST - 8), DEEPEST);
+        assert!(from(DEEPEST - 15) <= DEEPEST);
+    }
 }
