@@ -33,10 +33,16 @@ impl Case {
         self.triangles[triangle].map(|i| self.positions[i as usize].map(f64::from).into())
     }
 
-    /// The largest coordinate.
+    /// With a vertex at (1, 1, 1) that no triangle has.
+    fn beside_a_vertex(mut self) -> Self {
+        self.positions.push([1.0; 3]);
+        self
+    }
+
+    /// The largest coordinate of a triangle.
     fn size(&self) -> f64 {
-        let coordinates = self.positions.as_flattened().iter();
-        coordinates.fold(0.0, |size, x| x.abs().max(size)).into()
+        let corners = (0..self.triangles.len()).flat_map(|triangle| self.corners(triangle));
+        corners.fold(0.0, |size, p| p.abs().max_element().max(size))
     }
 }
 
@@ -62,7 +68,7 @@ fn cases() -> Vec<Case> {
         let size = 0.5_f64.powi(i % 100);
         one.map(|p| size * (p + DVec3::ONE))
     });
-    // The same along six arms that meet in one point, so that no split takes off much. No tree is deeper.
+    // The same along six arms that meet in one point, so that no split takes off much.
     let arms = (0..175).flat_map(|i| {
         let axes = [DVec3::X, DVec3::Y, DVec3::Z];
         let arms = axes.into_iter().flat_map(|axis| [axis, -axis]);
@@ -94,6 +100,7 @@ fn cases() -> Vec<Case> {
         Case::new("needles", needles),
         Case::new("tiny beside large", mixed),
         Case::new("tiny", soup(7, 300, 1e-30)),
+        Case::new("tinier", soup(10, 300, 1e-42)).beside_a_vertex(),
         Case::new("vast", soup(8, 300, 1e30)),
         Case::new(
             "far from its origin",

@@ -7,7 +7,7 @@
 
 use super::{
     Bvh,
-    collapse::{BinaryTree, Index},
+    collapse::{BinaryTree, Index, Tree},
     node::{Child, Line, Node, Packet, Place, WIDTH},
     simd::{Instructions, with_large_pages},
     split::{Leaf, Range, Whole},
@@ -38,10 +38,10 @@ pub(super) fn build(
     let count = u32::try_from(triangles.len())
         .ok()
         .filter(|count| (1..=1 << 27).contains(count))?;
-    let vertices = Vertices {
+    let mut vertices = Vertices {
         positions,
         triangles,
-        scale: scale(positions)?,
+        scale: 1.0,
     };
     let threads = if triangles.len() < WORTH_THREADS {
         1
@@ -50,6 +50,12 @@ pub(super) fn build(
     };
     let mut leaves = with_large_pages(triangles.len());
     leaves.extend((0..count).map(|i| vertices.leaf(i)));
+    let bounds = instructions.run(Whole(&mut leaves)).bounds();
+    vertices.scale = vertices.scale_within(bounds)?;
+    if vertices.scale != 1.0 {
+        leaves.clear();
+        leaves.extend((0..count).map(|i| vertices.leaf(i)));
+    }
     let all = instructions.run(Whole(&mut leaves));
     let [min, max] = all.bounds();
     let site = Site {
@@ -67,9 +73,14 @@ pub(super) fn build(
         site.work();
     });
     let progress = (site.progress.into_inner()).unwrap_or_else(PoisonError::into_inner);
-    let Progress { top, grown, .. } = progress;
+    let Progress {
+        top,
+        grown,
+        is_given_up,
+        ..
+    } = progress;
     drop(leaves);
-    if stop.load(Ordering::Relaxed) {
+    if is_given_up {
         return None;
     }
     Some(Bvh {
@@ -85,22 +96,6 @@ pub(super) fn build(
         },
         instructions,
     })
-}
-
-/// The power of two that scales coordinates so that products of them neither underflow nor overflow; `None` where
-/// scaling would change a coordinate.
-fn scale(positions: &[[f32; 3]]) -> Option<f32> {
-    const SAFE: f32 = 1_073_741_824.0; // 2^30
-    let coordinates = positions.as_flattened();
-    let largest = coordinates.iter().fold(0.0_f32, |m, x| m.max(x.abs()));
-    if largest == 0.0 || (1.0 / SAFE..=SAFE).contains(&largest) {
-        return Some(1.0);
-    }
-    #[expect(clippy::cast_possible_truncation, reason = "within 150")]
-    let exponent = (largest.log2() as i32).clamp(-126, 126);
-    let (scale, unscale) = (2_f32.powi(-exponent), 2_f32.powi(exponent));
-    let kept = |x: &f32| ((x * scale) * unscale).to_bits() == x.to_bits();
-    coordinates.iter().all(kept).then_some(scale)
 }
 
 /// Triangles to be built, and the child of a top node that they become.
@@ -124,6 +119,8 @@ struct Progress<'a> {
     open: usize,
     top: Vec<Node>,
     grown: Vec<Grown>,
+    /// Whether a job was dropped: `stop` was set.
+    is_given_up: bool,
 }
 
 impl<'a> Progress<'a> {
@@ -137,6 +134,7 @@ impl<'a> Progress<'a> {
             open: 1,
             top: Vec::new(),
             grown: Vec::new(),
+            is_given_up: false,
         }
     }
 }
@@ -178,18 +176,20 @@ impl<'a> Site<'a> {
     fn work(&self) {
         while let Some(job) = self.next() {
             match job.parent {
-                _ if self.stop.load(Ordering::Relaxed) => {}
+                _ if self.stop.load(Ordering::Relaxed) => self.lock().is_given_up = true,
                 Some(parent) if job.range.len() <= self.small.max(WIDTH) => {
                     // This capacity is enough for almost all trees.
                     let mut lines = Vec::with_capacity(job.range.len());
-                    let tree = BinaryTree::over(job.range, self.instructions, self.stop);
-                    if !self.stop.load(Ordering::Relaxed) {
-                        let root = self.store(&tree, tree.root(), &mut lines);
-                        self.lock().grown.push(Grown {
-                            parent,
-                            root,
-                            lines,
-                        });
+                    match BinaryTree::over(job.range, self.instructions, self.stop) {
+                        Some(tree) => {
+                            let root = self.store(&tree, tree.root(), &mut lines);
+                            self.lock().grown.push(Grown {
+                                parent,
+                                root,
+                                lines,
+                            });
+                        }
+                        None => self.lock().is_given_up = true,
                     }
                 }
                 parent => self.divide(job.range, parent),
@@ -238,15 +238,17 @@ impl<'a> Site<'a> {
         progress.waiting.extend(jobs);
     }
 
-    /// Adds the nodes and packets over a binary node to `lines`, and returns the place of the first.
+    /// Adds the nodes and packets for a binary node's triangles to `lines`, and returns the place of the first.
     fn store(&self, tree: &BinaryTree, from: Index, lines: &mut Vec<Line>) -> Place {
-        if let Some(leaves) = tree.packet(from) {
-            let place = Place::new(lines.len(), true);
-            lines.extend(self.vertices.packet(leaves).lines());
-            return place;
-        }
+        let children = match tree.tree(from) {
+            Tree::Packet(leaves) => {
+                let place = Place::new(lines.len(), true);
+                lines.extend(self.vertices.packet(leaves).lines());
+                return place;
+            }
+            Tree::Node(children) => children,
+        };
         let place = Place::new(lines.len(), false);
-        let children = tree.children(from);
         lines.extend(node_about(children.iter().map(|&child| tree.bounds(child))).lines());
         for (lane, child) in children.into_iter().enumerate() {
             let child = self.store(tree, child, lines);
@@ -273,6 +275,23 @@ impl Vertices<'_> {
     fn corners(&self, triangle: u32) -> [[f32; 3]; 3] {
         self.triangles[triangle as usize]
             .map(|i| self.positions[i as usize].map(|x| x * self.scale))
+    }
+
+    /// The power of two that scales triangles within a box so that products of coordinates neither underflow nor
+    /// overflow; `None` where scaling would change a coordinate.
+    fn scale_within(&self, [min, max]: [Vec3A; 2]) -> Option<f32> {
+        const SAFE: f32 = 1_073_741_824.0; // 2^30
+        let largest = min.abs().max(max.abs()).max_element();
+        if largest == 0.0 || (1.0 / SAFE..=SAFE).contains(&largest) {
+            return Some(1.0);
+        }
+        #[expect(clippy::cast_possible_truncation, reason = "within 150")]
+        let exponent = (largest.log2() as i32).clamp(-126, 126);
+        let (scale, unscale) = (2_f32.powi(-exponent), 2_f32.powi(exponent));
+        let kept = |x: &f32| ((x * scale) * unscale).to_bits() == x.to_bits();
+        let mut corners = self.triangles.as_flattened().iter();
+        let are_kept = corners.all(|&i| self.positions[i as usize].iter().all(kept));
+        are_kept.then_some(scale)
     }
 
     fn leaf(&self, triangle: u32) -> Leaf {

@@ -2,8 +2,9 @@
 //! Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017).
 //!
 //! A node costs its surface, since rays enter it in proportion to that. Packets cost the same whatever is above them.
-//! Each binary node knows the least cost of covering its triangles with one tree, with two, and so on up to seven. One
-//! tree is a node over eight. `n` trees share their number among the two parts in the best way.
+//! Each binary node knows the least cost of covering its triangles with at most one tree, at most two, and so on up to
+//! seven. A single tree is a packet, or a node whose children are at most eight trees. Of several trees, the first part
+//! gets as many as is cheapest.
 
 use super::{
     node::WIDTH,
@@ -15,7 +16,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A binary tree over a range of triangles, cut down to packets.
 pub(super) struct BinaryTree<'a> {
-    /// Each comes after its parts, so the root is the last.
+    /// Each comes after its parts: the root is the last.
     nodes: Vec<BinaryNode<'a>>,
 }
 
@@ -34,18 +35,26 @@ enum Content<'a> {
     Parts([Index; 2]),
 }
 
+/// A single tree over a binary node.
+pub(super) enum Tree<'a> {
+    /// Up to eight triangles.
+    Packet(&'a [Leaf]),
+    /// A node over up to eight trees.
+    Node(Vec<Index>),
+}
+
 /// The least cost of covering a binary node with at most one tree, with at most two, and so on.
 type Costs = [f32; WIDTH - 1];
 
 impl<'a> BinaryTree<'a> {
-    /// Cuts the range. The tree may be of no use once `stop` is set.
-    pub fn over(range: Range<'a>, instructions: Instructions, stop: &AtomicBool) -> Self {
+    /// Cuts the range; `None` where `stop` was set meanwhile.
+    pub fn over(range: Range<'a>, instructions: Instructions, stop: &AtomicBool) -> Option<Self> {
         // Almost always enough: packets are seldom less than half full.
         let mut tree = Self {
             nodes: Vec::with_capacity(range.len() / 2),
         };
-        tree.cut(range, instructions, stop);
-        tree
+        tree.cut(range, instructions, stop)?;
+        Some(tree)
     }
 
     pub fn root(&self) -> Index {
@@ -57,33 +66,38 @@ impl<'a> BinaryTree<'a> {
         self.nodes[node.0].bounds
     }
 
-    /// The triangles of a packet; `None` where a node is more than that.
-    pub fn packet(&self, node: Index) -> Option<&'a [Leaf]> {
+    /// A single tree over a binary node.
+    pub fn tree(&self, node: Index) -> Tree<'a> {
         match self.nodes[node.0].content {
-            Content::Packet(leaves) => Some(leaves),
-            Content::Parts(_) => None,
+            Content::Packet(leaves) => Tree::Packet(leaves),
+            Content::Parts(parts) => {
+                let mut children = Vec::with_capacity(WIDTH);
+                let (_, of_first) = self.best_share(parts, WIDTH);
+                self.share(parts, [of_first, WIDTH - of_first], &mut children);
+                Tree::Node(children)
+            }
         }
     }
 
-    /// What a node of eight over this node holds: at most eight nodes. A packet holds itself.
-    pub fn children(&self, node: Index) -> Vec<Index> {
-        let mut children = Vec::with_capacity(WIDTH);
-        match self.nodes[node.0].content {
-            Content::Packet(_) => children.push(node),
-            Content::Parts(parts) => self.share(parts, WIDTH, &mut children),
-        }
-        children
-    }
-
-    /// Adds the nodes over a range, and returns the last of them.
-    fn cut(&mut self, range: Range<'a>, instructions: Instructions, stop: &AtomicBool) -> Index {
+    /// Adds the nodes over a range, and returns the last of them; `None` where `stop` was set.
+    fn cut(
+        &mut self,
+        range: Range<'a>,
+        instructions: Instructions,
+        stop: &AtomicBool,
+    ) -> Option<Index> {
         let bounds = range.bounds();
         let area = range.area();
-        let (costs, content) = if range.len() <= WIDTH || stop.load(Ordering::Relaxed) {
+        let (costs, content) = if range.len() <= WIDTH {
             ([0.0; WIDTH - 1], Content::Packet(range.into_leaves()))
+        } else if stop.load(Ordering::Relaxed) {
+            return None;
         } else {
             let [a, b] = range.split(instructions);
-            let parts = [a, b].map(|part| self.cut(part, instructions, stop));
+            let parts = [
+                self.cut(a, instructions, stop)?,
+                self.cut(b, instructions, stop)?,
+            ];
             (self.costs(area, parts), Content::Parts(parts))
         };
         self.nodes.push(BinaryNode {
@@ -91,7 +105,7 @@ impl<'a> BinaryTree<'a> {
             costs,
             content,
         });
-        self.root()
+        Some(self.root())
     }
 
     /// The costs of a binary node with this surface.
@@ -103,25 +117,24 @@ impl<'a> BinaryTree<'a> {
         costs
     }
 
-    /// The least cost of covering both parts with so many trees, and how many of these the first part gets.
-    fn best_share(&self, [a, b]: [Index; 2], trees: usize) -> (f32, usize) {
-        let [a, b] = [a, b].map(|part| &self.nodes[part.0].costs);
+    /// The least cost of covering both parts with at most so many trees, and how many of these the first part gets.
+    fn best_share(&self, parts: [Index; 2], trees: usize) -> (f32, usize) {
+        let [first, second] = parts.map(|part| &self.nodes[part.0].costs);
         let mut best = (f32::INFINITY, 1);
-        for of_a in 1..trees {
-            let cost = a[of_a - 1] + b[trees - of_a - 1];
+        for of_first in 1..trees {
+            let cost = first[of_first - 1] + second[trees - of_first - 1];
             if cost < best.0 {
-                best = (cost, of_a);
+                best = (cost, of_first);
             }
         }
         best
     }
 
-    /// Covers both parts with so many trees, and adds these.
-    fn share(&self, parts: [Index; 2], trees: usize, into: &mut Vec<Index>) {
-        let (_, of_a) = self.best_share(parts, trees);
-        let [a, b] = parts;
-        self.cover(a, of_a, into);
-        self.cover(b, trees - of_a, into);
+    /// Covers each part with at most so many trees, and adds these.
+    fn share(&self, parts: [Index; 2], most: [usize; 2], into: &mut Vec<Index>) {
+        for (part, most) in parts.into_iter().zip(most) {
+            self.cover(part, most, into);
+        }
     }
 
     /// Covers a node with at most so many trees, and adds these.
@@ -129,8 +142,9 @@ impl<'a> BinaryTree<'a> {
         let BinaryNode { costs, content, .. } = &self.nodes[node.0];
         match *content {
             Content::Parts(parts) if most > 1 => {
-                if self.best_share(parts, most).0 < costs[most - 2] {
-                    self.share(parts, most, into);
+                let (cost, of_first) = self.best_share(parts, most);
+                if cost < costs[most - 2] {
+                    self.share(parts, [of_first, most - of_first], into);
                 } else {
                     self.cover(node, most - 1, into);
                 }
@@ -185,10 +199,9 @@ mod tests {
 
     /// The cost of the tree as it is made, and how many packets it has.
     fn made(tree: &BinaryTree, node: Index) -> (f32, usize) {
-        if tree.packet(node).is_some() {
+        let Tree::Node(children) = tree.tree(node) else {
             return (0.0, 1);
-        }
-        let children = tree.children(node);
+        };
         assert!((2..=WIDTH).contains(&children.len()));
         let below = children.into_iter().map(|child| made(tree, child));
         below.fold((area(tree, node), 0), |a, b| (a.0 + b.0, a.1 + b.1))
@@ -211,6 +224,7 @@ mod tests {
                 .collect();
             let all = instructions.run(Whole(&mut leaves));
             let tree = BinaryTree::over(all, instructions, &AtomicBool::new(false));
+            let tree = tree.expect("nobody stops it");
             let is_packet = |node: &&BinaryNode| matches!(node.content, Content::Packet(_));
             let packets = tree.nodes.iter().filter(is_packet).count();
             let (cost, kept) = made(&tree, tree.root());

@@ -1,10 +1,11 @@
 //! The only module with `unsafe`: eight `f32` at once, a stack that is not cleared first, and large pages.
 //!
-//! These eight lanes make the tree about three times as fast. Clearing the stack would cost a ray as much as two nodes.
+//! These eight lanes make the tree about three times as fast. Clearing the stack would cost a ray as much as some nodes.
 //! In pages of 4 kB, a tree over a million triangles is a tenth slower. Three rules keep the code sound:
 //!
-//! * A value of [`Avx2`] proves that the processor has AVX2 and FMA: only [`Avx2::detect`] makes one, so its methods
-//!   are safe to call. The same holds for [`Avx512`]. SSE2 is part of x86-64.
+//! * A value of [`Avx2`] proves that the processor has AVX2 and FMA, and one of `Avx2<true>` that it has what
+//!   [`Avx512`] needs: only [`Avx2::detect`] and [`Avx512::detect`] make them, so their methods are safe to call. SSE2 is
+//!   part of x86-64.
 //! * [`Stack`] reads only below `len`, where it has written.
 //! * The advice of [`with_large_pages`] changes no content.
 //!
@@ -21,7 +22,7 @@ use std::mem::MaybeUninit;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Simd {
-    /// As AVX2, with twice the registers: x86-64 of servers, and of desktops since about 2022.
+    /// As AVX2, with twice the registers and one more instruction: x86-64 of servers, and of desktops since about 2022.
     Avx512,
     /// Eight lanes at once, with fused multiply-add: x86-64 since about 2013.
     Avx2,
@@ -128,7 +129,7 @@ pub(super) trait Lanes: Copy {
     fn halves_swapped(self, a: Self::F) -> Self::F;
     /// Prefetches the cache line of an item; an index past the end does no harm.
     fn prefetch<T>(self, items: &[T], index: usize);
-    /// Does `work` with the same instructions, but out of line: for rare work that would crowd a loop.
+    /// Does `work` with the same instructions or fewer, but out of line: for rare work that would crowd a loop.
     fn apart<W: Work>(self, work: W) -> W::Output;
 }
 

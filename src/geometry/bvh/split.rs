@@ -11,22 +11,22 @@ use super::{
 };
 use glam::Vec3A;
 
-/// From these many triangles on, a range is sorted into 16 and into 32 bins along each axis, else into 8: more bins would
-/// cost more than they gain.
+/// From the first of these counts on, a range is sorted into 16 bins along each axis, from the second on into 32, else
+/// into 8: more bins would cost more than they gain.
 const WORTH_BINS: [usize; 2] = [64, 512];
-/// The most nodes above a packet. Where another cut by surface could make a tree deeper, ranges are halved by count,
-/// whatever that does to their boxes. Real meshes are 5 to 8 deep.
+/// The most cuts above a packet, and so the most nodes. Where another cut by surface could make a tree deeper, ranges
+/// are halved by count, whatever that does to their boxes. Real meshes of up to a million triangles need up to 23.
 pub(super) const DEEPEST: usize = 48;
 // At each node on the way down, all children but one may wait.
 const _: () = assert!(DEEPEST * (WIDTH - 1) <= StackRoom::CAPACITY);
 
-/// A triangle's box, as in [`Extent`]; number 3 holds the triangle's index, below `2^30`, as bits.
+/// A triangle's box, as in [`Extent`]; number 3 holds the triangle's index, below `2^30`, and [`Leaf::NORMAL`] as bits.
 #[derive(Clone, Copy)]
 pub(super) struct Leaf(Eight);
 
 impl Leaf {
-    /// Set beside the index, so that the number is a normal one. Indices alone are subnormal. Multiplying these, in a lane
-    /// that nobody asked for, made a terrain's tree take half as long again to build (Intel Xeon, 2026-11-26).
+    /// Set beside the index, so that the number is a normal one. An index alone is subnormal, and the compiler multiplies
+    /// it with the three numbers beside it: a terrain's tree took half as long again to build (Intel Xeon, 2026-11-26).
     const NORMAL: u32 = 1 << 30;
 
     pub fn new(triangle: u32, min: Vec3A, max: Vec3A) -> Self {
@@ -92,7 +92,7 @@ fn center_of<L: Lanes>(lanes: L, leaf: L::F) -> L::F {
     lanes.sub(leaf, lanes.halves_swapped(leaf))
 }
 
-/// Triangles that become one child, with the box about them and the box about their doubled centres.
+/// Triangles that become one tree, with the box about them and the box about their doubled centres.
 pub(super) struct Range<'a> {
     /// Cuts that led to it.
     depth: usize,
@@ -137,8 +137,9 @@ impl<'a> Range<'a> {
         self.bounds.area()
     }
 
-    /// Cuts the range in two, neither empty. It must have two triangles at least.
+    /// Cuts the range in two, neither empty. It must have more triangles than a packet.
     pub fn split(self, instructions: Instructions) -> [Self; 2] {
+        debug_assert!(self.len() > WIDTH);
         instructions.run(Split(self))
     }
 

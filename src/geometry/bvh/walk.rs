@@ -287,7 +287,7 @@ struct TriangleFilter {
     ray: ShearedRay,
     /// The start of the interval as a length, less the ray's `reach`.
     start: f32,
-    /// `5 reach`.
+    /// Five times the ray's `reach`.
     five_reach: f32,
 }
 
@@ -352,7 +352,7 @@ impl TriangleFilter {
         let e = lanes.mul(lanes.add(m, lanes.splat(reach)), slack);
         let minus_e = lanes.sub(lanes.splat(0.0), e);
         let one_sign = lanes.le(minus_e, least) | lanes.le(greatest, e);
-        // So it is for most packets.
+        // Most packets end here.
         if one_sign == 0 {
             return 0;
         }
