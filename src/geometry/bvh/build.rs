@@ -52,6 +52,7 @@ pub(super) fn build(
     leaves.extend((0..count).map(|i| vertices.leaf(i)));
     let bounds = instructions.run(Whole(&mut leaves)).bounds();
     vertices.scale = vertices.scale_within(bounds)?;
+    #[expect(clippy::float_cmp, reason = "a power of two")]
     if vertices.scale != 1.0 {
         leaves.clear();
         leaves.extend((0..count).map(|i| vertices.leaf(i)));
