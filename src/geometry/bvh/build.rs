@@ -50,14 +50,12 @@ pub(super) fn build(
     };
     let mut leaves = with_large_pages(triangles.len());
     leaves.extend((0..count).map(|i| vertices.leaf(i)));
-    let bounds = instructions.run(Whole(&mut leaves)).bounds();
-    vertices.scale = vertices.scale_within(bounds)?;
+    let mut all = instructions.run(Whole(&mut leaves));
+    vertices.scale = vertices.scale_within(all.bounds())?;
     #[expect(clippy::float_cmp, reason = "a power of two")]
     if vertices.scale != 1.0 {
-        leaves.clear();
-        leaves.extend((0..count).map(|i| vertices.leaf(i)));
+        all = all.anew(|triangle| vertices.leaf(triangle), instructions);
     }
-    let all = instructions.run(Whole(&mut leaves));
     let [min, max] = all.bounds();
     let site = Site {
         vertices,

@@ -132,6 +132,14 @@ impl<'a> Range<'a> {
         [self.bounds.min(), self.bounds.max()]
     }
 
+    /// All of these triangles, with other boxes.
+    pub fn anew(self, leaf: impl Fn(u32) -> Leaf, instructions: Instructions) -> Self {
+        for old in &mut *self.leaves {
+            *old = leaf(old.triangle());
+        }
+        instructions.run(Whole(self.leaves))
+    }
+
     /// Half the surface of the box about the triangles.
     pub fn area(&self) -> f32 {
         self.bounds.area()
