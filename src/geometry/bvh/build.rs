@@ -174,28 +174,33 @@ impl<'a> Site<'a> {
     /// Takes jobs until none is left. Each thread runs this.
     fn work(&self) {
         while let Some(job) = self.next() {
-            match job.parent {
-                _ if self.stop.load(Ordering::Relaxed) => self.lock().is_given_up = true,
-                Some(parent) if job.range.len() <= self.small.max(WIDTH) => {
-                    // This capacity is enough for almost all trees.
-                    let mut lines = Vec::with_capacity(job.range.len());
-                    match BinaryTree::over(job.range, self.instructions, self.stop) {
-                        Some(tree) => {
-                            let root = self.store(&tree, tree.root(), &mut lines);
-                            self.lock().grown.push(Grown {
-                                parent,
-                                root,
-                                lines,
-                            });
-                        }
-                        None => self.lock().is_given_up = true,
-                    }
-                }
-                parent => self.divide(job.range, parent),
-            }
-            self.lock().open -= 1;
+            let is_done = self.finish(job).is_some();
+            let mut progress = self.lock();
+            progress.is_given_up |= !is_done;
+            progress.open -= 1;
+            drop(progress);
             self.news.notify_all();
         }
+    }
+
+    /// Does a job; `None` where `stop` was set.
+    fn finish(&self, job: Job<'a>) -> Option<()> {
+        match job.parent {
+            _ if self.stop.load(Ordering::Relaxed) => return None,
+            Some(parent) if job.range.len() <= self.small.max(WIDTH) => {
+                // This capacity is enough for almost all trees.
+                let mut lines = Vec::with_capacity(job.range.len());
+                let tree = BinaryTree::over(job.range, self.instructions, self.stop)?;
+                let root = self.store(&tree, tree.root(), &mut lines);
+                self.lock().grown.push(Grown {
+                    parent,
+                    root,
+                    lines,
+                });
+            }
+            parent => self.divide(job.range, parent),
+        }
+        Some(())
     }
 
     /// The largest job that waits; `None` when all are done.

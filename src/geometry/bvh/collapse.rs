@@ -72,8 +72,8 @@ impl<'a> BinaryTree<'a> {
             Content::Packet(leaves) => Tree::Packet(leaves),
             Content::Parts(parts) => {
                 let mut children = Vec::with_capacity(WIDTH);
-                let (_, of_first) = self.best_share(parts, WIDTH);
-                self.share(parts, [of_first, WIDTH - of_first], &mut children);
+                let (_, shares) = self.best_shares(parts, WIDTH);
+                self.cover_both(parts, shares, &mut children);
                 Tree::Node(children)
             }
         }
@@ -110,28 +110,29 @@ impl<'a> BinaryTree<'a> {
 
     /// The costs of a binary node with this surface.
     fn costs(&self, area: f32, parts: [Index; 2]) -> Costs {
-        let mut costs = [area + self.best_share(parts, WIDTH).0; WIDTH - 1];
+        let mut costs = [area + self.best_shares(parts, WIDTH).0; WIDTH - 1];
         for trees in 2..WIDTH {
-            costs[trees - 1] = costs[trees - 2].min(self.best_share(parts, trees).0);
+            costs[trees - 1] = costs[trees - 2].min(self.best_shares(parts, trees).0);
         }
         costs
     }
 
-    /// The least cost of covering both parts with at most so many trees, and how many of these the first part gets.
-    fn best_share(&self, parts: [Index; 2], trees: usize) -> (f32, usize) {
+    /// The least cost of covering both parts with at most so many trees, and how many of these each part gets.
+    fn best_shares(&self, parts: [Index; 2], trees: usize) -> (f32, [usize; 2]) {
         let [first, second] = parts.map(|part| &self.nodes[part.0].costs);
-        let mut best = (f32::INFINITY, 1);
+        let mut best = (f32::INFINITY, [1, trees - 1]);
         for of_first in 1..trees {
-            let cost = first[of_first - 1] + second[trees - of_first - 1];
+            let of_second = trees - of_first;
+            let cost = first[of_first - 1] + second[of_second - 1];
             if cost < best.0 {
-                best = (cost, of_first);
+                best = (cost, [of_first, of_second]);
             }
         }
         best
     }
 
     /// Covers each part with at most so many trees, and adds these.
-    fn share(&self, parts: [Index; 2], most: [usize; 2], into: &mut Vec<Index>) {
+    fn cover_both(&self, parts: [Index; 2], most: [usize; 2], into: &mut Vec<Index>) {
         for (part, most) in parts.into_iter().zip(most) {
             self.cover(part, most, into);
         }
@@ -142,9 +143,9 @@ impl<'a> BinaryTree<'a> {
         let BinaryNode { costs, content, .. } = &self.nodes[node.0];
         match *content {
             Content::Parts(parts) if most > 1 => {
-                let (cost, of_first) = self.best_share(parts, most);
+                let (cost, shares) = self.best_shares(parts, most);
                 if cost < costs[most - 2] {
-                    self.share(parts, [of_first, most - of_first], into);
+                    self.cover_both(parts, shares, into);
                 } else {
                     self.cover(node, most - 1, into);
                 }
@@ -211,8 +212,7 @@ mod tests {
     #[test]
     fn no_nodes_cost_less() {
         let mut random = Random(11);
-        let simd = Simd::available().next().and_then(Instructions::of);
-        let instructions = simd.expect("there is always one");
+        let instructions = Instructions::of(Simd::fastest()).expect("it is available");
         let mut gained = 0;
         for round in 0..40_u32 {
             let mut leaves: Vec<_> = (0..70 + round)

@@ -1,7 +1,7 @@
 //! The only module with `unsafe`: eight `f32` at once, a stack that is not cleared first, and large pages.
 //!
-//! These eight lanes make the tree about three times as fast. Clearing the stack would cost a ray as much as some nodes.
-//! In pages of 4 kB, a tree over a million triangles is a tenth slower. Three rules keep the code sound:
+//! These eight lanes make the tree about three times as fast. Clearing the stack for each ray would slow that down. In
+//! pages of 4 kB, a tree over a million triangles is a tenth slower. Three rules keep the code sound:
 //!
 //! * A value of [`Avx2`] proves that the processor has AVX2 and FMA, and one of `Avx2<true>` that it has what
 //!   [`Avx512`] needs: only [`Avx2::detect`] and [`Avx512::detect`] make them, so their methods are safe to call. SSE2 is

@@ -1,5 +1,5 @@
-//! Cuts ranges of triangles in two by the surface area heuristic (Mac Donald & Booth 1990), estimated in bins (Wald, "On
-//! fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007).
+//! Cuts ranges of triangles in two by the surface area heuristic (Mac Donald & Booth 1990), estimated in bins (Wald,
+//! "On fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007).
 //!
 //! A library's builder was tried instead, under the nodes of that time. With the trees of obvhs 0.4 (PLOC, medium
 //! quality), rays took 2 to 35 % longer on the benchmark's meshes. Building took 1.2 to 2.5 times as long, with twice
@@ -25,8 +25,9 @@ const _: () = assert!(DEEPEST * (WIDTH - 1) <= StackRoom::CAPACITY);
 pub(super) struct Leaf(Eight);
 
 impl Leaf {
-    /// Set beside the index, so that the number is a normal one. An index alone is subnormal, and the compiler multiplies
-    /// it with the three numbers beside it: a terrain's tree took half as long again to build (Intel Xeon, 2026-11-26).
+    /// Set beside the index, so that the number is a normal one. An index alone is subnormal, and the compiler
+    /// multiplies it with the three numbers beside it: a terrain's tree took half as long again to build (Intel Xeon,
+    /// 2026-11-26).
     const NORMAL: u32 = 1 << 30;
 
     pub fn new(triangle: u32, min: Vec3A, max: Vec3A) -> Self {
@@ -398,8 +399,7 @@ mod tests {
     /// allows, wherever in a large tree they are.
     #[test]
     fn no_tree_is_too_deep() {
-        let simd = Simd::available().next().and_then(Instructions::of);
-        let instructions = simd.expect("there is always one");
+        let instructions = Instructions::of(Simd::fastest()).expect("it is available");
         let mut leaves: Vec<_> = (0..1000_u32)
             .map(|i| {
                 let at = 0.9_f32.powi(i.cast_signed());

@@ -16,16 +16,16 @@
 //! distance.
 //!
 //! From here on nothing that matters is farther from the origin than `D`: `|o| + M`, or `2 M` where the eye was moved.
-//! To the `D` and `M` of most rays `far / u` is added, so that `u D` and `u M` have room for `far`. A near and almost
-//! exact ray whose direction needs no scaling needs no more room: its `far` is at most `2^-23 u M`, or `2^-1 u M` with
-//! the ray's own errors, and the bounds below have `u M` to spare.
+//! Then `far / u` is added to `D` and to `M`, so that `u D` and `u M` have room for `far`. To those of a near and
+//! almost exact ray whose direction needs no scaling nothing is added: its `far` is at most `2^-23 u M`, or `2^-1 u M`
+//! with the ray's own errors, and the bounds below have `u M` to spare.
 //!
-//! **Boxes.** Each axis is bounded by itself: a plane across it is at most `D_a = |o_a| + M` from the origin. Origin and
-//! direction are rounded to `f32`: `u |o_a|` and, through the direction, `u D_a`. Each plane of the slab is moved
+//! **Boxes.** Each axis is bounded by itself: a plane across it is at most `D_a = |o_a| + M` from the origin. Origin
+//! and direction are rounded to `f32`: `u |o_a|` and, through the direction, `u D_a`. Each plane of the slab is moved
 //! outwards by [`PAD`] `u D_a`, by moving the origin as far the other way: rounding the moved origin adds `u |o_a|`.
-//! Then `t = plane * inverse + offset` rounds `inverse` (`u D_a`), `offset`, the moved origin's product with it (`u
-//! |o_a|`), the product and the sum (`u D_a` each, or one where they are fused): together below `7 u D_a`. Every
-//! computed interval then holds the exact one.
+//! Then `t = plane * inverse + offset` rounds `inverse` (`u D_a`), `offset`, which is the moved origin's product with
+//! it (`u |o_a|`), the product and the sum (`u D_a` each, or one where they are fused): together below `7 u D_a`.
+//! Every computed interval then holds the exact one.
 //!
 //! **Triangles** (after Woop, Benthin & Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013). Seen from the
 //! ray, a corner is `z = +-(v_k - o_k)` along the largest axis and `x = (v_x - o_x) - (d_x / |d_k|) z` beside it, and
