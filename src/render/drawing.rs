@@ -11,16 +11,13 @@ use super::{
     scene_buffers::SceneBuffers,
     seen::Tables,
     slices::{Piece, Slice},
-    steps::{LINE, Parts, Step, Steps},
+    steps::{LINE, Parts, Steps},
     targets::Targets,
     without_depth,
 };
 use crate::camera::View;
 use std::{collections::VecDeque, ops::Range};
 use wgpu::BufferUsages;
-
-/// How much a software adapter draws in one pass, in triangles. Lavapipe rasters one pass while it transforms the next.
-const SOFTWARE_PASS: u64 = 1 << 14;
 
 /// The drawing of a scene, or of its selection, into targets.
 #[derive(Debug)]
@@ -214,39 +211,40 @@ impl Renderer {
             },
             lines: if has_colours { drawing.lines.len() } else { 0 },
         };
-        // Colours need no numbers of triangles: only they can be drawn in several passes at once.
-        let each = (gpu.is_software() && pass == Pass::Colour).then_some(SOFTWARE_PASS);
-        let steps = drawing.steps.take(&parts, piece, each);
-        let Some(last) = steps.last() else {
+        let Some(step) = drawing.steps.take(&parts, piece) else {
             return Ok(false);
         };
-        let ends = last.ends;
         let is_first = begins && drawing.band == 0;
-        let is_last = ends && drawing.band + 1 == drawing.bands;
+        let is_last = step.ends && drawing.band + 1 == drawing.bands;
         self.write_frame(gpu, &view);
         let tables = scene.tables();
-        let numbered: &[Slice] = match (pass, &*steps) {
-            (Pass::ColourAndIds | Pass::Ids, [step]) => &step.surfaces,
-            _ => &[],
+        // Smooth colours carry no numbers of triangles.
+        let numbered: &[Slice] = match pass {
+            Pass::ColourAndIds | Pass::Ids => &step.surfaces,
+            Pass::Colour | Pass::Mask => &[],
         };
         begin_at(tables, draws, numbered, |slice, _| slice.triangles.start);
         let bindings = self.bind(gpu, scene);
+        let vertices = lines::vertices(&view, &drawing.lines[step.lines.clone()]);
+        let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
+        let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
         let mut encoder = gpu.encoder();
-        for (number, step) in steps.iter().enumerate() {
-            let vertices = lines::vertices(&view, &drawing.lines[step.lines.clone()]);
-            let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
-            let [begins, ends] = [is_first && number == 0, is_last && step.ends];
-            let mut render_pass = if pass == Pass::Mask {
-                without_depth::begin(&mut encoder, &targets.mask_view, begins)
-            } else {
-                let which = [begins, ends];
-                begin(gpu, &mut encoder, targets, &view, pass, number, which)
+        {
+            let mut render_pass = match pass {
+                Pass::Mask => without_depth::begin(&mut encoder, &targets.mask_view, is_first),
+                _ => begin(gpu, &mut encoder, targets, &view, pass, [is_first, is_last]),
             };
             render_pass.set_bind_group(0, &bindings, &[]);
             render_pass.set_vertex_buffer(BATCHES, tables.triangles.slice(..));
             // Smooth colours are seen only when they are finished, so their background is drawn last, where nothing
             // else is.
-            if has_colours && if pass == Pass::Colour { ends } else { begins } {
+            if has_colours
+                && if pass == Pass::Colour {
+                    is_last
+                } else {
+                    is_first
+                }
+            {
                 render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Background, &view));
                 render_pass.draw(0..3, 0..1);
             }
@@ -254,12 +252,17 @@ impl Renderer {
             let rows = drawing.rows();
             let (width, height) = (view.viewport.width(), rows.end - rows.start);
             render_pass.set_scissor_rect(0, rows.start, width, height);
-            self.draw_step(gpu, &mut render_pass, pass, &view, &parts, step);
-            if !vertices.is_empty() {
-                let ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
+            for slice in &step.surfaces {
+                self.draw_slice(gpu, &mut render_pass, pass, &view, draws, slice);
+            }
+            for slice in &step.edges {
+                let draw = &parts.edged[slice.draw];
+                self.draw_edges(gpu, &mut render_pass, pass, &view, draw, slice);
+            }
+            if !line_ends.is_empty() {
                 render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Lines, &view));
                 render_pass.set_vertex_buffer(0, line_buffer.slice(..));
-                render_pass.draw(ends, 0..1);
+                render_pass.draw(line_ends, 0..1);
             }
         }
         if is_last && pass == Pass::Colour && !gpu.resolves() {
@@ -270,30 +273,11 @@ impl Renderer {
         begin_at(tables, draws, numbered, |_, draw| {
             draw.shape.triangles().start
         });
-        drawing.drew(steps.iter().map(Step::work).sum(), ends, is_last);
+        drawing.drew(step.work(), step.ends, is_last);
         if is_last && let Some((object, _)) = drawing.selection {
             self.draw_outline(gpu, scene, targets, &view, object);
         }
         Ok(drawing.passes.is_empty())
-    }
-
-    /// Draws the surfaces and edges of a step.
-    fn draw_step(
-        &mut self,
-        gpu: &Gpu,
-        render_pass: &mut wgpu::RenderPass<'_>,
-        pass: Pass,
-        view: &View,
-        parts: &Parts<'_>,
-        step: &Step,
-    ) {
-        for slice in &step.surfaces {
-            self.draw_slice(gpu, render_pass, pass, view, parts.surfaces, slice);
-        }
-        for slice in &step.edges {
-            let draw = &parts.edged[slice.draw];
-            self.draw_edges(gpu, render_pass, pass, view, draw, slice);
-        }
     }
 }
 

@@ -106,7 +106,7 @@ impl Renderer {
             [Drawn::Depths, Drawn::Lines].map(|drawn| self.pipelines.get(gpu, pass, drawn, view));
         let mut encoder = gpu.encoder();
         {
-            let mut pass = begin(gpu, &mut encoder, targets, view, pass, 0, [false, true]);
+            let mut pass = begin(gpu, &mut encoder, targets, view, pass, [false, true]);
             pass.set_bind_group(0, &bind_group, &[]);
             pass.set_pipeline(&depths);
             pass.draw(0..3, 0..1);

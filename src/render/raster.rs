@@ -102,7 +102,6 @@ pub(super) fn begin<'a>(
     targets: &Targets,
     view: &View,
     writes: Pass,
-    number: usize,
     [is_first, is_last]: [bool; 2],
 ) -> wgpu::RenderPass<'a> {
     let attach = |view, resolve_target: Option<_>| {
@@ -127,8 +126,7 @@ pub(super) fn begin<'a>(
         })
     };
     let (colours, depth_view) = match (&targets.multisampled, writes) {
-        (Some([even, odd, depth]), Pass::Colour) => {
-            let colour = if number.is_multiple_of(2) { even } else { odd };
+        (Some([colour, depth]), Pass::Colour) => {
             (vec![attach(colour, Some(&targets.colour_view))], depth)
         }
         (_, Pass::Ids) => (vec![attach(&targets.ids_view, None)], &targets.depth_view),

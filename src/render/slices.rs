@@ -4,7 +4,7 @@ use super::composing::Draw;
 use std::ops::Range;
 
 /// The work of an instance besides its triangles, in triangles.
-pub(super) const INSTANCE: u64 = 32;
+const INSTANCE: u64 = 32;
 
 /// How much is drawn at once.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use super::{
     composing::Draw,
-    slices::{Cursor, INSTANCE, Piece, Slice},
+    slices::{Cursor, Piece, Slice},
 };
 use std::ops::Range;
 
@@ -44,14 +44,6 @@ impl Step {
         let slices = self.surfaces.iter().chain(&self.edges);
         slices.map(Slice::work).sum::<u64>() + LINE * self.lines.len() as u64
     }
-
-    /// Its instances.
-    fn instances(&self) -> u32 {
-        let slices = self.surfaces.iter().chain(&self.edges);
-        slices
-            .map(|slice| slice.instances.end - slice.instances.start)
-            .sum()
-    }
 }
 
 impl Steps {
@@ -65,32 +57,9 @@ impl Steps {
         self.surfaces.draw()
     }
 
-    /// The next step, or with `Some` the next steps, each of at most this work. Together they fit into the piece. Empty
-    /// while the next surfaces are not known.
-    pub fn take(&mut self, of: &Parts<'_>, mut left: Piece, each: Option<u64>) -> Vec<Step> {
-        let mut steps = Vec::new();
-        loop {
-            let within = Piece {
-                work: left.work.min(each.unwrap_or(u64::MAX)),
-                ..left
-            };
-            let Some(step) = self.take_one(of, within) else {
-                return steps;
-            };
-            left.work = left.work.saturating_sub(step.work());
-            left.instances = left.instances.saturating_sub(step.instances());
-            let is_full = left.work <= INSTANCE || left.instances == 0;
-            let is_last = step.ends || is_full || each.is_none();
-            steps.push(step);
-            if is_last {
-                return steps;
-            }
-        }
-    }
-
     /// The next step. It fits into the piece, but is not empty if anything is left. `None` while the next surfaces are
     /// not known.
-    fn take_one(&mut self, of: &Parts<'_>, mut left: Piece) -> Option<Step> {
+    pub fn take(&mut self, of: &Parts<'_>, mut left: Piece) -> Option<Step> {
         let mut step = Step {
             surfaces: self.surfaces.take(of.surfaces, &mut left, true),
             ..Step::default()

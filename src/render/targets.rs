@@ -22,8 +22,8 @@ pub struct Targets {
     pub(super) depth_view: wgpu::TextureView,
     pub(super) mask_view: wgpu::TextureView,
     pub(super) outline_view: wgpu::TextureView,
-    /// Colour, colour by a second view, and depth, with all their samples, where there are several.
-    pub(super) multisampled: Option<[wgpu::TextureView; 3]>,
+    /// Colour and depth with all their samples, where there are several.
+    pub(super) multisampled: Option<[wgpu::TextureView; 2]>,
 }
 
 impl Targets {
@@ -54,9 +54,11 @@ impl Targets {
             let ids = texture("ids", IDS, 1, read);
             let multisampled = (samples > 1).then(|| {
                 let sampled = TextureUsages::TEXTURE_BINDING;
-                let colour = texture("colour samples", COLOUR, samples, sampled);
-                let depth = texture("depth samples", DEPTH, samples, none);
-                [&colour, &colour, &depth].map(view)
+                [
+                    ("colour samples", COLOUR, sampled),
+                    ("depth samples", DEPTH, none),
+                ]
+                .map(|(label, format, usage)| view(&texture(label, format, samples, usage)))
             });
             Self {
                 viewport,

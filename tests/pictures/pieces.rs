@@ -5,7 +5,6 @@ use glam::DAffine3;
 use sightline::{
     geometry::Placement,
     render::{Drawing, Piece, SMOOTH_SAMPLES, Wireframe},
-    scene::{Object, Shape},
 };
 
 /// Ids, colours and the picture with its marks, drawn in pieces, and the number of pieces.
@@ -84,43 +83,6 @@ fn pieces_make_the_whole_picture() {
             assert_eq!(differing(&picture, &piece_picture), 0, "{piece:?}");
         }
     }
-}
-
-/// On a software adapter, one piece of colours is drawn in several passes.
-#[test]
-fn a_large_mesh_is_drawn_in_passes() {
-    let gpu = gpu();
-    let side = 160_u16;
-    let at = |i: u16| f32::from(i) / f32::from(side) - 0.5;
-    let height = |x: f32, z: f32| 0.4 * (9.0 * x).sin() * (7.0 * z).cos();
-    let positions =
-        (0..=side).flat_map(|j| (0..=side).map(move |i| [at(i), height(at(i), at(j)), at(j)]));
-    let across = u32::from(side) + 1;
-    let cells = (0..across - 1).flat_map(|j| (0..across - 1).map(move |i| j * across + i));
-    let triangles = cells.flat_map(|a| {
-        let below = a + across;
-        [[a, below, a + 1], [a + 1, below, below + 1]]
-    });
-    let hills = common::mesh(positions.collect(), triangles.collect(), DVec3::ZERO);
-    let shape = Shape::Mesh {
-        mesh: hills,
-        part: 0,
-    };
-    let mut scene = shapes(DVec3::ZERO);
-    let mut objects = scene.objects().to_vec();
-    objects.push(Object::new("hills", shape, Placement::IDENTITY));
-    scene = Scene::new(objects);
-    let view = overview([320, 200]);
-    let whole = in_pieces(&gpu, &scene, &view, SMOOTH_SAMPLES, Piece::WHOLE);
-    let piece = Piece {
-        work: 5000,
-        ..Piece::WHOLE
-    };
-    let pieces = in_pieces(&gpu, &scene, &view, SMOOTH_SAMPLES, piece);
-    assert!(pieces.0[0] > 20, "{:?} pieces", pieces.0);
-    assert_eq!(differing(&whole.1, &pieces.1), 0);
-    assert_eq!(differing(&whole.2, &pieces.2), 0);
-    assert_eq!(differing(&whole.3, &pieces.3), 0);
 }
 
 /// A move writes single rows of tables. A mirroring writes all rows.
