@@ -14,7 +14,7 @@ pub(super) struct Approximate {
 }
 
 /// `f64` cannot decide.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct InDoubt;
 
 impl Approximate {

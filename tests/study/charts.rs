@@ -8,26 +8,26 @@ use sightline::study::{
     },
     methods::registry,
 };
-use std::collections::HashSet;
+use std::{collections::HashSet, sync::OnceLock};
 
 /// A report with times, since half of a chart is speed.
-fn timed() -> Report {
-    study::run(
-        Effort {
+fn timed() -> &'static Report {
+    static REPORT: OnceLock<Report> = OnceLock::new();
+    REPORT.get_or_init(|| {
+        let effort = Effort {
             cases: 30,
             picks: 8,
             rounds: 1,
             seed: 1,
-        },
-        None,
-        &|_, _| {},
-    )
+        };
+        study::run(effort, None, &|_, _| {})
+    })
 }
 
 #[test]
 fn are_written_and_say_something() {
     let folder = tempfile::tempdir().expect("a folder");
-    let charts = charts(&timed());
+    let charts = charts(timed());
     assert_eq!(charts.len(), 8);
     every_formula_is_named(&charts[0].1);
     for (stem, picture) in charts {
@@ -55,7 +55,7 @@ fn what_an_earlier_run_left_is_replaced_whole() {
     std::fs::create_dir(&out).expect("a folder");
     std::fs::create_dir(&kept).expect("a folder");
     let report = timed();
-    study::save(&out, &report).expect("written");
+    study::save(&out, report).expect("written");
     let names = || {
         let entries = std::fs::read_dir(&out).expect("a folder");
         entries.map(|entry| entry.expect("a file").file_name())
@@ -64,7 +64,7 @@ fn what_an_earlier_run_left_is_replaced_whole() {
         std::fs::write(out.join(&name), "earlier").expect("writable");
         std::fs::hard_link(out.join(&name), kept.join(&name)).expect("a link");
     }
-    study::save(&out, &report).expect("written");
+    study::save(&out, report).expect("written");
     assert_eq!(names().count(), 18, "two tables, eight charts twice");
     for name in names() {
         assert_eq!(

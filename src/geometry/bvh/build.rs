@@ -8,9 +8,10 @@
 use super::{
     Bvh,
     collapse::{BinaryTree, Index, Tree},
+    leaf::Leaf,
     node::{Child, Line, Node, Packet, Place, WIDTH},
     simd::{Instructions, with_large_pages},
-    split::{Leaf, Range, Whole},
+    split::{Range, Whole},
     tree_ray::Frame,
 };
 use crate::geometry::{Aabb, shares::cores};

@@ -6,11 +6,7 @@
 //! seven. A single tree is a packet, or a node whose children are at most eight trees. Of several trees, the first part
 //! gets as many as is cheapest.
 
-use super::{
-    node::WIDTH,
-    simd::Instructions,
-    split::{Leaf, Range},
-};
+use super::{leaf::Leaf, node::WIDTH, simd::Instructions, split::Range};
 use glam::Vec3A;
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -10,8 +10,10 @@
     reason = "what is not inlined into the walk is not compiled for its instructions"
 )]
 
+mod binning;
 mod build;
 mod collapse;
+mod leaf;
 mod node;
 mod simd;
 mod split;

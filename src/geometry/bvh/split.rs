@@ -1,13 +1,14 @@
-//! Cuts ranges of triangles in two by the surface area heuristic (Mac Donald & Booth 1990), estimated in bins (Wald,
-//! "On fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007).
+//! Cuts ranges of triangles in two by the surface area heuristic (Mac Donald & Booth 1990).
 //!
 //! A library's builder was tried instead, under the nodes of that time. With the trees of obvhs 0.4 (PLOC, medium
 //! quality), rays took 2 to 35 % longer on the benchmark's meshes. Building took 1.2 to 2.5 times as long, with twice
 //! the memory. The library's faster presets made rays slower still.
 
 use super::{
-    node::{WIDTH, to_u32},
-    simd::{Eight, Instructions, Lanes, StackRoom, Work},
+    binning::{Binning, Cut},
+    leaf::{Extent, Leaf, center_of},
+    node::WIDTH,
+    simd::{Instructions, Lanes, StackRoom, Work},
 };
 use glam::Vec3A;
 
@@ -19,79 +20,6 @@ const WORTH_BINS: [usize; 2] = [64, 512];
 pub(super) const DEEPEST: usize = 48;
 // At each node on the way down, all children but one may wait.
 const _: () = assert!(DEEPEST * (WIDTH - 1) <= StackRoom::CAPACITY);
-
-/// A triangle's box, as in [`Extent`]; number 3 holds the triangle's index, below `2^30`, and [`Leaf::NORMAL`] as bits.
-#[derive(Clone, Copy)]
-pub(super) struct Leaf(Eight);
-
-impl Leaf {
-    /// Set beside the index, so that the number is a normal one. An index alone is subnormal, and the compiler
-    /// multiplies it with the three numbers beside it: a terrain's tree took half as long again to build (Intel Xeon,
-    /// 2026-11-26).
-    const NORMAL: u32 = 1 << 30;
-
-    pub fn new(triangle: u32, min: Vec3A, max: Vec3A) -> Self {
-        let Extent(Eight(mut numbers)) = Extent::new(min, max);
-        numbers[3] = f32::from_bits(triangle | Self::NORMAL);
-        Self(Eight(numbers))
-    }
-
-    pub fn triangle(&self) -> u32 {
-        self.0.0[3].to_bits() & !Self::NORMAL
-    }
-
-    /// Twice the middle of its box, along an axis.
-    #[inline(always)]
-    fn center(&self, axis: usize) -> f32 {
-        let Eight(numbers) = &self.0;
-        numbers[axis] - numbers[4 + axis]
-    }
-}
-
-/// A box as eight numbers: least x, y, z and any number, then the negated greatest x, y, z and any number. The lanes'
-/// minimum of two such boxes is then their union.
-#[derive(Clone, Copy)]
-struct Extent(Eight);
-
-impl Extent {
-    const EMPTY: Self = Self(Eight([f32::INFINITY; 8]));
-
-    fn new(min: Vec3A, max: Vec3A) -> Self {
-        let ([a, b, c], [d, e, f]) = (min.to_array(), (-max).to_array());
-        Self(Eight([a, b, c, 0.0, d, e, f, 0.0]))
-    }
-
-    #[inline(always)]
-    fn union<L: Lanes>(&self, lanes: L, other: &Eight) -> Self {
-        let both = lanes.min(lanes.load(&self.0.0), lanes.load(&other.0));
-        Self(lanes.store(both))
-    }
-
-    #[inline(always)]
-    fn min(&self) -> Vec3A {
-        let [x, y, z, ..] = self.0.0;
-        Vec3A::new(x, y, z)
-    }
-
-    #[inline(always)]
-    fn max(&self) -> Vec3A {
-        let [_, _, _, _, x, y, z, _] = self.0.0;
-        -Vec3A::new(x, y, z)
-    }
-
-    /// Half the surface.
-    #[inline(always)]
-    fn area(&self) -> f32 {
-        let size = self.max() - self.min();
-        size.x * size.y + size.y * size.z + size.z * size.x
-    }
-}
-
-/// The middle of a leaf's box, doubled, as an [`Extent`].
-#[inline(always)]
-fn center_of<L: Lanes>(lanes: L, leaf: L::F) -> L::F {
-    lanes.sub(leaf, lanes.halves_swapped(leaf))
-}
 
 /// Triangles that become one tree, with the box about them and the box about their doubled centres.
 pub(super) struct Range<'a> {
@@ -217,9 +145,13 @@ impl<'a> Work for Split<'a> {
         let [worth_16, worth_32] = WORTH_BINS;
         let cut = match range.leaves.len() {
             _ if range.depth + range.halvings() >= DEEPEST => None,
-            count if count < worth_16 => Binning::<8>::new(lanes, &range).best(lanes),
-            count if count < worth_32 => Binning::<16>::new(lanes, &range).best(lanes),
-            _ => Binning::<32>::new(lanes, &range).best(lanes),
+            count if count < worth_16 => {
+                Binning::<8>::new(lanes, range.leaves, &range.centers).best(lanes)
+            }
+            count if count < worth_32 => {
+                Binning::<16>::new(lanes, range.leaves, &range.centers).best(lanes)
+            }
+            _ => Binning::<32>::new(lanes, range.leaves, &range.centers).best(lanes),
         };
         if let Some(cut) = cut {
             return range.split_at(lanes, &cut);
@@ -243,141 +175,6 @@ impl<'a> Work for Whole<'a> {
     fn run<L: Lanes>(self, lanes: L) -> Range<'a> {
         Range::new(lanes, 0, self.0)
     }
-}
-
-/// Maps centres to bins.
-#[derive(Clone, Copy)]
-struct Bins {
-    origin: Vec3A,
-    scale: Vec3A,
-    /// The number of bins, a power of two, less 1.
-    mask: u32,
-}
-
-impl Bins {
-    /// 2^23.
-    const INTEGER: f32 = 8_388_608.0;
-
-    #[expect(clippy::cast_precision_loss, reason = "a small number")]
-    #[inline(always)]
-    fn new(centers: &Extent, mask: u32) -> Self {
-        let size = centers.max() - centers.min();
-        let scale = Vec3A::splat(mask as f32) / size;
-        Self {
-            origin: centers.min(),
-            scale: Vec3A::select(size.cmpgt(Vec3A::ZERO), scale, Vec3A::ZERO),
-            mask,
-        }
-    }
-
-    /// The bin of a centre along each axis. The last bits of a float between 2^23 and 2^24 are an integer. The mask
-    /// gives some bin even where that overflows, and always the same one.
-    #[inline(always)]
-    fn of(&self, center: Vec3A) -> [u32; 3] {
-        let at = (center - self.origin) * self.scale + Vec3A::splat(Self::INTEGER);
-        at.to_array().map(|x| x.to_bits() & self.mask)
-    }
-
-    /// The same along one axis.
-    #[inline(always)]
-    fn along(&self, axis: usize, center: f32) -> u32 {
-        let at = (center - self.origin[axis]) * self.scale[axis] + Self::INTEGER;
-        at.to_bits() & self.mask
-    }
-}
-
-/// Where a range is cut in two.
-struct Cut {
-    bins: Bins,
-    axis: usize,
-    /// The first bin above the cut.
-    first_above: u32,
-    bounds: [Extent; 2],
-}
-
-impl Cut {
-    #[inline(always)]
-    fn is_below(&self, leaf: &Leaf) -> bool {
-        self.bins.along(self.axis, leaf.center(self.axis)) < self.first_above
-    }
-}
-
-/// How many triangles fall into each bin along each axis, and the boxes about them.
-struct Binning<const BINS: usize> {
-    bins: Bins,
-    extents: [[Extent; BINS]; 3],
-    counts: [[usize; BINS]; 3],
-}
-
-impl<const BINS: usize> Binning<BINS> {
-    #[inline(always)]
-    fn new<L: Lanes>(lanes: L, range: &Range) -> Self {
-        let bins = Bins::new(&range.centers, to_u32(BINS - 1));
-        let mut extents = [[Extent::EMPTY; BINS]; 3];
-        let mut counts = [[0; BINS]; 3];
-        for leaf in &*range.leaves {
-            let numbers = lanes.load(&leaf.0.0);
-            let center = Vec3A::new(leaf.center(0), leaf.center(1), leaf.center(2));
-            for (axis, bin) in bins.of(center).into_iter().enumerate() {
-                let bin = bin as usize % BINS;
-                let extent = &mut extents[axis][bin].0;
-                *extent = lanes.store(lanes.min(lanes.load(&extent.0), numbers));
-                counts[axis][bin] += 1;
-            }
-        }
-        Self {
-            bins,
-            extents,
-            counts,
-        }
-    }
-
-    /// The cut with the least expected cost; `None` when all are in one bin.
-    #[inline(always)]
-    fn best<L: Lanes>(&self, lanes: L) -> Option<Cut> {
-        let mut best: Option<(f32, usize, usize)> = None;
-        for axis in 0..3 {
-            let (extents, counts) = (&self.extents[axis], &self.counts[axis]);
-            let mut costs_above = [f32::INFINITY; BINS];
-            let (mut extent, mut count) = (Extent::EMPTY, 0);
-            for bin in (1..BINS).rev() {
-                extent = extent.union(lanes, &extents[bin].0);
-                count += counts[bin];
-                costs_above[bin] = cost(&extent, count);
-            }
-            let (mut extent, mut count) = (Extent::EMPTY, 0);
-            for bin in 1..BINS {
-                extent = extent.union(lanes, &extents[bin - 1].0);
-                count += counts[bin - 1];
-                let cost = cost(&extent, count) + costs_above[bin];
-                if best.is_none_or(|(least, ..)| cost < least) && cost < f32::INFINITY {
-                    best = Some((cost, axis, bin));
-                }
-            }
-        }
-        let (_, axis, first_above) = best?;
-        let mut bounds = [Extent::EMPTY; 2];
-        for (bin, extent) in self.extents[axis].iter().enumerate() {
-            let side = &mut bounds[usize::from(bin >= first_above)];
-            *side = side.union(lanes, &extent.0);
-        }
-        Some(Cut {
-            bins: self.bins,
-            axis,
-            first_above: to_u32(first_above),
-            bounds,
-        })
-    }
-}
-
-/// The expected cost of a ray: surface times number of packets. Infinite for no triangles.
-#[expect(clippy::cast_precision_loss, reason = "an estimate")]
-#[inline(always)]
-fn cost(extent: &Extent, count: usize) -> f32 {
-    if count == 0 {
-        return f32::INFINITY;
-    }
-    extent.area() * count.div_ceil(WIDTH) as f32
 }
 
 #[cfg(test)]

@@ -1,16 +1,15 @@
 //! Where a ray meets what it hits, for a pick's record: in pairs of `f64` where they suffice, else exactly.
 
 use super::{
-    super::{WorldRay, interval::InDoubt, local_ray::Exactly},
+    super::{WorldRay, local_ray::Exactly},
     enclosure::{Enclosure, rounded_quotient},
     exact_line::LocalLine,
-    number::Number,
     root::Root,
     solids,
-    surface_order::{Surface, parameter},
+    surface_order::{Quotient, Surface, enclosed, face, parameter},
     triangle,
 };
-use crate::geometry::{Cuboid, Placement, Sphere};
+use crate::geometry::Placement;
 use glam::DVec3;
 use std::{cell::OnceCell, ptr};
 
@@ -20,11 +19,6 @@ pub(crate) struct Parameter<'a> {
     surface: Surface<'a>,
     enclosed: Option<Quotient>,
     root: OnceCell<Option<Root>>,
-}
-
-struct Quotient {
-    numerator: Number<Enclosure>,
-    denominator: Number<Enclosure>,
 }
 
 impl<'a> Parameter<'a> {
@@ -107,61 +101,4 @@ impl<'a> Parameter<'a> {
         let enclosed = triangle::enclosed_weights(line, triangle).ok();
         enclosed.or_else(|| triangle::weights(line, triangle))
     }
-}
-
-/// The parameter as the quotient that [`mod@super::root`] has, in pairs of `f64`.
-fn enclosed(ray: &WorldRay, surface: &Surface) -> Result<Quotient, InDoubt> {
-    let local = |placement| LocalLine::<Enclosure>::new(&Exactly::placed(ray, placement));
-    let (numerator, denominator) = match *surface {
-        Surface::Triangle(triangle) => triangle::enclosed_parameter(ray.line(), &triangle),
-        Surface::Sphere(placement, exit) => {
-            let line = local(placement);
-            let moment = line.origin.cross(&line.direction);
-            let squared = line.direction.dot(&line.direction);
-            let radius = line.one.times(&Number::new(Sphere::RADIUS));
-            let discriminant = radius
-                .times(&radius)
-                .times(&squared)
-                .minus(&moment.dot(&moment));
-            let root = Number {
-                integer: discriminant.integer.sqrt()?,
-                exponent: 0,
-            };
-            let middle = line.origin.dot(&line.direction).negated();
-            let numerator = if exit {
-                middle.plus(&root)
-            } else {
-                middle.minus(&root)
-            };
-            (numerator, squared)
-        }
-        Surface::Cube {
-            placement, normal, ..
-        } => {
-            let line = local(placement);
-            let (axis, plane) = face(normal);
-            let way = line
-                .one
-                .times(&Number::new(plane))
-                .minus(&line.origin.component(axis));
-            (way, line.direction.component(axis))
-        }
-        Surface::Square(placement) => {
-            let line = local(placement);
-            (
-                line.origin.component(2).negated(),
-                line.direction.component(2),
-            )
-        }
-    };
-    Ok(Quotient {
-        numerator,
-        denominator,
-    })
-}
-
-/// The axis of the normal of a cube's face, and the face's coordinate along that.
-fn face(normal: DVec3) -> (usize, f64) {
-    let axis = normal.abs().max_position();
-    (axis, Cuboid::HALF_SIDE.copysign(normal[axis]))
 }

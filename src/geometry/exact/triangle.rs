@@ -1,4 +1,4 @@
-//! Intersects a ray with a triangle in integers.
+//! Intersects a ray with a triangle exactly: in pairs of `f64` where they leave no doubt, else in integers.
 
 use super::{
     super::{
@@ -9,7 +9,7 @@ use super::{
     },
     enclosure::Enclosure,
     exact_line::ExactLine,
-    integer::{Bits, Formula, Integer, Ring, solve},
+    integer::{Bits, Decided, Formula, Integer, Ring, solve},
     number::{Number, Vector},
     point::{point, way},
     root::{Root, rounding_of},
@@ -96,12 +96,15 @@ impl<I: Integer> Plane<I> {
     }
 }
 
-impl<I: Integer> Weights<I> {
+impl<I: Decided> Weights<I> {
     /// The quotients, each within three roundings.
-    fn rounded(&self) -> [f64; 3] {
-        self.corners
-            .each_ref()
-            .map(|corner| corner.ratio(&self.sum))
+    fn rounded(&self) -> Result<[f64; 3], InDoubt> {
+        let [a, b, c] = &self.corners;
+        Ok([
+            a.decided_ratio(&self.sum)?,
+            b.decided_ratio(&self.sum)?,
+            c.decided_ratio(&self.sum)?,
+        ])
     }
 }
 
@@ -139,31 +142,59 @@ impl Formula for Hit<'_> {
     }
 
     fn answer<I: Integer>(&self, (plane, weights): Self::Numbers<I>) -> Self::Answer {
-        let any = |sign| weights.corners.iter().any(|weight| weight.sign() == sign);
-        let is_negative = any(Ordering::Less);
-        // Both signs: a miss. Neither: the ray lies in the plane, or the triangle has no area.
-        if is_negative == any(Ordering::Greater) {
-            return None;
+        let counts = || Ok(plane.root().is_some_and(|t| t.is_within(self.interval)));
+        let hit = self.decide(&plane, &weights, counts);
+        hit.expect("integers are decided")
+    }
+}
+
+impl Hit<'_> {
+    /// What the numbers say. `counts` says whether the exact parameter is within the interval.
+    fn decide<I: Decided>(
+        &self,
+        plane: &Plane<I>,
+        weights: &Weights<I>,
+        counts: impl FnOnce() -> Result<bool, InDoubt>,
+    ) -> Result<Option<TriangleHit>, InDoubt> {
+        let signs = weights.corners.each_ref().map(Number::decided_sign);
+        let [is_negative, is_positive] =
+            [Ordering::Less, Ordering::Greater].map(|sign| signs.contains(&Ok(sign)));
+        // A miss, whatever the third sign.
+        if is_negative && is_positive {
+            return Ok(None);
         }
-        let t = plane.numerator.ratio(&plane.denominator);
+        for sign in signs {
+            sign?;
+        }
+        // The ray lies in the plane, or the triangle has no area.
+        if !is_negative && !is_positive {
+            return Ok(None);
+        }
+        let t = plane.numerator.decided_ratio(&plane.denominator)?;
         let rounded = Approximate {
             value: t,
             error: rounding_of(t),
         };
         let counts = match rounded.is_within(self.interval) {
             Ok(counts) => counts,
-            Err(InDoubt) => plane.root()?.is_within(self.interval),
+            Err(InDoubt) => counts()?,
         };
         if !counts {
-            return None;
+            return Ok(None);
         }
         let mirrors = self.triangle.placement.is_some_and(Placement::mirrors);
-        Some(TriangleHit {
+        Ok(Some(TriangleHit {
             t: self.interval.kept_within(t),
             t_error: rounded.error,
             front: is_negative != mirrors,
-            barycentric: weights.rounded(),
-        })
+            barycentric: weights.rounded()?,
+        }))
+    }
+
+    /// The answer where pairs of `f64` suffice.
+    fn enclosed(&self) -> Result<Option<TriangleHit>, InDoubt> {
+        let (plane, weights) = self.numbers::<Enclosure>();
+        self.decide(&plane, &weights, || Err(InDoubt))
     }
 }
 
@@ -186,7 +217,10 @@ pub(in super::super) fn hit(
         triangle,
         interval,
     };
-    is_finite.then(|| solve(&formula)).flatten()
+    if !is_finite {
+        return None;
+    }
+    (formula.enclosed()).unwrap_or_else(|InDoubt| solve(&formula))
 }
 
 /// Where a ray's line meets a triangle's plane; `None` if it runs along it, or a number is not finite.
@@ -222,15 +256,7 @@ pub(super) fn enclosed_parameter(
 
 /// [`weights`], where pairs of `f64` suffice.
 pub(super) fn enclosed_weights(line: &Line, triangle: &Corners) -> Result<[f64; 3], InDoubt> {
-    let Weights {
-        corners: [a, b, c],
-        sum,
-    } = Seen::<Enclosure>::new(line, triangle).weights();
-    Ok([
-        a.decided_ratio(&sum)?,
-        b.decided_ratio(&sum)?,
-        c.decided_ratio(&sum)?,
-    ])
+    Seen::<Enclosure>::new(line, triangle).weights().rounded()
 }
 
 /// The barycentric weights where a ray's line meets a triangle's plane, each within three roundings; `None` if the line
@@ -247,45 +273,62 @@ pub(super) fn weights(line: &Line, triangle: &Corners) -> Option<[f64; 3]> {
             weights.most_bits()
         }
         fn answer<I: Integer>(&self, weights: Weights<I>) -> Self::Answer {
-            weights.sum.sign().is_ne().then(|| weights.rounded())
+            let has_sum = weights.sum.sign().is_ne();
+            has_sum.then(|| weights.rounded().expect("integers are decided"))
         }
     }
     let is_finite = triangle.is_finite() && line.is_finite();
     is_finite.then(|| solve(&Rounded(line, triangle))).flatten()
 }
 
+/// The formula of [`compare`].
+struct Both<'a>(&'a Line<'a>, [&'a Corners<'a>; 2]);
+
+impl Formula for Both<'_> {
+    type Numbers<I: Ring> = ([Number<I>; 2], Number<I>);
+    type Answer = Ordering;
+
+    fn numbers<I: Ring>(&self) -> Self::Numbers<I> {
+        let [a, b] = (self.1).map(|triangle| Seen::<I>::new(self.0, triangle).plane);
+        let difference =
+            (a.numerator.times(&b.denominator)).minus(&b.numerator.times(&a.denominator));
+        ([a.denominator, b.denominator], difference)
+    }
+
+    fn most_bits((_, difference): &Self::Numbers<Bits>) -> u32 {
+        Bits::most([difference.integer])
+    }
+
+    fn answer<I: Integer>(&self, numbers: Self::Numbers<I>) -> Ordering {
+        Self::decide(&numbers).expect("integers are decided")
+    }
+}
+
+impl Both<'_> {
+    fn decide<I: Decided>(
+        ([a, b], difference): &([Number<I>; 2], Number<I>),
+    ) -> Result<Ordering, InDoubt> {
+        Ok(match [a.decided_sign()?, b.decided_sign()?] {
+            [Ordering::Equal, _] | [_, Ordering::Equal] => Ordering::Equal,
+            [a, b] if a == b => difference.decided_sign()?,
+            _ => difference.decided_sign()?.reverse(),
+        })
+    }
+
+    /// The answer where pairs of `f64` suffice.
+    fn enclosed(&self) -> Result<Ordering, InDoubt> {
+        Self::decide(&self.numbers::<Enclosure>())
+    }
+}
+
 /// Which of two triangles' planes a ray's line meets first; equal if it runs along one, or a number is not finite.
 pub(in super::super) fn compare(line: &Line, a: &Corners, b: &Corners) -> Ordering {
-    struct Both<'a>(&'a Line<'a>, [&'a Corners<'a>; 2]);
-    impl Formula for Both<'_> {
-        type Numbers<I: Ring> = ([Number<I>; 2], Number<I>);
-        type Answer = Ordering;
-        fn numbers<I: Ring>(&self) -> Self::Numbers<I> {
-            let [a, b] = self
-                .1
-                .map(|triangle| Seen::<I>::new(self.0, triangle).plane);
-            let difference =
-                (a.numerator.times(&b.denominator)).minus(&b.numerator.times(&a.denominator));
-            ([a.denominator, b.denominator], difference)
-        }
-        fn most_bits((_, difference): &Self::Numbers<Bits>) -> u32 {
-            Bits::most([difference.integer])
-        }
-        fn answer<I: Integer>(&self, (denominators, difference): Self::Numbers<I>) -> Ordering {
-            let signs = denominators.map(|denominator| denominator.sign());
-            match signs {
-                [Ordering::Equal, _] | [_, Ordering::Equal] => Ordering::Equal,
-                [a, b] if a == b => difference.sign(),
-                _ => difference.sign().reverse(),
-            }
-        }
-    }
     let is_finite = a.is_finite() && b.is_finite() && line.is_finite();
-    if is_finite {
-        solve(&Both(line, [a, b]))
-    } else {
-        Ordering::Equal
+    if !is_finite {
+        return Ordering::Equal;
     }
+    let both = Both(line, [a, b]);
+    both.enclosed().unwrap_or_else(|InDoubt| solve(&both))
 }
 
 /// Whether a ray's line meets a triangle's plane within an interval and no later than `limit`. Also true if it runs
@@ -298,4 +341,60 @@ pub(in super::super) fn reaches_plane(
 ) -> bool {
     plane_parameter(line, triangle)
         .is_none_or(|t| t.is_within(interval) && t.compare_to(limit).is_le())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::random::Random;
+
+    /// Rays through an edge that two triangles share, or beside it by as little as one likes; some end there.
+    #[test]
+    fn what_pairs_decide_is_what_integers_say() {
+        let mut random = Random(3);
+        let [mut hits, mut misses, mut doubts, mut orders] = [0; 4];
+        for case in 0..20_000_i32 {
+            let mut corner = || random.point().as_vec3().as_dvec3();
+            let [origin, a, b, c, d] = [(); 5].map(|()| corner());
+            let triangle = |third| Corners {
+                placement: None,
+                origin: DVec3::ZERO,
+                corners: [a, b, third],
+            };
+            let aside = 2_f64.powi(-(case % 110)) * random.point();
+            let direction = 0.5 * (a + b) - origin + aside;
+            let line = Line::Given { origin, direction };
+            let interval = Ray {
+                origin,
+                direction,
+                t_min: 0.0,
+                t_max: if case % 2 == 0 { 1.0 } else { f64::INFINITY },
+            };
+            let hit = Hit {
+                line,
+                triangle: triangle(c),
+                interval: &interval,
+            };
+            match hit.enclosed() {
+                Ok(found) => {
+                    // Shortest digits, so equal to the bit.
+                    assert_eq!(format!("{found:?}"), format!("{:?}", solve(&hit)));
+                    hits += i32::from(found.is_some());
+                    misses += i32::from(found.is_none());
+                }
+                Err(InDoubt) => doubts += 1,
+            }
+            let planes = [c, d].map(triangle);
+            let both = Both(&line, planes.each_ref());
+            match both.enclosed() {
+                Ok(order) => {
+                    assert_eq!(order, solve(&both));
+                    orders += 1;
+                }
+                Err(InDoubt) => doubts += 1,
+            }
+        }
+        let counts = [hits, misses, doubts, orders];
+        assert!(counts.iter().all(|count| *count > 2000), "{counts:?}");
+    }
 }
