@@ -11,7 +11,7 @@ use super::{
     scene_buffers::SceneBuffers,
     seen::Tables,
     slices::{Piece, Slice},
-    steps::{LINE, Parts, Steps},
+    steps::{LINE, Parts, Step, Steps},
     targets::Targets,
     without_depth,
 };
@@ -252,13 +252,7 @@ impl Renderer {
             let rows = drawing.rows();
             let (width, height) = (view.viewport.width(), rows.end - rows.start);
             render_pass.set_scissor_rect(0, rows.start, width, height);
-            for slice in &step.surfaces {
-                self.draw_slice(gpu, &mut render_pass, pass, &view, draws, slice);
-            }
-            for slice in &step.edges {
-                let draw = &parts.edged[slice.draw];
-                self.draw_edges(gpu, &mut render_pass, pass, &view, draw, slice);
-            }
+            self.draw_step(gpu, &mut render_pass, pass, &view, &parts, &step);
             if !line_ends.is_empty() {
                 render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Lines, &view));
                 render_pass.set_vertex_buffer(0, line_buffer.slice(..));
@@ -278,6 +272,25 @@ impl Renderer {
             self.draw_outline(gpu, scene, targets, &view, object);
         }
         Ok(drawing.passes.is_empty())
+    }
+
+    /// Draws the surfaces and edges of a step.
+    fn draw_step(
+        &mut self,
+        gpu: &Gpu,
+        render_pass: &mut wgpu::RenderPass<'_>,
+        pass: Pass,
+        view: &View,
+        parts: &Parts<'_>,
+        step: &Step,
+    ) {
+        for slice in &step.surfaces {
+            self.draw_slice(gpu, render_pass, pass, view, parts.surfaces, slice);
+        }
+        for slice in &step.edges {
+            let draw = &parts.edged[slice.draw];
+            self.draw_edges(gpu, render_pass, pass, view, draw, slice);
+        }
     }
 }
 

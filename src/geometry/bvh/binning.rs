@@ -1,5 +1,5 @@
-//! The best cut of a range of triangles, by the surface area heuristic, estimated in bins (Wald, "On fast Construction of
-//! SAH-based Bounding Volume Hierarchies", RT 2007).
+//! The best cut of a range of triangles, by the surface area heuristic, estimated in bins (Wald, "On fast Construction
+//! of SAH-based Bounding Volume Hierarchies", RT 2007).
 
 use super::{
     leaf::{Extent, Leaf},
