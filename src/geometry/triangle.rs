@@ -50,7 +50,7 @@ pub(super) fn filtered_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<Tr
 /// Weights with a larger error than this are left to exact arithmetic.
 const WORST_WEIGHT: f64 = power_of_two(-14);
 
-/// [`guarded_volume`] by exact arithmetic alone.
+/// [`guarded_volume`] without its filter in `f64`: in pairs of `f64`, or in integers.
 #[cold]
 #[must_use]
 pub fn exact_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {

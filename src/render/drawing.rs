@@ -238,13 +238,12 @@ impl Renderer {
             render_pass.set_vertex_buffer(BATCHES, tables.triangles.slice(..));
             // Smooth colours are seen only when they are finished, so their background is drawn last, where nothing
             // else is.
-            if has_colours
-                && if pass == Pass::Colour {
-                    is_last
-                } else {
-                    is_first
-                }
-            {
+            let has_background = match pass {
+                Pass::Colour => is_last,
+                Pass::ColourAndIds => is_first,
+                Pass::Ids | Pass::Mask => false,
+            };
+            if has_background {
                 render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Background, &view));
                 render_pass.draw(0..3, 0..1);
             }

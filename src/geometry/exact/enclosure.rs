@@ -17,7 +17,8 @@ use std::cmp::Ordering;
 ///
 /// With `u = 2^-53`, a sum of two pairs rounds by `3 u^2 / (1 - 4 u)` of itself, a product by `7 u^2` (Joldes, Muller &
 /// Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44(2),
-/// 2017), and both are exact for two `f64`. Bounds are rounded themselves, by far less than [`MORE`].
+/// 2017), and both are exact for two `f64`. Bounds are rounded themselves, by far less than [`MORE`], and where they
+/// underflow, by far less than the rounding that is added.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Enclosure {
     value: DoubleDouble,
@@ -45,7 +46,7 @@ impl Enclosure {
 
     /// Whether one `f64` holds it exactly.
     fn is_short(&self) -> bool {
-        self.value.lo == 0.0
+        self.value.lo == 0.0 && self.error == 0.0
     }
 
     fn is_zero(&self) -> bool {

@@ -89,12 +89,16 @@ impl<I: Decided> Number<I> {
         Ok((value, exponent + self.exponent + unit + 1))
     }
 
-    /// `self / other`, to within three roundings. `other` must not be 0.
+    /// `self / other`, to within three roundings. Never in doubt for integers; `other` must not be 0 then.
     pub fn decided_ratio(&self, other: &Self) -> Result<f64, InDoubt> {
         let (a, b) = (
             self.integer.decided_value()?,
             other.integer.decided_value()?,
         );
+        // Pairs round a subnormal quotient once, integers twice.
+        if b.0 == 0.0 || (a.0 != 0.0 && !(a.0 / b.0).is_normal()) {
+            return Err(InDoubt);
+        }
         Ok(quotient(a, b, self.exponent - other.exponent))
     }
 }

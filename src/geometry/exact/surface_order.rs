@@ -124,8 +124,11 @@ pub(crate) fn compare_surfaces(ray: &WorldRay, a: &Surface, b: &Surface) -> Orde
     if let (Surface::Triangle(a), Surface::Triangle(b)) = (a, b) {
         return compare(ray.line(), a, b);
     }
-    let enclosed = || enclosed(ray, a)?.compare(&enclosed(ray, b)?);
-    enclosed().unwrap_or_else(|InDoubt| match (parameter(ray, a), parameter(ray, b)) {
+    if !ray.line().is_finite() {
+        return Ordering::Equal;
+    }
+    let in_pairs = || enclosed(ray, a)?.compare(&enclosed(ray, b)?);
+    in_pairs().unwrap_or_else(|InDoubt| match (parameter(ray, a), parameter(ray, b)) {
         (Some(a), Some(b)) => a.compare(&b),
         _ => Ordering::Equal,
     })
