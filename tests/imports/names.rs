@@ -33,6 +33,7 @@ const SHARED: [(&str, &[&str]); 16] = [
     (
         "tests",
         &[
+            "geometry/exact/triangle",
             "geometry/interval",
             "geometry/local_ray",
             "geometry/triangle",

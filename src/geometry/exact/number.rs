@@ -103,6 +103,40 @@ impl<I: Decided> Number<I> {
     }
 }
 
+/// A quotient, not computed.
+pub(crate) struct Ratio<I> {
+    pub numerator: Number<I>,
+    pub denominator: Number<I>,
+}
+
+/// What tells which of two quotients is less: the difference of their cross products.
+pub(super) struct Difference<I> {
+    pub product: Number<I>,
+    denominators: [Number<I>; 2],
+}
+
+impl<I: Ring> Difference<I> {
+    pub fn new([a, b]: [&Ratio<I>; 2]) -> Self {
+        let product = (a.numerator.times(&b.denominator)).minus(&b.numerator.times(&a.denominator));
+        Self {
+            product,
+            denominators: [a, b].map(|ratio| ratio.denominator.clone()),
+        }
+    }
+}
+
+impl<I: Decided> Difference<I> {
+    /// How the first compares to the second; `None` where a denominator is 0.
+    pub fn decided_order(&self) -> Result<Option<Ordering>, InDoubt> {
+        let [a, b] = &self.denominators;
+        Ok(match [a.decided_sign()?, b.decided_sign()?] {
+            [Ordering::Equal, _] | [_, Ordering::Equal] => None,
+            [a, b] if a == b => Some(self.product.decided_sign()?),
+            _ => Some(self.product.decided_sign()?.reverse()),
+        })
+    }
+}
+
 impl<I: Integer> Number<I> {
     /// How it compares to 0.
     pub fn sign(&self) -> Ordering {

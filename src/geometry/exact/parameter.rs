@@ -4,10 +4,10 @@ use super::{
     super::{WorldRay, local_ray::Exactly},
     enclosure::{Enclosure, rounded_quotient},
     exact_line::LocalLine,
+    meeting::{Surface, enclosed, face, parameter},
+    number::{Difference, Ratio},
     root::Root,
-    solids,
-    surface_order::{Quotient, Surface, enclosed, face, parameter},
-    triangle,
+    solids, triangle,
 };
 use crate::geometry::Placement;
 use glam::DVec3;
@@ -17,7 +17,7 @@ use std::{cell::OnceCell, ptr};
 pub(crate) struct Parameter<'a> {
     ray: &'a WorldRay<'a>,
     surface: Surface<'a>,
-    enclosed: Option<Quotient>,
+    enclosed: Option<Ratio<Enclosure>>,
     root: OnceCell<Option<Root>>,
 }
 
@@ -40,11 +40,7 @@ impl<'a> Parameter<'a> {
 
     /// The nearest `f64`; `None` where a number is not finite.
     pub fn to_f64(&self) -> Option<f64> {
-        let rounded =
-            |Quotient {
-                 numerator,
-                 denominator,
-             }: &Quotient| { rounded_quotient(numerator, denominator).ok() };
+        let rounded = |t: &Ratio<Enclosure>| rounded_quotient(&t.numerator, &t.denominator).ok();
         let rounded = self.enclosed.as_ref().and_then(rounded);
         rounded.or_else(|| Some(self.root()?.to_f64()))
     }
@@ -54,11 +50,8 @@ impl<'a> Parameter<'a> {
     pub fn behind(&self, before: &Self) -> Option<f64> {
         let rounded = || {
             let (a, b) = (self.enclosed.as_ref()?, before.enclosed.as_ref()?);
-            let [left, right] = [
-                a.numerator.times(&b.denominator),
-                b.numerator.times(&a.denominator),
-            ];
-            rounded_quotient(&left.minus(&right), &a.denominator.times(&b.denominator)).ok()
+            let difference = Difference::new([a, b]).product;
+            rounded_quotient(&difference, &a.denominator.times(&b.denominator)).ok()
         };
         rounded().or_else(|| Some(self.root()?.behind(before.root()?)))
     }
@@ -81,7 +74,7 @@ impl<'a> Parameter<'a> {
     pub fn point_object(&self, placement: &Placement) -> Option<DVec3> {
         let exactly = Exactly::placed(self.ray, placement);
         let enclosed = || {
-            let Quotient {
+            let Ratio {
                 numerator,
                 denominator,
             } = self.enclosed.as_ref()?;

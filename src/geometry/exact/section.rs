@@ -4,9 +4,9 @@ use super::{
     super::{Section, WorldRay, line::Line},
     exact_line::ExactLine,
     integer::{Bits, Formula, Integer, Ring, solve},
+    meeting::{Surface, parameter},
     number::{Number, Vector},
     root::Root,
-    surface_order::{Surface, parameter},
     triangle::{Corners, Seen},
 };
 use num_bigint::BigInt;

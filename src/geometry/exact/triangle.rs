@@ -10,7 +10,7 @@ use super::{
     enclosure::Enclosure,
     exact_line::ExactLine,
     integer::{Bits, Decided, Formula, Integer, Ring, solve},
-    number::{Number, Vector},
+    number::{Difference, Number, Ratio, Vector},
     point::{point, way},
     root::{Root, rounding_of},
 };
@@ -32,13 +32,6 @@ impl Corners<'_> {
     }
 }
 
-/// Where a ray meets a triangle's plane: `t = numerator / denominator`. The ray runs along the plane if the denominator
-/// is 0.
-pub(super) struct Plane<I> {
-    pub numerator: Number<I>,
-    pub denominator: Number<I>,
-}
-
 /// The barycentric weights where a ray meets a triangle's plane, not normalised: their sum has the sign of
 /// `direction . normal` (Moeller & Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", JGT 2(1), 1997).
 struct Weights<I> {
@@ -53,7 +46,8 @@ pub(super) struct Seen<I> {
     corner: Vector<I>,
     /// From the second corner to the first, and on to the third.
     edges: [Vector<I>; 2],
-    pub plane: Plane<I>,
+    /// `t` where the ray meets the plane. The ray runs along the plane if the denominator is 0.
+    pub plane: Ratio<I>,
 }
 
 impl<I: Ring> Seen<I> {
@@ -67,7 +61,7 @@ impl<I: Ring> Seen<I> {
         let corner = line.to(&point(placement, [origin, a]));
         let edges = [[b, a], [a, c]].map(|[from, to]| way(placement, from, to));
         let normal = edges[1].cross(&edges[0]);
-        let plane = Plane {
+        let plane = Ratio {
             numerator: corner.dot(&normal),
             denominator: line.direction.dot(&normal),
         };
@@ -90,7 +84,7 @@ impl<I: Ring> Seen<I> {
     }
 }
 
-impl<I: Integer> Plane<I> {
+impl<I: Integer> Ratio<I> {
     fn root(&self) -> Option<Root> {
         Root::quotient(self.numerator.to_big(), self.denominator.to_big())
     }
@@ -108,7 +102,7 @@ impl<I: Decided> Weights<I> {
     }
 }
 
-impl Plane<Bits> {
+impl Ratio<Bits> {
     fn most_bits(&self) -> u32 {
         Bits::most([&self.numerator, &self.denominator].map(|n| n.integer))
     }
@@ -128,7 +122,7 @@ struct Hit<'a> {
 }
 
 impl Formula for Hit<'_> {
-    type Numbers<I: Ring> = (Plane<I>, Weights<I>);
+    type Numbers<I: Ring> = (Ratio<I>, Weights<I>);
     type Answer = Option<TriangleHit>;
 
     fn numbers<I: Ring>(&self) -> Self::Numbers<I> {
@@ -152,7 +146,7 @@ impl Hit<'_> {
     /// What the numbers say. `counts` says whether the exact parameter is within the interval.
     fn decide<I: Decided>(
         &self,
-        plane: &Plane<I>,
+        plane: &Ratio<I>,
         weights: &Weights<I>,
         counts: impl FnOnce() -> Result<bool, InDoubt>,
     ) -> Result<Option<TriangleHit>, InDoubt> {
@@ -226,15 +220,15 @@ pub(in super::super) fn hit(
 pub(super) fn plane_parameter(line: &Line, triangle: &Corners) -> Option<Root> {
     struct Parameter<'a>(&'a Line<'a>, &'a Corners<'a>);
     impl Formula for Parameter<'_> {
-        type Numbers<I: Ring> = Plane<I>;
+        type Numbers<I: Ring> = Ratio<I>;
         type Answer = Option<Root>;
-        fn numbers<I: Ring>(&self) -> Plane<I> {
+        fn numbers<I: Ring>(&self) -> Ratio<I> {
             Seen::new(self.0, self.1).plane
         }
-        fn most_bits(plane: &Plane<Bits>) -> u32 {
+        fn most_bits(plane: &Ratio<Bits>) -> u32 {
             plane.most_bits()
         }
-        fn answer<I: Integer>(&self, plane: Plane<I>) -> Self::Answer {
+        fn answer<I: Integer>(&self, plane: Ratio<I>) -> Self::Answer {
             plane.root()
         }
     }
@@ -244,13 +238,9 @@ pub(super) fn plane_parameter(line: &Line, triangle: &Corners) -> Option<Root> {
         .flatten()
 }
 
-/// [`plane_parameter`] as numerator and denominator.
-pub(super) fn enclosed_parameter(
-    line: &Line,
-    triangle: &Corners,
-) -> (Number<Enclosure>, Number<Enclosure>) {
-    let plane = Seen::new(line, triangle).plane;
-    (plane.numerator, plane.denominator)
+/// [`plane_parameter`] in pairs of `f64`.
+pub(super) fn enclosed_parameter(line: &Line, triangle: &Corners) -> Ratio<Enclosure> {
+    Seen::new(line, triangle).plane
 }
 
 /// [`weights`], where pairs of `f64` suffice.
@@ -284,34 +274,26 @@ pub(super) fn weights(line: &Line, triangle: &Corners) -> Option<[f64; 3]> {
 struct Both<'a>(&'a Line<'a>, [&'a Corners<'a>; 2]);
 
 impl Formula for Both<'_> {
-    type Numbers<I: Ring> = ([Number<I>; 2], Number<I>);
+    type Numbers<I: Ring> = Difference<I>;
     type Answer = Ordering;
 
-    fn numbers<I: Ring>(&self) -> Self::Numbers<I> {
-        let [a, b] = (self.1).map(|triangle| Seen::<I>::new(self.0, triangle).plane);
-        let difference =
-            (a.numerator.times(&b.denominator)).minus(&b.numerator.times(&a.denominator));
-        ([a.denominator, b.denominator], difference)
+    fn numbers<I: Ring>(&self) -> Difference<I> {
+        let planes = (self.1).map(|triangle| Seen::<I>::new(self.0, triangle).plane);
+        Difference::new(planes.each_ref())
     }
 
-    fn most_bits((_, difference): &Self::Numbers<Bits>) -> u32 {
-        Bits::most([difference.integer])
+    fn most_bits(difference: &Difference<Bits>) -> u32 {
+        Bits::most([difference.product.integer])
     }
 
-    fn answer<I: Integer>(&self, numbers: Self::Numbers<I>) -> Ordering {
-        Self::decide(&numbers).expect("integers are decided")
+    fn answer<I: Integer>(&self, difference: Difference<I>) -> Ordering {
+        Self::decide(&difference).expect("integers are decided")
     }
 }
 
 impl Both<'_> {
-    fn decide<I: Decided>(
-        ([a, b], difference): &([Number<I>; 2], Number<I>),
-    ) -> Result<Ordering, InDoubt> {
-        Ok(match [a.decided_sign()?, b.decided_sign()?] {
-            [Ordering::Equal, _] | [_, Ordering::Equal] => Ordering::Equal,
-            [a, b] if a == b => difference.decided_sign()?,
-            _ => difference.decided_sign()?.reverse(),
-        })
+    fn decide<I: Decided>(difference: &Difference<I>) -> Result<Ordering, InDoubt> {
+        Ok(difference.decided_order()?.unwrap_or(Ordering::Equal))
     }
 
     /// The answer where pairs of `f64` suffice.
@@ -343,119 +325,4 @@ pub(in super::super) fn reaches_plane(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::geometry::random::Random;
-
-    /// Rays through an edge that two triangles share, or beside it by as little as one likes; some end there. A third of
-    /// them lie in the plane x = y with the edge, or the whole triangle, but for a step that may be too small for pairs.
-    #[test]
-    fn what_pairs_decide_is_what_integers_say() {
-        let mut random = Random(3);
-        let [mut hits, mut misses, mut doubts, mut orders] = [0; 4];
-        for case in 0..20_000_i32 {
-            let mut corner = || random.point().as_vec3().as_dvec3();
-            let [mut origin, mut a, mut b, mut c, d] = [(); 5].map(|()| corner());
-            let aside = two(-(case % 110)) * random.point();
-            let mut direction = 0.5 * (a + b) - origin + aside;
-            if case % 3 == 0 {
-                [a.y, b.y] = [a.x, b.x];
-                if case % 4 == 0 {
-                    c.y = c.x;
-                }
-                (origin.x, origin.y) = (0.5 * (a.x + b.x), 0.5 * (a.x + b.x));
-                direction = DVec3::new(aside.x, 0.0, c.z);
-            }
-            let triangle = |third| Corners {
-                placement: None,
-                origin: DVec3::ZERO,
-                corners: [a, b, third],
-            };
-            let line = Line::Given { origin, direction };
-            let interval = Ray {
-                origin,
-                direction,
-                t_min: 0.0,
-                t_max: if case % 2 == 0 { 1.0 } else { f64::INFINITY },
-            };
-            let hit = Hit {
-                line,
-                triangle: triangle(c),
-                interval: &interval,
-            };
-            match hit.enclosed() {
-                Ok(found) => {
-                    // Shortest digits, so equal to the bit.
-                    assert_eq!(format!("{found:?}"), format!("{:?}", solve(&hit)));
-                    hits += i32::from(found.is_some());
-                    misses += i32::from(found.is_none());
-                }
-                Err(InDoubt) => doubts += 1,
-            }
-            let planes = [c, d].map(triangle);
-            let both = Both(&line, planes.each_ref());
-            match both.enclosed() {
-                Ok(order) => {
-                    assert_eq!(order, solve(&both));
-                    orders += 1;
-                }
-                Err(InDoubt) => doubts += 1,
-            }
-        }
-        let counts = [hits, misses, doubts, orders];
-        assert!(counts.iter().all(|count| *count > 2000), "{counts:?}");
-    }
-
-    /// Two planes whose parameters differ by less than the smallest `f64` in places: an error bound underflowed there.
-    #[test]
-    fn bounds_that_underflow_decide_nothing() {
-        let flat = glam::DAffine3::from_scale(DVec3::new(1.0, 1.0, two(-800)));
-        let placement = Placement::new(flat).expect("invertible");
-        let (x, y, d) = (two(-60), two(-59), two(-44));
-        let line = Line::Given {
-            origin: DVec3::new(x, y, -1.0),
-            direction: DVec3::Z,
-        };
-        let corners = |corners: [[f64; 3]; 3]| Corners {
-            placement: Some(&placement),
-            origin: DVec3::ZERO,
-            corners: corners.map(DVec3::from),
-        };
-        let steep = corners([[1.0, 1.0, 0.0], [1.0, -1.0, -two(-95)], [-1.0, y, two(-96)]]);
-        let level = corners([[x + d, y + d, 0.0], [x + d, y - d, 0.0], [x - d, y, 0.0]]);
-        assert_eq!(compare(&line, &level, &steep), Ordering::Less);
-        assert_eq!(compare(&line, &steep, &level), Ordering::Greater);
-    }
-
-    /// A parameter below the least normal number is rounded as integers round it.
-    #[test]
-    fn a_subnormal_parameter_is_rounded_as_by_integers() {
-        let mut random = Random(8);
-        for _ in 0..500 {
-            let origin = DVec3::new(0.25, 0.25, -two(-893) * random.next().abs());
-            let direction = DVec3::new(0.0, 0.0, two(130) * (1.0 + random.next().abs()));
-            let interval = Ray {
-                origin,
-                direction,
-                t_min: 0.0,
-                t_max: 1.0,
-            };
-            let hit = Hit {
-                line: Line::Given { origin, direction },
-                triangle: Corners {
-                    placement: None,
-                    origin: DVec3::ZERO,
-                    corners: [DVec3::ZERO, DVec3::X, DVec3::Y],
-                },
-                interval: &interval,
-            };
-            let exact = solve(&hit).expect("it hits").t;
-            let found = hit.enclosed().ok().flatten();
-            assert!(found.is_none_or(|found| found.t.to_bits() == exact.to_bits()));
-        }
-    }
-
-    fn two(power: i32) -> f64 {
-        2_f64.powi(power)
-    }
-}
+mod tests;

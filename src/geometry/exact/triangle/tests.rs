@@ -1,0 +1,116 @@
+//! Pairs of `f64` and integers say the same of triangles.
+
+use super::*;
+use crate::geometry::random::Random;
+
+/// Rays through an edge that two triangles share, or beside it by as little as one likes; some end there. A third of
+/// them lie in the plane x = y with the edge, or the whole triangle, but for a step that may be too small for pairs.
+#[test]
+fn what_pairs_decide_is_what_integers_say() {
+    let mut random = Random(3);
+    let [mut hits, mut misses, mut doubts, mut orders] = [0; 4];
+    for case in 0..20_000_i32 {
+        let mut corner = || random.point().as_vec3().as_dvec3();
+        let [mut origin, mut a, mut b, mut c, d] = [(); 5].map(|()| corner());
+        let aside = two(-(case % 110)) * random.point();
+        let mut direction = 0.5 * (a + b) - origin + aside;
+        if case % 3 == 0 {
+            [a.y, b.y] = [a.x, b.x];
+            if case % 4 == 0 {
+                c.y = c.x;
+            }
+            (origin.x, origin.y) = (0.5 * (a.x + b.x), 0.5 * (a.x + b.x));
+            direction = DVec3::new(aside.x, 0.0, c.z);
+        }
+        let triangle = |third| Corners {
+            placement: None,
+            origin: DVec3::ZERO,
+            corners: [a, b, third],
+        };
+        let line = Line::Given { origin, direction };
+        let interval = Ray {
+            origin,
+            direction,
+            t_min: 0.0,
+            t_max: if case % 2 == 0 { 1.0 } else { f64::INFINITY },
+        };
+        let hit = Hit {
+            line,
+            triangle: triangle(c),
+            interval: &interval,
+        };
+        match hit.enclosed() {
+            Ok(found) => {
+                // Shortest digits, so equal to the bit.
+                assert_eq!(format!("{found:?}"), format!("{:?}", solve(&hit)));
+                hits += i32::from(found.is_some());
+                misses += i32::from(found.is_none());
+            }
+            Err(InDoubt) => doubts += 1,
+        }
+        let planes = [c, d].map(triangle);
+        let both = Both(&line, planes.each_ref());
+        match both.enclosed() {
+            Ok(order) => {
+                assert_eq!(order, solve(&both));
+                orders += 1;
+            }
+            Err(InDoubt) => doubts += 1,
+        }
+    }
+    let counts = [hits, misses, doubts, orders];
+    assert!(counts.iter().all(|count| *count > 2000), "{counts:?}");
+}
+
+/// Two planes whose parameters differ by less than the smallest `f64` in places: an error bound underflowed there.
+#[test]
+fn bounds_that_underflow_decide_nothing() {
+    let flat = glam::DAffine3::from_scale(DVec3::new(1.0, 1.0, two(-800)));
+    let placement = Placement::new(flat).expect("invertible");
+    let (x, y, d) = (two(-60), two(-59), two(-44));
+    let line = Line::Given {
+        origin: DVec3::new(x, y, -1.0),
+        direction: DVec3::Z,
+    };
+    let corners = |corners: [[f64; 3]; 3]| Corners {
+        placement: Some(&placement),
+        origin: DVec3::ZERO,
+        corners: corners.map(DVec3::from),
+    };
+    let steep = corners([[1.0, 1.0, 0.0], [1.0, -1.0, -two(-95)], [-1.0, y, two(-96)]]);
+    let level = corners([[x + d, y + d, 0.0], [x + d, y - d, 0.0], [x - d, y, 0.0]]);
+    assert_eq!(compare(&line, &level, &steep), Ordering::Less);
+    assert_eq!(compare(&line, &steep, &level), Ordering::Greater);
+}
+
+/// A parameter below the least normal number is rounded as integers round it.
+#[test]
+fn a_subnormal_parameter_is_rounded_as_by_integers() {
+    let mut random = Random(8);
+    for _ in 0..500 {
+        let origin = DVec3::new(0.25, 0.25, -two(-893) * random.next().abs());
+        let direction = DVec3::new(0.0, 0.0, two(130) * (1.0 + random.next().abs()));
+        let interval = Ray {
+            origin,
+            direction,
+            t_min: 0.0,
+            t_max: 1.0,
+        };
+        let hit = Hit {
+            line: Line::Given { origin, direction },
+            triangle: Corners {
+                placement: None,
+                origin: DVec3::ZERO,
+                corners: [DVec3::ZERO, DVec3::X, DVec3::Y],
+            },
+            interval: &interval,
+        };
+        let exact = solve(&hit).expect("it hits").t;
+        let found = hit.enclosed().ok().flatten();
+        assert!(found.is_none_or(|found| found.t.to_bits() == exact.to_bits()));
+    }
+}
+
+fn two(power: i32) -> f64 {
+    2_f64.powi(power)
+}
