@@ -40,6 +40,8 @@ pub(super) struct Surfaces<'a> {
     vertices: RwLock<HashMap<usize, Vertices>>,
     /// By the mesh's address; filled on demand.
     adjoining: RwLock<HashMap<usize, Arc<Adjoining>>>,
+    /// Of an object's triangles, where ids do not number these; by object, filled on demand.
+    rectangles_px: RwLock<HashMap<usize, Arc<[[DVec2; 2]]>>>,
 }
 
 impl Face {
@@ -114,6 +116,7 @@ impl<'a> Surfaces<'a> {
             grid_px: rasteriser.grid_px,
             vertices: RwLock::default(),
             adjoining: RwLock::default(),
+            rectangles_px: RwLock::default(),
         }
     }
 
@@ -154,8 +157,15 @@ impl<'a> Surfaces<'a> {
                     |triangle| flat.triangle(data, &adjoining, batch.start, triangle, is_shown);
                 let Some(number) = id.triangle.checked_sub(1) else {
                     // Any of its triangles.
-                    let near = triangles.clone().filter(|&i| flat.may_show(data, i));
-                    return near.flat_map(of).collect();
+                    let rectangles_px = kept(&self.rectangles_px, index, || {
+                        let all = triangles.clone();
+                        all.map(|triangle| flat.rectangle_px(data, triangle))
+                            .collect()
+                    });
+                    let near = triangles.clone().zip(rectangles_px.iter());
+                    let near =
+                        near.filter(|(_, [min, max])| min.cmple(px).all() && max.cmpge(px).all());
+                    return near.flat_map(|(triangle, _)| of(triangle)).collect();
                 };
                 let triangle = triangles.start.checked_add(number);
                 let triangle = triangle.filter(|triangle| triangles.contains(triangle));

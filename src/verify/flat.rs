@@ -160,17 +160,17 @@ impl Flat<'_> {
         with_cut_neighbours(surfaces)
     }
 
-    /// Whether drawing may show a triangle at the pixel, by its rectangle in the picture. One that reaches in front of
-    /// the near plane may be at any pixel.
-    pub fn may_show(&self, mesh: &MeshData, triangle: u32) -> bool {
+    /// The rectangle of the picture outside which drawing does not show a triangle: its least and largest position.
+    /// The whole plane for one that reaches in front of the near plane.
+    pub fn rectangle_px(&self, mesh: &MeshData, triangle: u32) -> [DVec2; 2] {
         let corners = mesh.triangles[triangle as usize];
         let corners = corners.map(|i| mesh.positions[i as usize]);
         let corners = corners.map(|p| self.view(DVec3::from_array(p.map(f64::from))));
-        let px = corners.map(|corner| project(self.space.view(), corner));
-        let (min, max) = (px[0].min(px[1]).min(px[2]), px[0].max(px[1]).max(px[2]));
-        let is_near =
-            (min - REACH_PX).cmple(self.px).all() && (max + REACH_PX).cmpge(self.px).all();
-        is_near || !corners.iter().all(|corner| corner.z > 0.0)
+        if !corners.iter().all(|corner| corner.z > 0.0) {
+            return [DVec2::NEG_INFINITY, DVec2::INFINITY];
+        }
+        let [a, b, c] = corners.map(|corner| project(self.space.view(), corner));
+        [a.min(b).min(c) - REACH_PX, a.max(b).max(c) + REACH_PX]
     }
 
     fn culled(&self, polygon: &Polygon) -> Culled {
