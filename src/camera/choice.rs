@@ -124,21 +124,14 @@ impl CameraChoice {
                 Camera::new(eye, target, up, lens)
             }
         };
-        let upright = up_axis.frame();
-        let camera = match self.up {
-            Some(up) => camera(up)?,
-            None => match camera(upright.y_axis) {
-                // Looking straight down or up: the picture is turned as in an orbit at that pitch.
-                Err(CameraError::UpAlongForward) => {
-                    let down = camera(upright.z_axis)?.forward().dot(upright.y_axis) < 0.0;
-                    camera(if down {
-                        -upright.z_axis
-                    } else {
-                        upright.z_axis
-                    })?
-                }
-                camera => camera?,
-            },
+        let (above, towards) = (up_axis.up(), up_axis.frame().z_axis);
+        let camera = match camera(self.up.unwrap_or(above)) {
+            // Looking straight down or up: the picture is turned as in an orbit at that pitch.
+            Err(CameraError::UpAlongForward) if self.up.is_none() => {
+                let is_down = camera(towards)?.forward().dot(above) < 0.0;
+                camera(if is_down { -towards } else { towards })?
+            }
+            camera => camera?,
         };
         (lens.near, lens.far) = fit_near_far(&camera, bounds_world, self.near, self.far);
         camera.with_lens(lens)

@@ -146,9 +146,10 @@ impl Camera {
     /// When the lens is not valid.
     pub fn with_lens(self, lens: Lens) -> Result<Self, CameraError> {
         lens.check()?;
+        let half_height = lens.half_extent(1.0).y;
         Ok(Self {
             lens,
-            half_height: lens.half_extent(1.0).y,
+            half_height,
             ..self
         })
     }
@@ -224,12 +225,7 @@ impl Camera {
     /// A world point in view space: x right, y up, z forward.
     #[must_use]
     pub fn to_view(&self, point_world: DVec3) -> DVec3 {
-        let from_eye = point_world - self.eye;
-        DVec3::new(
-            self.right.dot(from_eye),
-            self.up.dot(from_eye),
-            self.forward.dot(from_eye),
-        )
+        self.rotation() * (point_world - self.eye)
     }
 
     /// The data from which the ray of each pixel is computed.

@@ -90,7 +90,7 @@ impl Orbit {
     /// 1.
     #[must_use]
     pub fn framing(bounds_world: &Aabb, up_axis: UpAxis, fov_y: f64, aspect: f64) -> Self {
-        let Self { yaw, pitch, .. } = Self::from_direction(Self::FRAMING);
+        let (yaw, pitch) = Self::angles(Self::FRAMING);
         let mut orbit = Self {
             frame: up_axis.frame(),
             target: DVec3::ZERO,
@@ -102,15 +102,9 @@ impl Orbit {
         orbit
     }
 
-    /// Angles for an eye in this direction, given in an upright frame.
-    fn from_direction(to_eye: DVec3) -> Self {
-        Self {
-            frame: DMat3::IDENTITY,
-            target: DVec3::ZERO,
-            distance: 1.0,
-            yaw: to_eye.x.atan2(to_eye.z),
-            pitch: to_eye.y.atan2(to_eye.x.hypot(to_eye.z)),
-        }
+    /// Yaw and pitch for an eye in this direction, given in an upright frame.
+    fn angles(DVec3 { x, y, z }: DVec3) -> (f64, f64) {
+        (x.atan2(z), y.atan2(x.hypot(z)))
     }
 
     /// Moves target and distance so that `bounds_world` just fills the picture as seen from the present direction;
@@ -142,13 +136,8 @@ impl Orbit {
     /// Looks from a direction given in the up axis's frame (right, up, towards the viewer), keeping target and
     /// distance: (0, 0, 1) is the front view, (0, 1, 0) the top view.
     pub fn look_from(&mut self, up_axis: UpAxis, to_eye: DVec3) {
-        let Self { yaw, pitch, .. } = Self::from_direction(to_eye);
-        *self = Self {
-            frame: up_axis.frame(),
-            yaw,
-            pitch,
-            ..*self
-        };
+        self.frame = up_axis.frame();
+        (self.yaw, self.pitch) = Self::angles(to_eye);
     }
 
     /// World point in the middle of the picture.

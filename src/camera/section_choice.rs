@@ -54,13 +54,13 @@ impl FromStr for SectionChoice {
             return Ok(Self::Uncut);
         }
         let Some((word, numbers)) = text.split_once(':') else {
-            let [x, y, z, offset] = parsed::<4, f64>(text, ',')?;
+            let [x, y, z, offset] = parsed(text, ',', number::<f64>)?;
             return Ok(Self::Plane(Section::new(DVec3::new(x, y, z), offset)?));
         };
         match word.trim() {
             "points" => {
-                let points: [Point; 3] = parsed(numbers, '/')?;
-                let points = points.map(|Point(point)| point);
+                let point = |text: &str| parsed(text, ',', number).map(DVec3::from_array);
+                let points = parsed(numbers, '/', point)?;
                 Ok(Self::Plane(Section::through_points(points)?))
             }
             "face" => {
@@ -72,10 +72,8 @@ impl FromStr for SectionChoice {
                 Ok(Self::Face { id, face })
             }
             axis => {
-                let (sign, name) = match axis.strip_prefix('-') {
-                    Some(name) => (-1.0, name),
-                    None => (1.0, axis),
-                };
+                let negative = axis.strip_prefix('-').map(|name| (-1.0, name));
+                let (sign, name) = negative.unwrap_or((1.0, axis));
                 let axis = ["x", "y", "z"].iter().position(|other| *other == name);
                 let axis = DVec3::AXES[axis.ok_or(SectionWordError::Form)?];
                 let at: f64 = number(numbers)?;
@@ -87,26 +85,16 @@ impl FromStr for SectionChoice {
     }
 }
 
-/// `X,Y,Z`
-struct Point(DVec3);
-
-impl FromStr for Point {
-    type Err = SectionWordError;
-
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        parsed::<3, f64>(text, ',').map(|numbers| Self(numbers.into()))
-    }
-}
-
 fn number<T: FromStr>(text: &str) -> Result<T, SectionWordError> {
     text.trim().parse().map_err(|_| SectionWordError::Form)
 }
 
-fn parsed<const N: usize, T: FromStr>(
+fn parsed<const N: usize, T>(
     text: &str,
     between: char,
+    part: impl Fn(&str) -> Result<T, SectionWordError>,
 ) -> Result<[T; N], SectionWordError> {
-    let all: Result<Vec<T>, _> = text.split(between).map(number).collect();
+    let all: Result<Vec<T>, _> = text.split(between).map(part).collect();
     all?.try_into().map_err(|_| SectionWordError::Form)
 }
 

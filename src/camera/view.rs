@@ -58,26 +58,20 @@ impl Viewport {
     /// A pixel position in NDC: x and y in [-1, 1] within the picture, y up.
     #[must_use]
     pub fn px_to_ndc(self, px: DVec2) -> DVec2 {
-        DVec2::new(
-            2.0 * px.x / f64::from(self.width) - 1.0,
-            1.0 - 2.0 * px.y / f64::from(self.height),
-        )
+        let from_corner = 2.0 * px / self.size_px();
+        DVec2::new(from_corner.x - 1.0, 1.0 - from_corner.y)
     }
 
     /// An NDC position in pixels.
     #[must_use]
     pub(crate) fn ndc_to_px(self, ndc: DVec2) -> DVec2 {
-        DVec2::new(
-            0.5 * (ndc.x + 1.0) * f64::from(self.width),
-            0.5 * (1.0 - ndc.y) * f64::from(self.height),
-        )
+        0.5 * DVec2::new(ndc.x + 1.0, 1.0 - ndc.y) * self.size_px()
     }
 
     /// Whether a pixel position lies within the picture: `0 <= x < width`, `0 <= y < height`.
     #[must_use]
     pub fn contains(self, px: DVec2) -> bool {
-        (0.0..f64::from(self.width)).contains(&px.x)
-            && (0.0..f64::from(self.height)).contains(&px.y)
+        px.cmpge(DVec2::ZERO).all() && px.cmplt(self.size_px()).all()
     }
 }
 
@@ -191,10 +185,7 @@ impl View {
     /// The corners of the view volume in world space: near plane, then far plane, each from the top left clockwise.
     #[must_use]
     pub fn frustum_corners(&self) -> [DVec3; 8] {
-        let DVec2 {
-            x: width,
-            y: height,
-        } = self.viewport.size_px();
+        let [width, height] = self.viewport.size_px().to_array();
         let corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)];
         std::array::from_fn(|i| {
             let ray = self.camera.ray(self.viewport, corners[i % 4].into());

@@ -42,19 +42,20 @@ impl Aabb {
     /// The box grown to hold `point`.
     #[must_use]
     pub fn including(self, point: DVec3) -> Self {
-        Self {
-            min: self.min.min(point),
-            max: self.max.max(point),
-        }
+        let [min, max] = [point; 2];
+        self.union(Self { min, max })
     }
 
     /// The smallest box that holds both.
     #[must_use]
     pub fn union(self, other: Self) -> Self {
-        Self {
-            min: self.min.min(other.min),
-            max: self.max.max(other.max),
-        }
+        let (min, max) = (self.min.min(other.min), self.max.max(other.max));
+        Self { min, max }
+    }
+
+    /// The box about the origin that reaches so far along each axis, to both sides.
+    pub(crate) fn of_half_size(max: DVec3) -> Self {
+        Self { min: -max, max }
     }
 
     /// Whether it holds no point at all.

@@ -63,10 +63,8 @@ mod tests {
             }
             let below = power_of_two_below(size);
             assert_eq!(split(below).0, 1, "{size}");
-            assert!(
-                below <= size.max(f64::MIN_POSITIVE) && size / 2.0 < below,
-                "{size}"
-            );
+            let is_not_above = below <= size.max(f64::MIN_POSITIVE);
+            assert!(is_not_above && size / 2.0 < below, "{size}");
         }
         assert_eq!(split(0.0), (0, 0));
         assert_eq!(power_of_two(-3).to_bits(), 0.125_f64.to_bits());

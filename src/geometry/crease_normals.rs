@@ -2,7 +2,7 @@
 
 use super::shares::{ALWAYS, GoOn, PIECE, in_pieces, share};
 use glam::{DVec3, Vec3};
-use std::ops::Range;
+use std::{iter::repeat_n, ops::Range};
 
 /// One normal for each corner of each triangle: what shading interpolates. Picking never reads it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -125,9 +125,8 @@ pub(super) fn crease_normals_while<E: Send>(
             let offset = u32::try_from(result.normals.len()).unwrap_or(u32::MAX);
             let of_vertices = || {
                 let vertices = (0..).zip(share.vertices.clone());
-                vertices.flat_map(|(index, vertex)| {
-                    std::iter::repeat_n(index, around.of(vertex..vertex + 1).len())
-                })
+                let count = |vertex| around.of(vertex..vertex + 1).len();
+                vertices.flat_map(move |(index, vertex)| repeat_n(index, count(vertex)))
             };
             let indices = share.of_corners.unwrap_or_else(|| of_vertices().collect());
             for (index, &corner) in indices.iter().zip(corners) {
@@ -298,12 +297,9 @@ impl Fan {
         }
         self.spokes.sort_unstable();
         for i in 1..self.spokes.len() {
-            let [(edge_a, a), (edge_b, b)] = [self.spokes[i - 1], self.spokes[i]].map(|spoke| {
-                (
-                    spoke >> 32,
-                    usize::try_from(spoke & 0xffff_ffff).unwrap_or_default(),
-                )
-            });
+            let place = |spoke| usize::try_from(spoke & 0xffff_ffff).unwrap_or_default();
+            let [(edge_a, a), (edge_b, b)] =
+                [self.spokes[i - 1], self.spokes[i]].map(|spoke| (spoke >> 32, place(spoke)));
             if edge_a != edge_b {
                 continue;
             }

@@ -11,22 +11,15 @@ impl Cuboid {
     /// Half the side, in object space.
     pub const HALF_SIDE: f64 = 0.5;
     /// The outward normals of its faces.
-    pub const NORMALS: [DVec3; 6] = [
-        DVec3::X,
-        DVec3::NEG_X,
-        DVec3::Y,
-        DVec3::NEG_Y,
-        DVec3::Z,
-        DVec3::NEG_Z,
-    ];
+    pub const NORMALS: [DVec3; 6] = {
+        let [x, y, z] = DVec3::AXES;
+        [x, DVec3::NEG_X, y, DVec3::NEG_Y, z, DVec3::NEG_Z]
+    };
 
     /// The box itself.
     #[must_use]
     pub fn bounds() -> Aabb {
-        Aabb {
-            min: DVec3::splat(-Self::HALF_SIDE),
-            max: DVec3::splat(Self::HALF_SIDE),
-        }
+        Aabb::of_half_size(DVec3::splat(Self::HALF_SIDE))
     }
 
     /// The corners of the face with this outward normal (one of `NORMALS`), counter-clockwise seen from outside.

@@ -31,10 +31,7 @@ const LEAST: f64 = power_of_two(-1000);
 /// The largest relative error of a component that the filter accepts.
 const SMALL: f64 = power_of_two(-20);
 /// The entry into a slab that bounds nothing.
-const BEFORE_ALL: Approximate = Approximate {
-    value: f64::NEG_INFINITY,
-    error: 0.0,
-};
+const BEFORE_ALL: Approximate = Approximate::new(f64::NEG_INFINITY, 0.0);
 
 /// The hits in `f64`, by the slab test (Kay & Kajiya 1986), with one reciprocal per axis and no branch before the
 /// decision.
@@ -45,9 +42,7 @@ const BEFORE_ALL: Approximate = Approximate {
 /// the bound's own roundings and those of `low` and `high`.
 #[inline]
 fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
-    let Ray {
-        origin, direction, ..
-    } = *ray.ray;
+    let (origin, direction) = (ray.ray.origin, ray.ray.direction);
     let mut enter = [BEFORE_ALL; 3];
     // Negated, so that the first exit is the greatest here.
     let mut leave = [BEFORE_ALL; 3];
@@ -61,8 +56,7 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
         let constant = 1.01 * o_error * inverse.abs() + f64::MIN_POSITIVE;
         let at = |way: f64| {
             let value = way * inverse;
-            let error = value.abs() * per_value + constant;
-            Approximate { value, error }
+            Approximate::new(value, value.abs() * per_value + constant)
         };
         let half = Cuboid::HALF_SIDE.copysign(d);
         enter[axis] = at(-half - o);

@@ -36,19 +36,15 @@ pub(crate) struct DoubleDouble {
 fn two_sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;
     let of_b = hi - a;
-    DoubleDouble {
-        hi,
-        lo: (a - (hi - of_b)) + (b - of_b),
-    }
+    let lo = (a - (hi - of_b)) + (b - of_b);
+    DoubleDouble { hi, lo }
 }
 
 /// The same for `|a| >= |b|`.
 pub(super) fn quick_two_sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;
-    DoubleDouble {
-        hi,
-        lo: b - (hi - a),
-    }
+    let lo = b - (hi - a);
+    DoubleDouble { hi, lo }
 }
 
 impl From<f64> for DoubleDouble {
@@ -77,10 +73,8 @@ impl Neg for DoubleDouble {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Self {
-            hi: -self.hi,
-            lo: -self.lo,
-        }
+        let (hi, lo) = (-self.hi, -self.lo);
+        Self { hi, lo }
     }
 }
 
@@ -117,38 +111,28 @@ impl Div for DoubleDouble {
 
 /// A point or direction.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Vector<N> {
-    pub x: N,
-    pub y: N,
-    pub z: N,
-}
+pub(crate) struct Vector<N>(pub [N; 3]);
 
 impl<N: Number> Vector<N> {
     pub fn dot(self, other: Self) -> N {
-        self.x * other.x + self.y * other.y + self.z * other.z
+        let [x, y, z] = [0, 1, 2].map(|i| self.0[i] * other.0[i]);
+        x + y + z
     }
 
     pub fn cross(self, other: Self) -> Self {
-        Self {
-            x: self.y * other.z - self.z * other.y,
-            y: self.z * other.x - self.x * other.z,
-            z: self.x * other.y - self.y * other.x,
-        }
+        let ([a, b], axes) = ([self.0, other.0], [(1, 2), (2, 0), (0, 1)]);
+        Self(axes.map(|(i, j)| a[i] * b[j] - a[j] * b[i]))
     }
 
     /// Rounded to `f64`.
     pub fn rounded(self) -> DVec3 {
-        DVec3::new(self.x.into(), self.y.into(), self.z.into())
+        self.0.map(N::into).into()
     }
 }
 
 impl<N: Number> From<DVec3> for Vector<N> {
     fn from(v: DVec3) -> Self {
-        Self {
-            x: v.x.into(),
-            y: v.y.into(),
-            z: v.z.into(),
-        }
+        Self(v.to_array().map(N::from))
     }
 }
 
@@ -156,11 +140,7 @@ impl<N: Number> Add for Vector<N> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self {
-            x: self.x + other.x,
-            y: self.y + other.y,
-            z: self.z + other.z,
-        }
+        Self([0, 1, 2].map(|i| self.0[i] + other.0[i]))
     }
 }
 
@@ -168,11 +148,7 @@ impl<N: Number> Sub for Vector<N> {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        Self {
-            x: self.x - other.x,
-            y: self.y - other.y,
-            z: self.z - other.z,
-        }
+        Self([0, 1, 2].map(|i| self.0[i] - other.0[i]))
     }
 }
 
@@ -180,11 +156,7 @@ impl<N: Number> Mul<N> for Vector<N> {
     type Output = Self;
 
     fn mul(self, by: N) -> Self {
-        Self {
-            x: self.x * by,
-            y: self.y * by,
-            z: self.z * by,
-        }
+        Self(self.0.map(|c| c * by))
     }
 }
 
@@ -204,8 +176,7 @@ impl<N: Number> Rows<N> {
     }
 
     pub fn times(&self, v: Vector<N>) -> Vector<N> {
-        let [x, y, z] = self.0.map(|row| row.dot(v));
-        Vector { x, y, z }
+        Vector(self.0.map(|row| row.dot(v)))
     }
 }
 
@@ -236,11 +207,8 @@ mod tests {
             DVec3::new(0.1, -0.5, 1e20),
         );
         let inverse = Rows::<DoubleDouble>::inverse_of(matrix);
-        for (i, column) in [matrix.x_axis, matrix.y_axis, matrix.z_axis]
-            .iter()
-            .enumerate()
-        {
-            let unit = inverse.times(Vector::from(*column)).rounded();
+        for i in 0..3 {
+            let unit = inverse.times(matrix.col(i).into()).rounded();
             assert!((unit - DVec3::AXES[i]).length() < 1e-12, "{unit}");
         }
     }

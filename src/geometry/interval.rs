@@ -18,6 +18,11 @@ pub(super) struct Approximate {
 pub(crate) struct InDoubt;
 
 impl Approximate {
+    #[inline]
+    pub const fn new(value: f64, error: f64) -> Self {
+        Self { value, error }
+    }
+
     pub fn low(self) -> f64 {
         self.value - self.error
     }
@@ -28,10 +33,7 @@ impl Approximate {
 
     #[inline]
     pub fn negative(self) -> Self {
-        Self {
-            value: -self.value,
-            ..self
-        }
+        Self::new(-self.value, self.error)
     }
 
     /// `numerator / denominator`.
@@ -52,11 +54,9 @@ impl Approximate {
         let value = self.value / denominator.value;
         let error = (self.error + value.abs() * denominator.error + f64::MIN_POSITIVE) / size;
         let error = (1.0 + 2.0 * SMALL) * error + 4.0 * U * value.abs() + f64::MIN_POSITIVE;
-        if error.is_finite() {
-            Ok(Self { value, error })
-        } else {
-            Err(InDoubt)
-        }
+        (error.is_finite())
+            .then_some(Self { value, error })
+            .ok_or(InDoubt)
     }
 
     /// Whether a hit at this parameter counts.

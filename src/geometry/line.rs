@@ -1,6 +1,6 @@
 //! Exact rays, by the stored numbers that define them.
 
-use super::{PixelGrid, PlacedPoint};
+use super::{PixelGrid, PlacedPoint, Ray};
 use glam::{DVec2, DVec3};
 
 /// An exact ray.
@@ -15,6 +15,12 @@ pub(super) enum Line<'a> {
 }
 
 impl Line<'_> {
+    /// A ray's own, which is exact as it stands.
+    pub fn given(ray: &Ray) -> Self {
+        let (origin, direction) = (ray.origin, ray.direction);
+        Self::Given { origin, direction }
+    }
+
     /// Whether all its numbers are finite.
     pub fn is_finite(&self) -> bool {
         let is_grid_finite = |grid: &PixelGrid| {

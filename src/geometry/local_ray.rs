@@ -117,11 +117,9 @@ impl<'a> Exactly<'a> {
 
     /// A ray that is exact as it stands.
     pub fn given(ray: &Ray) -> Self {
-        let &Ray {
-            origin, direction, ..
-        } = ray;
+        let line = Line::given(ray);
         Self {
-            line: Line::Given { origin, direction },
+            line,
             placement: None,
         }
     }

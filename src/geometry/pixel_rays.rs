@@ -34,9 +34,7 @@ impl PixelGrid {
         // A step that underflowed would look like 0.
         let is_bounded = is_moderate(per_half_px)
             && per_half_px != 0.0
-            && [self.right, self.up, right, up]
-                .into_iter()
-                .all(are_moderate);
+            && ([self.right, self.up, right, up].into_iter()).all(are_moderate);
         PixelRays {
             grid: *self,
             interval,
@@ -97,10 +95,8 @@ impl PixelRays {
         } else {
             [DVec3::ZERO, error]
         };
-        let line = Line::Pixel {
-            grid: self.grid,
-            px,
-        };
+        let grid = self.grid;
+        let line = Line::Pixel { grid, px };
         let ray = WorldRay::of_line(ray, RayError { origin, direction }, line);
         match &self.section {
             None => ray,
@@ -122,13 +118,6 @@ impl PixelRays {
         let (a, b) = (right * self.right, up * self.up);
         let &PixelGrid { eye, forward, .. } = &self.grid;
         let [origin, direction] = self.grid.moved_aside(eye, forward, a + b);
-        let [t_min, t_max] = self.interval;
-        let ray = Ray {
-            origin,
-            direction,
-            t_min,
-            t_max,
-        };
-        (ray, [a, b])
+        (Ray::over(origin, direction, self.interval), [a, b])
     }
 }

@@ -135,12 +135,7 @@ impl Placement {
 
     /// The extents along the world's axes of a box with extents `sizes` along the object's: `|L| sizes`.
     pub(crate) fn sizes_along(&self, sizes: DVec3) -> DVec3 {
-        let DMat3 {
-            x_axis,
-            y_axis,
-            z_axis,
-        } = self.model.matrix3;
-        DMat3::from_cols(x_axis.abs(), y_axis.abs(), z_axis.abs()) * sizes
+        self.model.matrix3.abs() * sizes
     }
 
     /// A world-space ray in object space, rounded, with the same `t`.
@@ -201,11 +196,8 @@ fn rounded_inverse(matrix: DMat3) -> Option<(DMat3, f64, bool)> {
         return None;
     }
     let inverse = columns * unit.inverse() * rows;
-    let largest = |m: DMat3| {
-        m.to_cols_array()
-            .into_iter()
-            .fold(0.0, |a: f64, b| if b.abs() <= a { a } else { b.abs() })
-    };
+    let larger = |a: f64, b: f64| if b.abs() <= a { a } else { b.abs() };
+    let largest = |m: DMat3| m.to_cols_array().into_iter().fold(0.0, larger);
     let residual = largest(matrix * inverse - DMat3::IDENTITY);
     let error = residual + 4.0 * U * largest(matrix.abs() * inverse.abs());
     // Rows of a sum below 1e-280 could underflow.

@@ -18,6 +18,17 @@ pub struct Ray {
 }
 
 impl Ray {
+    /// A ray with an interval of its parameter.
+    #[inline]
+    pub(crate) fn over(origin: DVec3, direction: DVec3, [t_min, t_max]: [f64; 2]) -> Self {
+        Self {
+            origin,
+            direction,
+            t_min,
+            t_max,
+        }
+    }
+
     /// The point at parameter `t`.
     #[must_use]
     pub fn at(&self, t: f64) -> DVec3 {

@@ -17,13 +17,7 @@ impl ThroughPoint {
     pub fn ray(&self) -> Option<WorldRay<'_>> {
         let line = Line::Through(self);
         let Rounded { origin, direction } = exact::rounded_line(&line)?;
-        let [t_min, t_max] = self.interval;
-        let ray = Ray {
-            origin,
-            direction,
-            t_min,
-            t_max,
-        };
+        let ray = Ray::over(origin, direction, self.interval);
         let error = RayError {
             origin: origin.map(error_of),
             direction: direction.map(error_of),

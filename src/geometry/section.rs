@@ -73,11 +73,8 @@ impl Section {
         }
         let normal = exact::normal_of(points).ok_or(SectionError::OneLine)?;
         let normal = normal.normalize() + DVec3::ZERO;
-        let offsets = points.map(|point| -normal.dot(point));
-        Self::new(
-            normal,
-            offsets.into_iter().fold(f64::NEG_INFINITY, f64::max),
-        )
+        let offsets = points.into_iter().map(|point| -normal.dot(point));
+        Self::new(normal, offsets.fold(f64::NEG_INFINITY, f64::max))
     }
 
     /// Whether three finite points may be on one line up to rounding. A picked point's coordinates are each off by a
@@ -167,10 +164,8 @@ impl Across {
         let along = |v: DVec3, error: DVec3, constant: f64| {
             let terms = normal * v;
             let rounding = 6.0 * U * (terms.abs().element_sum() + constant.abs());
-            Approximate {
-                value: terms.element_sum() + constant,
-                error: 1.01 * normal.abs().dot(error) + rounding + f64::MIN_POSITIVE,
-            }
+            let error = 1.01 * normal.abs().dot(error) + rounding + f64::MIN_POSITIVE;
+            Approximate::new(terms.element_sum() + constant, error)
         };
         Self {
             section,

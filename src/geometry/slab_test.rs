@@ -32,13 +32,8 @@ impl Aabb {
             }
             ways = [ways[0] - room, ways[1] + room];
         }
-        entry(
-            ways,
-            inverse,
-            [ray.ray.t_min, ray.ray.t_max.min(end)],
-            WIDEN,
-        )
-        .is_some()
+        let interval = [ray.ray.t_min, ray.ray.t_max.min(end)];
+        entry(ways, inverse, interval, WIDEN).is_some()
     }
 }
 

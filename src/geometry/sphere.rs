@@ -14,9 +14,6 @@ impl Sphere {
     /// The box about it.
     #[must_use]
     pub fn bounds() -> Aabb {
-        Aabb {
-            min: DVec3::splat(-Self::RADIUS),
-            max: DVec3::splat(Self::RADIUS),
-        }
+        Aabb::of_half_size(DVec3::splat(Self::RADIUS))
     }
 }

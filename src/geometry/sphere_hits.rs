@@ -1,7 +1,7 @@
 //! Where rays enter and leave the sphere: in `f64` where that is certain, else exactly.
 
 use super::{
-    Hit, LocalRay, Ray, Sphere, U,
+    Hit, LocalRay, Sphere, U,
     binary::power_of_two,
     exact,
     interval::{Approximate, InDoubt},
@@ -39,11 +39,7 @@ impl Sphere {
 fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     /// Squares of larger directions have all their digits.
     const LEAST: f64 = power_of_two(-900);
-    let Ray {
-        origin: o,
-        direction: d,
-        ..
-    } = *ray.ray;
+    let (o, d) = (ray.ray.origin, ray.ray.direction);
     let [p, f] = ray.errors;
     let (o_abs, d_abs) = (o.abs(), d.abs());
     let (o_max, d_max) = (o_abs.max_element(), d_abs.max_element());
@@ -73,17 +69,8 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
         + 1.1 * (o_abs.element_sum() * f + (d_abs.element_sum() + 3.0 * f) * p)
         + discriminant_error / root
         + 3.0 * U * root;
-    let squared = Approximate {
-        value: squared,
-        error: squared_error,
-    };
-    let at = |value: f64| {
-        let numerator = Approximate {
-            value,
-            error: error + U * value.abs(),
-        };
-        numerator.over(squared)
-    };
+    let squared = Approximate::new(squared, squared_error);
+    let at = |value: f64| Approximate::new(value, error + U * value.abs()).over(squared);
     let (near, far) = (at(middle - root)?, at(middle + root)?);
     Ok([
         near.hit(ray.ray, ray.ray.at(near.value), true)?,

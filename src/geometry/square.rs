@@ -15,11 +15,7 @@ impl Square {
     /// The flat box about it.
     #[must_use]
     pub fn bounds() -> Aabb {
-        let corner = DVec3::new(Self::HALF_SIDE, Self::HALF_SIDE, 0.0);
-        Aabb {
-            min: -corner,
-            max: corner,
-        }
+        Aabb::of_half_size(DVec3::new(Self::HALF_SIDE, Self::HALF_SIDE, 0.0))
     }
 
     /// Its corners, counter-clockwise seen from its front.

@@ -1,7 +1,7 @@
 //! Where rays hit the square: in `f64` where that is certain, else exactly.
 
 use super::{
-    Hit, LocalRay, Ray, Square, U, exact,
+    Hit, LocalRay, Square, U, exact,
     interval::{Approximate, InDoubt},
 };
 use glam::DVec3;
@@ -29,11 +29,7 @@ impl Square {
 /// product.
 #[inline]
 fn filter(ray: &LocalRay) -> Result<Option<Hit>, InDoubt> {
-    let Ray {
-        origin: o,
-        direction: d,
-        ..
-    } = *ray.ray;
+    let (o, d) = (ray.ray.origin, ray.ray.direction);
     let (p, f) = (ray.error.origin, ray.error.direction);
     if d.z == 0.0 && f.z == 0.0 {
         return Ok(None);
@@ -59,13 +55,6 @@ fn filter(ray: &LocalRay) -> Result<Option<Hit>, InDoubt> {
     if !(x[1] < 0.0 && y[1] < 0.0) {
         return Err(InDoubt);
     }
-    let way = Approximate {
-        value: -o.z,
-        error: p.z,
-    };
-    let at = way.over(Approximate {
-        value: d.z,
-        error: f.z,
-    })?;
+    let at = Approximate::new(-o.z, p.z).over(Approximate::new(d.z, f.z))?;
     at.hit(ray.ray, DVec3::Z, d.z < 0.0)
 }

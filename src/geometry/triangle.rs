@@ -9,7 +9,7 @@
 )]
 
 use super::{
-    Corners, TriangleHit, U, VertexRay,
+    TriangleHit, U, VertexRay,
     binary::power_of_two,
     exact,
     interval::{Approximate, HALF_OF_THE_DIGITS, InDoubt},
@@ -54,7 +54,7 @@ const WORST_WEIGHT: f64 = power_of_two(-14);
 #[cold]
 #[must_use]
 pub fn exact_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
-    exact::hit(&ray.exactly(), &ray.ray, ray.vertex_origin(), corners)
+    exact::hit(ray.exactly().line, &ray.ray, ray.exact_triangle(corners))
 }
 
 /// Whether `f64` leaves [`guarded_volume`]'s answer to exact arithmetic.
@@ -65,13 +65,8 @@ pub(super) fn is_in_doubt(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
 /// Whether the ray reaches the triangle's plane within its interval and no later than `limit`, or runs along it;
 /// exactly.
 pub(super) fn reaches_plane(ray: &VertexRay, corners: [DVec3; 3], limit: f64) -> bool {
-    let exactly = ray.exactly();
-    let triangle = Corners {
-        placement: exactly.placement,
-        origin: ray.vertex_origin(),
-        corners,
-    };
-    exact::reaches_plane(&exactly.line, &triangle, &ray.ray, limit)
+    let triangle = ray.exact_triangle(corners);
+    exact::reaches_plane(&ray.exactly().line, &triangle, &ray.ray, limit)
 }
 
 /// An upper bound on the error of each of a triangle's [`volumes`]: `s` is the largest component of its edges, `m` of
@@ -215,13 +210,8 @@ pub(super) fn compare_t(
     if exact::are_coplanar(a, b) {
         return Ordering::Equal;
     }
-    let exactly = ray.exactly();
-    let [a, b] = [a, b].map(|corners| Corners {
-        placement: exactly.placement,
-        origin: ray.vertex_origin(),
-        corners,
-    });
-    exact::compare(&exactly.line, &a, &b)
+    let [a, b] = [a, b].map(|corners| ray.exact_triangle(corners));
+    exact::compare(&ray.exactly().line, &a, &b)
 }
 
 /// Whether two parameters may be equal, given their bounds.

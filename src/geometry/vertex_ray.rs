@@ -1,6 +1,6 @@
 //! A ray as the triangles of a mesh see it.
 
-use super::{LocalRay, Ray, U, binary::power_of_two, local_ray::Exactly};
+use super::{Corners, LocalRay, Ray, U, binary::power_of_two, local_ray::Exactly};
 use glam::DVec3;
 
 /// `2^200`. Origins up to this, directions up to [`LARGE_DIRECTION`] and `f32` vertices make no product that overflows.
@@ -66,9 +66,10 @@ impl<'a> VertexRay<'a> {
         }
     }
 
-    /// Where the vertices' (0, 0, 0) lies in object space.
-    pub(super) fn vertex_origin(&self) -> DVec3 {
-        self.object.map_or(DVec3::ZERO, |(_, origin)| *origin)
+    /// A triangle of the mesh, for exact arithmetic.
+    pub(super) fn exact_triangle(&self, corners: [DVec3; 3]) -> Corners<'a> {
+        let origin = self.object.map_or(DVec3::ZERO, |(_, origin)| *origin);
+        Corners::new(self.exactly().placement, origin, corners)
     }
 
     /// The exact ray behind the rounded one.

@@ -63,15 +63,7 @@ impl Deref for WorldRay<'_> {
 
 impl From<Ray> for WorldRay<'_> {
     fn from(ray: Ray) -> Self {
-        Self {
-            ray,
-            error: RayError::default(),
-            line: Line::Given {
-                origin: ray.origin,
-                direction: ray.direction,
-            },
-            section: None,
-        }
+        Self::of_line(ray, RayError::default(), Line::given(&ray))
     }
 }
 

@@ -83,25 +83,19 @@ pub(super) fn differs_px(
         })
     };
     let others = centres(view, px, [asked, REACH]).into_iter();
-    let nearest = { others }.find(|(_, centre)| differs(*centre))?;
-    Some(nearest.0)
+    Some({ others }.find(|(_, centre)| differs(*centre))?.0)
 }
 
 /// Distance and place of the picture's pixel centres that lie more than `from` and at most `to` away from a position,
 /// nearest first.
 fn centres(view: &View, px: DVec2, [from, to]: [f64; 2]) -> Vec<(f64, DVec2)> {
     let own = pixel_centre(px);
-    let steps = || {
-        (-8_i8..=8)
-            .map(f64::from)
-            .filter(|step| step.abs() <= to + 0.5)
-    };
-    let mut centres: Vec<(f64, DVec2)> = steps()
-        .flat_map(|y| steps().map(move |x| own + DVec2::new(x, y)))
-        .map(|centre| (centre.distance(px), centre))
-        .filter(|(distance, centre)| {
-            from < *distance && *distance <= to && view.viewport.contains(*centre)
-        })
+    let is_near = |step: &f64| step.abs() <= to + 0.5;
+    let steps = || (-8_i8..=8).map(f64::from).filter(is_near);
+    let all = steps().flat_map(|y| steps().map(move |x| own + DVec2::new(x, y)));
+    let all = all.map(|centre| (centre.distance(px), centre));
+    let mut centres: Vec<(f64, DVec2)> = all
+        .filter(|(away, at)| from < *away && *away <= to && view.viewport.contains(*at))
         .collect();
     centres.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
     centres

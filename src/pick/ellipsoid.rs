@@ -49,12 +49,8 @@ pub(super) fn sphere_area(placement: &Placement) -> Measured {
 
 /// Lower and upper bounds on the eigenvalues of `C^T C`, each from the largest down.
 fn eigenvalues(placement: &Placement) -> [[Dyadic; 3]; 2] {
-    let DMat3 {
-        x_axis,
-        y_axis,
-        z_axis,
-    } = placement.model().matrix3;
-    let [a, b, c] = [x_axis, y_axis, z_axis].map(DyadicVector::new);
+    let linear = placement.model().matrix3;
+    let [a, b, c] = [0, 1, 2].map(|i| DyadicVector::new(linear.col(i)));
     let cofactors = [b.cross(&c), c.cross(&a), a.cross(&b)];
     let vectors = eigenvectors(&cofactors);
     let products = vectors.map(|v| {
@@ -64,10 +60,7 @@ fn eigenvalues(placement: &Placement) -> [[Dyadic; 3]; 2] {
     let exact = vectors.map(DyadicVector::new);
     let one = Dyadic::new(1.0);
     let (mut beside, mut skew) = (Dyadic::new(0.0), Dyadic::new(0.0));
-    for (i, j) in [0, 1, 2]
-        .into_iter()
-        .flat_map(|i| [0, 1, 2].map(|j| (i, j)))
-    {
+    for (i, j) in (0..3).flat_map(|i| [0, 1, 2].map(|j| (i, j))) {
         let product = exact[i].dot(&exact[j]);
         if i == j {
             skew = skew.plus(&product.minus(&one).squared());
@@ -82,17 +75,11 @@ fn eigenvalues(placement: &Placement) -> [[Dyadic; 3]; 2] {
     let mut diagonal = products.each_ref().map(|product| product.dot(product));
     diagonal.sort_by(|a, b| b.minus(a).sign());
     let low = diagonal.each_ref().map(|value| {
-        let least = value.minus(&beside);
-        let least = if least.is_negative() {
-            Dyadic::new(0.0)
-        } else {
-            least
-        };
+        let least = Some(value.minus(&beside)).filter(|least| !least.is_negative());
+        let least = least.unwrap_or_else(|| Dyadic::new(0.0));
         least.quotient(&one.plus(&skew), BITS)
     });
-    let high = diagonal
-        .each_ref()
-        .map(|value| value.plus(&beside).quotient(&one.minus(&skew), BITS));
+    let high = diagonal.map(|value| value.plus(&beside).quotient(&one.minus(&skew), BITS));
     [low, high]
 }
 

@@ -94,14 +94,11 @@ impl ExactPoint {
     /// A world point that is off by at most `error`. Where a coordinate is not finite, lengths and areas are NaN.
     #[must_use]
     pub fn about(point_world: DVec3, error: f64) -> Self {
+        let is_finite = point_world.is_finite();
         Self {
             numerators: DyadicVector::new(point_world),
             denominator: Dyadic::new(1.0),
-            error: if point_world.is_finite() {
-                error
-            } else {
-                f64::NAN
-            },
+            error: if is_finite { error } else { f64::NAN },
         }
     }
 
@@ -114,15 +111,9 @@ impl ExactPoint {
             .iter()
             .map(|(_, exponent)| -exponent)
             .fold(0, i64::max);
-        let numerators = numbers.map(|(digits, exponent)| digits * ten_to(exponent + places));
-        let denominator = Dyadic {
-            integer: ten_to(places),
-            exponent: 0,
-        };
-        let object = DyadicVector {
-            integers: numerators,
-            exponent: 0,
-        };
+        let scaled = numbers.map(|(digits, exponent)| digits * ten_to(exponent + places));
+        let denominator = Dyadic::scaled(ten_to(places), 0);
+        let object = DyadicVector::of(&scaled.map(|integer| Dyadic::scaled(integer, 0)));
         Some(Self {
             numerators: dyadic::moved_by(placement, &object, &denominator),
             denominator,
@@ -185,9 +176,8 @@ pub fn mesh_area(mesh: &Mesh, placement: &Placement, triangles: Range<u32>) -> M
     };
     let [value, error] = area(placement, corners());
     let model = placement.model();
-    let largest = corners()
-        .flatten()
-        .fold(DVec3::ZERO, |most, p| most.max(p.abs()));
+    let sizes = corners().flatten().map(DVec3::abs);
+    let largest = sizes.fold(DVec3::ZERO, DVec3::max);
     let origin = mesh.data().origin.abs();
     // A coordinate is rounded to `f64`, then (minus the origin) to `f32`; the last term is for subnormal `f32`.
     let rounded = 0.5 * f64::from(f32::EPSILON) * largest
@@ -196,17 +186,14 @@ pub fn mesh_area(mesh: &Mesh, placement: &Placement, triangles: Range<u32>) -> M
     let columns = model.matrix3.to_cols_array().map(|c| c * c);
     let stretch = columns.iter().sum::<f64>().sqrt();
     let d = stretch * rounded.length();
-    let sides: f64 = corners()
-        .map(|[a, b, c]| a.distance(b) + a.distance(c))
-        .sum();
+    let both_sides = |[a, b, c]: [DVec3; 3]| a.distance(b) + a.distance(c);
+    let sides: f64 = corners().map(both_sides).sum();
     let count = f64::from(triangles.end.saturating_sub(triangles.start));
     let stored = d * stretch * sides + 2.0 * count * d * d;
     // A sum of `count` terms has `count` roundings.
     let more = 1.0 + (count + 16.0) * f64::EPSILON;
-    Measured {
-        value,
-        error: more * MORE * (error + stored),
-    }
+    let error = more * MORE * (error + stored);
+    Measured { value, error }
 }
 
 /// A decimal number as digits times a power of ten; `None` for other text.
@@ -214,11 +201,8 @@ fn decimal(text: &str) -> Option<(BigInt, i64)> {
     if !text.parse::<f64>().ok()?.is_finite() {
         return None;
     }
-    let (mantissa, exponent) = match text.find(['e', 'E']) {
-        Some(at) => (
-            &text[..at],
-            text[at + 1..].parse::<i64>().unwrap_or(i64::MIN),
-        ),
+    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => (mantissa, exponent.parse().unwrap_or(i64::MIN)),
         None => (text, 0),
     };
     let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
@@ -259,19 +243,15 @@ mod tests {
         assert!(is(at(".5 1. 2E0").distance(&at("-0.5 1 2")), 1.0));
         assert!(is(at("1e-999999999999 0 0").distance(&at("0 0 1")), 1.0));
         for text in ["1 2", "1 2 nan", "1 2 x", "1 2 3 4", "1 2 inf"] {
-            assert!(
-                ExactPoint::written(&Placement::IDENTITY, text).is_none(),
-                "{text}"
-            );
+            let written = ExactPoint::written(&Placement::IDENTITY, text);
+            assert!(written.is_none(), "{text}");
         }
     }
 
     #[test]
     fn a_placement_moves_what_is_measured() {
-        let model = DAffine3::from_mat3_translation(
-            DMat3::from_diagonal(DVec3::new(2.0, 3.0, 4.0)),
-            DVec3::ONE,
-        );
+        let linear = DMat3::from_diagonal(DVec3::new(2.0, 3.0, 4.0));
+        let model = DAffine3::from_mat3_translation(linear, DVec3::ONE);
         let placement = Placement::new(model).expect("it has an inverse");
         let at = |text: &str| ExactPoint::written(&placement, text).expect("numbers");
         assert!(is(at("0.1 0 0").distance(&at("0 0 0")), 0.2));
@@ -295,22 +275,15 @@ mod tests {
                 let point = PlacedPoint::vertex(&Placement::IDENTITY, DVec3::ZERO, p);
                 ExactPoint::stored(&point, f64::EPSILON * p.length())
             };
-            let (by_file, by_store) = (
-                written(a).distance(&written(b)),
-                stored(a).distance(&stored(b)),
-            );
+            let by_file = written(a).distance(&written(b));
+            let mut by_store = stored(a).distance(&stored(b));
             let most = by_file.error + by_store.error;
             assert!((by_file.value - by_store.value).abs() <= most);
             assert!(by_file.error <= 1.12e-16 * by_file.value);
             // Against plain `f64`, too, to within 1e-9.
             let exact = (a - b).length();
-            assert!(is_within(
-                Measured {
-                    error: 1e-9 * exact,
-                    ..by_store
-                },
-                exact
-            ));
+            by_store.error = 1e-9 * exact;
+            assert!(is_within(by_store, exact));
         }
     }
 

@@ -156,10 +156,7 @@ fn unordered(beam: &Beam, ray: &WorldRay, sides: Sides) -> Vec<SceneHit> {
                 all.extend(hits.map(|hit| of_mesh(scene, batch, hit)));
             }
             shape if first.visible => {
-                let hits = analytic_hits(shape, &local).into_iter().flatten();
-                let object = batch.start;
-                let shown = hits.filter(|hit| sides.shows(hit));
-                all.extend(shown.map(|hit| SceneHit { object, hit }));
+                all.extend(shown(batch.start, analytic_hits(shape, &local), sides));
             }
             _ => {}
         }
@@ -187,9 +184,7 @@ pub(super) fn first_on(
         (Shape::Mesh { mesh, .. }, Some(triangle)) => [mesh.hit(&local, triangle), None],
         _ => analytic_hits(shape, &local),
     };
-    let shown = hits.into_iter().flatten().filter(|hit| sides.shows(hit));
-    let mut shown = shown.map(|hit| SceneHit { object, hit });
-    shown.find(|hit| is_kept(scene, ray, hit))
+    shown(object, hits, sides).find(|hit| is_kept(scene, ray, hit))
 }
 
 /// Whether `f64` alone leaves open if a world-space ray hits some visible surface at or before `limit`. The answer does
@@ -281,14 +276,16 @@ fn in_batch(
             hit.map(|hit| of_mesh(scene, batch, hit))
         }
         _ if !first.visible => None,
-        shape => {
-            let object = batch.start;
-            let hits = analytic_hits(shape, local).into_iter().flatten();
-            hits.filter(|hit| sides.shows(hit))
-                .map(|hit| SceneHit { object, hit })
-                .find(accept)
-        }
+        shape => shown(batch.start, analytic_hits(shape, local), sides).find(accept),
     }
+}
+
+/// The hits on an object that `sides` shows.
+#[inline]
+fn shown(object: usize, hits: [Option<Hit>; 2], sides: Sides) -> impl Iterator<Item = SceneHit> {
+    let shown = hits.into_iter().flatten();
+    let shown = shown.filter(move |hit| sides.shows(hit));
+    shown.map(move |hit| SceneHit { object, hit })
 }
 
 /// A hit on a batch's mesh, with its object.

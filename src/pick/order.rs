@@ -6,7 +6,7 @@ use crate::{
         Corners, Mesh, Parameter, Square, Surface, WorldRay, are_in_one_plane, compare_surfaces,
         keeps,
     },
-    scene::{Object, Scene, Shape},
+    scene::{Scene, Shape},
 };
 use glam::DVec3;
 use std::cmp::Ordering;
@@ -135,11 +135,7 @@ fn flat(scene: &Scene, object: usize, triangle: Option<[DVec3; 3]>) -> Option<Co
         Shape::Mesh { mesh, .. } => (mesh.data().origin, triangle?),
         Shape::Sphere | Shape::Cube => return None,
     };
-    Some(Corners {
-        placement: Some(&object.placement),
-        origin,
-        corners,
-    })
+    Some(Corners::new(Some(&object.placement), origin, corners))
 }
 
 fn vertex_corners(mesh: &Mesh, hit: &SceneHit) -> [DVec3; 3] {
@@ -148,11 +144,9 @@ fn vertex_corners(mesh: &Mesh, hit: &SceneHit) -> [DVec3; 3] {
 
 /// The surface of a hit, for exact arithmetic.
 pub(super) fn surface<'a>(scene: &'a Scene, hit: &SceneHit) -> Surface<'a> {
-    let Object {
-        shape, placement, ..
-    } = &scene.objects()[hit.object];
-    let exit = !hit.hit.front;
-    match shape {
+    let object = &scene.objects()[hit.object];
+    let (placement, exit) = (&object.placement, !hit.hit.front);
+    match &object.shape {
         Shape::Sphere => Surface::Sphere(placement, exit),
         Shape::Cube => Surface::Cube {
             placement,
@@ -160,10 +154,9 @@ pub(super) fn surface<'a>(scene: &'a Scene, hit: &SceneHit) -> Surface<'a> {
             normal: hit.hit.normal,
         },
         Shape::Square => Surface::Square(placement),
-        Shape::Mesh { mesh, .. } => Surface::Triangle(Corners {
-            placement: Some(placement),
-            origin: mesh.data().origin,
-            corners: vertex_corners(mesh, hit),
-        }),
+        Shape::Mesh { mesh, .. } => {
+            let corners = vertex_corners(mesh, hit);
+            Surface::Triangle(Corners::new(Some(placement), mesh.data().origin, corners))
+        }
     }
 }

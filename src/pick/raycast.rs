@@ -33,10 +33,8 @@ pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
         id_and_colour(scene, view, ray, px, hit.as_ref())
     });
     let (ids, colours) = pixels.into_iter().unzip();
-    (
-        Image::new(view.viewport, ids),
-        Image::new(view.viewport, colours),
-    )
+    let size = view.viewport;
+    (Image::new(size, ids), Image::new(size, colours))
 }
 
 /// All that drawing would write for every pixel, by the ray through its centre, on all cores; `selection` is the
@@ -169,10 +167,8 @@ fn each_in_tiles<T: Clone + Default + Send, C: Fn(DVec2) -> T>(
         }
     };
     let tops = (0..height).step_by(TILE as usize);
-    on_all_cores(
-        tops.zip(pixels.chunks_mut(width as usize * TILE as usize)),
-        in_rows,
-    );
+    let rows = pixels.chunks_mut(width as usize * TILE as usize);
+    on_all_cores(tops.zip(rows), in_rows);
     pixels
 }
 
@@ -210,10 +206,7 @@ fn colour(scene: &Scene, view: &View, ray: &Ray, hit: &SceneHit) -> Srgb {
     let to_view = |normal| (rotation * object.placement.normal_to_world(normal)).as_vec3();
     let normal = to_view(object.shading_normal(&hit.hit));
     // The geometric normal, not the interpolated one, decides which side is seen.
-    let front = ray
-        .direction
-        .dot(object.placement.normal_to_world(hit.hit.normal))
-        < 0.0;
+    let front = (ray.direction).dot(object.placement.normal_to_world(hit.hit.normal)) < 0.0;
     let albedo = match view.section {
         Some(_) if !front => look::INSIDE.to_linear(),
         _ => object.albedo(&hit.hit),

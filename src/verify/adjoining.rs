@@ -17,15 +17,11 @@ impl Adjoining {
     /// Indexes all triangles of a mesh.
     pub fn new(mesh: &MeshData) -> Self {
         let mut first = HashMap::with_capacity(mesh.positions.len());
-        let places: Vec<u32> = (0..)
-            .zip(&mesh.positions)
-            .map(|(i, position)| {
-                // Adding 0 turns -0 into 0.
-                *first
-                    .entry(position.map(|c| (c + 0.0).to_bits()))
-                    .or_insert(i)
-            })
-            .collect();
+        let places = (0..).zip(&mesh.positions).map(|(i, position)| {
+            // Adding 0 turns -0 into 0.
+            *(first.entry(position.map(|c| (c + 0.0).to_bits()))).or_insert(i)
+        });
+        let places: Vec<u32> = places.collect();
         let mut starts = vec![0; places.len() + 1];
         let corners = || mesh.triangles.iter().map(|t| t.map(|i| places[i as usize]));
         for place in corners().flatten() {

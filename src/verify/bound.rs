@@ -60,18 +60,15 @@ impl Outline {
     pub fn reason(self) -> Option<Reason> {
         let error_px = self.error_px();
         let strain = strain(self.distance_px, error_px)?;
-        let class = if beyond_f32(error_px, 0.0, 0.0) {
-            Class::BeyondF32
-        } else if self.f32_px <= self.grid_px.max(Rasteriser::COMMON.grid_px) {
+        let class = if self.f32_px <= self.grid_px.max(Rasteriser::COMMON.grid_px) {
             Class::Edge
         } else {
             Class::F32Limit
         };
-        let outline = self;
         Some(Reason {
-            class,
+            class: class.within(beyond_f32(error_px, 0.0, 0.0)),
             strain,
-            outline,
+            outline: self,
         })
     }
 
@@ -98,18 +95,22 @@ impl Reason {
     /// rasteriser's grid and `f32` arithmetic may change that depth. `beyond_f32` says that the depth's bounds exceed a
     /// ceiling.
     pub fn at_near_plane(gap: f64, [grid, f32]: [f64; 2], beyond_f32: bool) -> Option<Self> {
-        let class = if beyond_f32 {
-            Class::BeyondF32
-        } else if f32 <= grid {
+        let class = if f32 <= grid {
             Class::Edge
         } else {
             Class::Depth
         };
-        Some(Self {
+        let strain = strain(gap, grid + f32)?;
+        Some(Self::without_outline(class.within(beyond_f32), strain))
+    }
+
+    /// One that rests on no outline.
+    pub fn without_outline(class: Class, strain: f64) -> Self {
+        Self {
             class,
-            strain: strain(gap, grid + f32)?,
+            strain,
             outline: Outline::NONE,
-        })
+        }
     }
 
     /// The better of two: by class, then by less strain.
@@ -123,14 +124,8 @@ impl Reason {
 
     /// This reason where one of `class` has to hold, too: beyond `f32` if either is.
     pub fn and(self, class: Class) -> Self {
-        Self {
-            class: if class == Class::BeyondF32 {
-                class
-            } else {
-                self.class
-            },
-            ..self
-        }
+        let class = self.class.within(class == Class::BeyondF32);
+        Self { class, ..self }
     }
 }
 
@@ -139,12 +134,9 @@ impl Stored {
     /// harmless, where it really is in front; `None` where drawing cannot show it there.
     pub fn hides(&self, other: &Self) -> Option<Class> {
         if self.nearness >= other.nearness {
-            Some(Class::Edge)
-        } else if self.nearest >= other.farthest {
-            Some(self.class_with(other))
-        } else {
-            None
+            return Some(Class::Edge);
         }
+        (self.nearest >= other.farthest).then(|| self.class_with(other))
     }
 
     /// Whether it really comes first where both cover a pixel, to within rounding. Picks do not depend on how far
@@ -169,11 +161,7 @@ impl Stored {
         } else {
             self.class_with(other)
         };
-        Some(Reason {
-            class,
-            strain,
-            outline: Outline::NONE,
-        })
+        Some(Reason::without_outline(class, strain))
     }
 
     /// Whether the buffer may order two surfaces that both cover a pixel either way; a bound above a ceiling counts as
@@ -205,11 +193,7 @@ impl Stored {
     }
 
     fn class_with(&self, other: &Self) -> Class {
-        if self.beyond_f32 || other.beyond_f32 {
-            Class::BeyondF32
-        } else {
-            Class::Depth
-        }
+        Class::Depth.within(self.beyond_f32 || other.beyond_f32)
     }
 }
 

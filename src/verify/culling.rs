@@ -50,10 +50,9 @@ pub(super) fn culled(view: &View, grid_px: f64, polygon: &Polygon, mirrors: bool
     if is_front {
         return Culled::No;
     }
-    let width = |triangle: [DVec2; 3]| {
-        let [a, b, c] = triangle;
+    let width = |[a, b, c]: [DVec2; 3]| {
         let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-        area(triangle).abs() / longest
+        area([a, b, c]).abs() / longest
     };
     let narrowest = triangles().map(width).reduce(f64::min);
     if !polygon.is_cut && narrowest.is_some_and(|width| width > 2.0 * moved) {

@@ -54,12 +54,11 @@ impl Face {
     /// Where it touches another face of its batch, edge to edge or in a point: two points are the ends of what the
     /// edges have in common. None where the faces overlap.
     pub fn touched(&self, other: &Self) -> Vec<DVec3> {
-        let touched = self.on_both(other);
+        let mut touched = self.on_both(other);
         if self.overlaps_from(other, &touched) {
-            Vec::new()
-        } else {
-            touched
+            touched.clear();
         }
+        touched
     }
 
     /// Whether it overlaps another face of its batch where both have a corner on the other's edge.
@@ -71,10 +70,9 @@ impl Face {
     fn on_both(&self, other: &Self) -> Vec<DVec3> {
         let mut touched: Vec<DVec3> = Vec::new();
         for (face, its_other) in [(self, other), (other, self)] {
-            let on_edge = (face.corners.iter().copied()).filter(|at| its_other.has_on_outline(*at));
-            for at in on_edge {
-                if !touched.contains(&at) {
-                    touched.push(at);
+            for at in &face.corners {
+                if its_other.has_on_outline(*at) && !touched.contains(at) {
+                    touched.push(*at);
                 }
             }
         }

@@ -70,11 +70,9 @@ impl Flat<'_> {
 
     /// Whether drawing may move an edge or a corner, given by its ends, onto the pixel's centre.
     pub fn is_at(&self, ends_vertex_space: &[DVec3]) -> bool {
-        let ends: Vec<_> = (ends_vertex_space.iter())
-            .map(|&corner| self.corner(corner))
-            .collect();
-        outline(self.space, self.grid_px, self.px, &ends)
-            .is_some_and(|outline| outline.reason().is_some())
+        let ends = self.corners(ends_vertex_space);
+        let outline = outline(self.space, self.grid_px, self.px, &ends);
+        outline.is_some_and(|outline| outline.reason().is_some())
     }
 
     /// The faces of the cube that may be seen.
@@ -89,13 +87,11 @@ impl Flat<'_> {
             let polygon = self.polygon(face)?;
             let goes_on = |i: usize, _| {
                 let [a, b, apex] = [0, 1, 2].map(|k| face[(i + k) % 4]);
-                let mut others = shown
-                    .iter()
-                    .filter(|other| *other != face && other.contains(&a) && other.contains(&b));
-                others.any(|other| {
-                    let mut off = other.iter().filter(|corner| **corner != a && **corner != b);
-                    off.next()
-                        .is_some_and(|&off| self.is_beyond([a, b], apex, off))
+                let has_both = |other: &[DVec3; 4]| other.contains(&a) && other.contains(&b);
+                shown.iter().any(|other| {
+                    let off = other.iter().find(|corner| **corner != a && **corner != b);
+                    let is_beyond = |off: &DVec3| self.is_beyond([a, b], apex, *off);
+                    other != face && has_both(other) && off.is_some_and(is_beyond)
                 })
             };
             Some(surface(polygon, goes_on))
@@ -182,27 +178,27 @@ impl Flat<'_> {
     }
 
     fn polygon(&self, corners_vertex_space: &[DVec3]) -> Option<Polygon> {
-        let corners = corners_vertex_space.iter();
-        let corners: Vec<_> = corners.map(|&corner| self.corner(corner)).collect();
+        let (corners, vertices) = (self.corners(corners_vertex_space), &self.vertices);
         let [a, b, c] = [0, 1, 2].map(|i| corners_vertex_space[i]);
-        let Vertices {
-            origin, to_view, ..
-        } = self.vertices;
-        let source = Source::Vertices(to_view, self.placement.model(), [origin, a, b, c]);
+        let model = self.placement.model();
+        let source = Source::Vertices(vertices.to_view, model, [vertices.origin, a, b, c]);
         polygon(self.space, self.grid_px, self.px, &corners, &source)
     }
 
-    fn corner(&self, corner_vertex_space: DVec3) -> Corner {
-        let Vertices {
-            to_view, rounding, ..
-        } = &self.vertices;
-        let view = self.view(corner_vertex_space);
-        let error = if view.is_finite() {
-            to_view.error_view(rounding, corner_vertex_space.as_vec3())
-        } else {
-            ViewError::UNKNOWN
+    fn corners(&self, points_vertex_space: &[DVec3]) -> Vec<Corner> {
+        let corner = |point: &DVec3| {
+            let view = self.view(*point);
+            let error = if view.is_finite() {
+                let Vertices {
+                    to_view, rounding, ..
+                } = &self.vertices;
+                to_view.error_view(rounding, point.as_vec3())
+            } else {
+                ViewError::UNKNOWN
+            };
+            Corner { view, error }
         };
-        Corner { view, error }
+        points_vertex_space.iter().map(corner).collect()
     }
 
     /// The point in view space, with depth past near as z.
@@ -243,7 +239,7 @@ fn surface(polygon: Polygon, mut goes_on: impl FnMut(usize, Reason) -> bool) -> 
         } else {
             &mut surface.loose
         };
-        *of_edge = of_edge.map(|other| other.or(reason)).or(Some(reason));
+        *of_edge = Some(of_edge.map_or(reason, |other| other.or(reason)));
     }
     surface
 }

@@ -26,10 +26,8 @@ pub(super) fn error(
     px: DVec2,
     [grid_px, reach_px]: [f64; 2],
 ) -> f64 {
-    let corners = within_picture.iter();
-    let corners: Vec<Corner> = corners
-        .map(|corner| (project(view, *corner), stored(corner.z)))
-        .collect();
+    let corner = |at: &DVec3| (project(view, *at), stored(at.z));
+    let corners: Vec<Corner> = within_picture.iter().map(corner).collect();
     let n = corners.len();
     let triangles = (0..n).flat_map(|i| (1..n - 1).map(move |j| [i, (i + j) % n, (i + j + 1) % n]));
     let triangles = triangles.map(|indices| indices.map(|i| corners[i]));
@@ -42,19 +40,17 @@ pub(super) fn error(
     let about = triangles.filter(|triangle| is_left(triangle) && may_hold(triangle, px, reach_px));
     // Slopes are per pixel, so their underflow counts over the whole picture.
     let across = UNDERFLOW * view.viewport.size_px().element_sum();
-    about
-        .map(|triangle| {
-            let stored = triangle.map(|(_, stored)| stored);
-            let [a, b, c] = stored;
-            let of_all = |sizes: [f64; 3]| sizes.map(f64::abs).into_iter().fold(0.0, larger);
-            let (range, largest) = (of_all([b - a, c - b, a - c]), of_all(stored));
-            let slimness = larger(slimness(&triangle), 1.0);
-            if range > 0.0 && 8.0 * U * slimness >= 1.0 {
-                return f64::INFINITY;
-            }
-            8.0 * U * (range * slimness + largest) + across * slimness
-        })
-        .fold(0.0, larger)
+    let errors = about.map(|triangle| {
+        let [a, b, c] = triangle.map(|(_, stored)| stored);
+        let of_all = |sizes: [f64; 3]| sizes.map(f64::abs).into_iter().fold(0.0, larger);
+        let (range, largest) = (of_all([b - a, c - b, a - c]), of_all([a, b, c]));
+        let slimness = larger(slimness(&triangle), 1.0);
+        if range > 0.0 && 8.0 * U * slimness >= 1.0 {
+            return f64::INFINITY;
+        }
+        8.0 * U * (range * slimness + largest) + across * slimness
+    });
+    errors.fold(0.0, larger)
 }
 
 /// The part of a polygon within the picture's borders and in front of the far plane. Points are in view space with

@@ -136,6 +136,11 @@ impl Class {
         Self::Unexplained,
     ];
 
+    /// This class, unless a bound is above its ceiling.
+    fn within(self, beyond_f32: bool) -> Self {
+        if beyond_f32 { Self::BeyondF32 } else { self }
+    }
+
     /// The word for it.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -163,16 +168,9 @@ pub fn compare(
     drawn: &Image<Id>,
     picked: &Image<Id>,
 ) -> Report {
-    assert_eq!(
-        drawn.size(),
-        view.viewport,
-        "the drawn picture is the view's"
-    );
-    assert_eq!(
-        picked.size(),
-        view.viewport,
-        "the picked picture is the view's"
-    );
+    for (size, name) in [(drawn.size(), "drawn"), (picked.size(), "picked")] {
+        assert_eq!(size, view.viewport, "the {name} picture is the view's");
+    }
     let surfaces = Surfaces::new(scene, view, rasteriser);
     let mut report = Report {
         pixels: drawn.pixels().len(),
@@ -203,15 +201,10 @@ pub fn compare(
 fn on_outline(ids: &Image<Id>, x: u32, y: u32) -> bool {
     // Beyond the border the last pixel continues.
     let (right, bottom) = (ids.size().width() - 1, ids.size().height() - 1);
-    let around = [
-        (x.saturating_sub(1), y),
-        ((x + 1).min(right), y),
-        (x, y.saturating_sub(1)),
-        (x, (y + 1).min(bottom)),
-    ];
-    around
-        .into_iter()
-        .any(|(i, j)| ids.at(i, j) != ids.at(x, y))
+    let beside = [x.saturating_sub(1), (x + 1).min(right)].map(|i| (i, y));
+    let above = [y.saturating_sub(1), (y + 1).min(bottom)].map(|j| (x, j));
+    let mut around = beside.into_iter().chain(above);
+    around.any(|(i, j)| ids.at(i, j) != ids.at(x, y))
 }
 
 /// Explains a difference by geometry.
@@ -223,10 +216,8 @@ fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Di
     ];
     // Identical input gives identical output on the GPU: the order of the two decides which shows.
     let twins = (sides[0].first().zip(sides[1].first())).is_some_and(|(a, b)| a.source == b.source);
-    let pairs = sides[0]
-        .iter()
-        .filter(|_| !twins)
-        .flat_map(|of_drawn| sides[1].iter().map(move |of_picked| (of_drawn, of_picked)));
+    let drawn_ones = sides[0].iter().filter(|_| !twins);
+    let pairs = drawn_ones.flat_map(|drawn| sides[1].iter().map(move |picked| (drawn, picked)));
     let depths = Depths::new(&surfaces.space);
     let explained = pairs.filter_map(|(of_drawn, of_picked)| {
         let reason = surface::explain(&depths, of_drawn, of_picked)?;
@@ -236,14 +227,10 @@ fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Di
         .min_by(|(a, _), (b, _)| (a.class.cmp(&b.class)).then(a.strain.total_cmp(&b.strain)));
     let unexplained = || {
         let outlines = sides.iter().flatten().map(|surface| surface.outline);
-        let is_bounded =
-            |surface: &Surface| surface.outline.is_bounded() && surface.stored.is_bounded();
+        let is_unbounded =
+            |surface: &Surface| !(surface.outline.is_bounded() && surface.stored.is_bounded());
         let reason = Reason {
-            class: if sides.iter().flatten().all(is_bounded) {
-                Class::Unexplained
-            } else {
-                Class::BeyondF32
-            },
+            class: Class::Unexplained.within(sides.iter().flatten().any(is_unbounded)),
             strain: f64::INFINITY,
             outline: outlines.fold(Outline::NONE, Outline::nearer),
         };

@@ -67,28 +67,39 @@ enum Counted {
     OfSheet(usize),
 }
 
-/// The surfaces whose outlines pass the position. Each is a sheet of patches that touch there, none of which overlaps
+/// The surfaces whose outlines pass a position. Each is a sheet of patches that touch there, none of which overlaps
 /// another.
-#[derive(Default)]
-struct Sheets(Vec<Vec<Patch>>);
+struct Sheets<'a> {
+    surfaces: &'a Surfaces<'a>,
+    px: DVec2,
+    all: Vec<Vec<Patch>>,
+}
 
-impl Sheets {
+impl Sheets<'_> {
     /// Adds a patch to the first sheet from this index on that it goes on, or else as a new one.
-    fn join(&mut self, from: usize, patch: &Patch, surfaces: &Surfaces, px: DVec2) -> Counted {
+    fn join(&mut self, from: usize, patch: &Patch) -> Counted {
         let goes_on = |sheet: &Vec<Patch>| {
             let mut latest = sheet.iter().rev().take(MOST_COMPARED);
-            let touches = latest
-                .clone()
-                .any(|other| patch.touches(other, surfaces, px));
-            touches && !latest.any(|other| patch.overlaps(other))
+            let mut others = latest.clone();
+            others.any(|other| patch.touches(other, self.surfaces, self.px))
+                && !latest.any(|other| patch.overlaps(other))
         };
-        let found = (self.0.iter().skip(from)).position(goes_on);
+        let found = (self.all.iter().skip(from)).position(goes_on);
         if let Some(sheet) = found.map(|at| from + at) {
-            self.0[sheet].push(patch.clone());
+            self.all[sheet].push(patch.clone());
             return Counted::OfSheet(sheet);
         }
-        self.0.push(vec![patch.clone()]);
-        Counted::NewSheet(self.0.len() - 1)
+        self.all.push(vec![patch.clone()]);
+        Counted::NewSheet(self.all.len() - 1)
+    }
+
+    /// What a patch with this surface counts as.
+    fn count(&mut self, surface: &Surface, patch: &Patch) -> Counted {
+        if surface.outline.reason().is_some() {
+            self.join(0, patch)
+        } else {
+            Counted::Apart
+        }
     }
 }
 
@@ -135,12 +146,12 @@ impl<'a> Places<'a> {
         let Some(picked) = self.surfaces.of_hit(px, first, nearest.face.as_ref()) else {
             return Vec::new();
         };
-        let mut sheets = Sheets::default();
-        let first_is = if is_on_outline(&picked) {
-            sheets.join(0, &nearest, &self.surfaces, px)
-        } else {
-            Counted::Apart
+        let mut sheets = Sheets {
+            surfaces: &self.surfaces,
+            px,
+            all: Vec::new(),
         };
+        let first_is = sheets.count(&picked, &nearest);
         let (mut found, mut last, mut last_is) = (vec![*first], nearest.clone(), first_is);
         let mut solids = HashSet::from([first.object]);
         for hit in near {
@@ -148,14 +159,13 @@ impl<'a> Places<'a> {
                 continue;
             }
             let patch = Patch::of(scene, hit);
+            // Identical triangles follow each other and have the same surface.
+            let is_same = patch.face.is_some() && patch == last;
             last_is = match last_is {
-                // Identical triangles follow each other and have the same surface.
-                known if patch.face.is_some() && patch == last => match known {
-                    Counted::OfSheet(sheet) | Counted::NewSheet(sheet) => {
-                        sheets.join(sheet + 1, &patch, &self.surfaces, px)
-                    }
-                    Counted::Apart | Counted::Not => known,
-                },
+                Counted::OfSheet(sheet) | Counted::NewSheet(sheet) if is_same => {
+                    sheets.join(sheet + 1, &patch)
+                }
+                known if is_same => known,
                 _ => {
                     let surface = self.surfaces.of_hit(px, hit, patch.face.as_ref());
                     let surface = surface.filter(|other| {
@@ -163,13 +173,7 @@ impl<'a> Places<'a> {
                             && (picked.stored.is_in_one_place_unmoved(&other.stored)
                                 || !nearest.shares_a_corner(&patch))
                     });
-                    match surface {
-                        None => Counted::Not,
-                        Some(surface) if is_on_outline(&surface) => {
-                            sheets.join(0, &patch, &self.surfaces, px)
-                        }
-                        Some(_) => Counted::Apart,
-                    }
+                    surface.map_or(Counted::Not, |surface| sheets.count(&surface, &patch))
                 }
             };
             last = patch;
@@ -211,13 +215,11 @@ impl Patch {
     }
 
     fn shares_a_corner(&self, other: &Self) -> bool {
-        let faces = self.faces_of_batch(other);
-        faces.is_some_and(|[a, b]| a.shares_a_corner(b))
+        (self.faces_of_batch(other)).is_some_and(|[a, b]| a.shares_a_corner(b))
     }
 
     fn overlaps(&self, other: &Self) -> bool {
-        let faces = self.faces_of_batch(other);
-        faces.is_some_and(|[a, b]| a.overlaps(b))
+        (self.faces_of_batch(other)).is_some_and(|[a, b]| a.overlaps(b))
     }
 
     /// Whether both touch at a position on the outlines of both.
@@ -225,10 +227,6 @@ impl Patch {
         let faces = self.faces_of_batch(other);
         faces.is_some_and(|faces| surfaces.touch(px, self.batch, faces))
     }
-}
-
-fn is_on_outline(surface: &Surface) -> bool {
-    surface.outline.reason().is_some()
 }
 
 /// Estimates how near and how far a hit's surface may be drawn with bounds capped at their ceilings. The estimate is

@@ -83,11 +83,8 @@ pub(super) fn polygon(
     // A polygon seen edge-on may have any depth of its corners.
     let slope_px = ray.slope(near + past_near, normal);
     let slope = slope_px.length();
-    let at = if past_near.is_finite() {
-        past_near
-    } else {
-        ends[0]
-    };
+    let is_edge_on = !past_near.is_finite();
+    let at = if is_edge_on { ends[0] } else { past_near };
     let at = at.clamp(ends[0], ends[1]);
     let f32_px = shift_px(view, px, depths.w(at), &error);
     let aside_px = grid_px + f32_px;
@@ -100,11 +97,11 @@ pub(super) fn polygon(
     } else {
         ends
     };
-    let rounding = may_be.map(|end| depths.error(end, &error));
-    let rounding = larger(rounding[0], rounding[1])
-        + interpolation::error(view, |z| depths.stored(z), &shown, px, [grid_px, aside_px]);
     let rounding = if is_known(&depths, corners, past_near) {
-        rounding
+        let [a, b] = may_be.map(|end| depths.error(end, &error));
+        let of_plane =
+            interpolation::error(view, |z| depths.stored(z), &shown, px, [grid_px, aside_px]);
+        larger(a, b) + of_plane
     } else {
         f64::INFINITY
     };
@@ -166,20 +163,11 @@ pub(super) fn polygon(
 
 /// The part of a polygon at or behind this depth past near.
 fn seen_from(corners: &[Corner], past_near: f64) -> Vec<SeenCorner> {
-    let tagged = corners.iter().enumerate().map(|(edge, &at)| SeenCorner {
-        at,
-        is_cut: false,
-        edge,
-    });
-    clip(
-        &tagged.collect::<Vec<_>>(),
-        |corner| corner.at.view.z - past_near,
-        |a, b, s| SeenCorner {
-            at: a.at.lerp(&b.at, s),
-            is_cut: true,
-            edge: a.edge,
-        },
-    )
+    let corner = |at, is_cut, edge| SeenCorner { at, is_cut, edge };
+    let tagged = corners.iter().enumerate();
+    let tagged: Vec<_> = tagged.map(|(edge, &at)| corner(at, false, edge)).collect();
+    let cut = |a: &SeenCorner, b: &SeenCorner, s| corner(a.at.lerp(&b.at, s), true, a.edge);
+    clip(&tagged, |corner| corner.at.view.z - past_near, cut)
 }
 
 /// The part of a segment, or of a single corner, that drawing may take for behind the near plane, as an outline; `None`
@@ -233,11 +221,9 @@ fn edges(
 ) -> Vec<(usize, Outline)> {
     let sides = (0..seen.len()).map(|i| [seen[i], seen[(i + 1) % seen.len()]]);
     let sides = sides.filter(|[from, to]| !(from.is_cut && to.is_cut));
+    let outline = |ends| edge(view, grid_px, px, ends, clipped);
     sides
-        .map(|[from, to]| {
-            let ends = [from.at, to.at];
-            (from.edge, edge(view, grid_px, px, ends, clipped))
-        })
+        .map(|[from, to]| (from.edge, outline([from.at, to.at])))
         .collect()
 }
 
@@ -335,10 +321,10 @@ fn clipping_error(view: &View, corners: &[Corner]) -> ViewError {
     let of = |coordinate: &dyn Fn(DVec3) -> f64| {
         let all = corners.iter().map(|corner| coordinate(corner.view));
         let [least, most] = [f64::min, f64::max].map(|end| all.clone().reduce(end));
+        let largest = all.map(f64::abs).fold(0.0, f64::max);
         if least == most {
             0.0
         } else {
-            let largest = all.map(f64::abs).fold(0.0, f64::max);
             10.0 * U * largest
         }
     };

@@ -110,13 +110,11 @@ impl Report {
     fn may_be_empty(&self) -> bool {
         let [edge, section] = [Class::Edge, Class::Section].map(|class| self.count(class));
         // At the outline of such a face the class is edge, the more harmless one.
-        let is_cut = edge <= section && edge + section == self.disagreements.len();
-        self.is_a_speck() || is_cut
-    }
-
-    /// Whether all that differs may be one thing smaller than a pixel, with the pixel centres on its edge.
-    fn is_a_speck(&self) -> bool {
-        self.disagreements.len() <= SPECK_PX && self.count(Class::Edge) == self.disagreements.len()
+        let all = self.disagreements.len();
+        let is_cut = edge <= section && edge + section == all;
+        // It is smaller than a pixel, with the pixel centres on its edge.
+        let is_a_speck = all <= SPECK_PX && edge == all;
+        is_a_speck || is_cut
     }
 
     /// The pixel hardest to explain: that of the gravest class with the most strain.

@@ -8,7 +8,7 @@
 
 use super::{
     Class, OUTLINE_CEILING_PX,
-    bound::{self, Outline, Reason},
+    bound::{self, Reason},
     surface::Depths,
 };
 use crate::render::{
@@ -109,15 +109,8 @@ impl<'a> Sectioned<'a> {
         let length = self.depths.section_ceiling_world(past_near);
         let ceiling = screen.per_length * length / self.depths.w(past_near) + room;
         let strain = bound::strain(value.abs(), moved + off);
-        let reason = strain.map(|strain| Reason {
-            class: if bound::beyond_f32(aside_px, off, ceiling) {
-                Class::BeyondF32
-            } else {
-                Class::Section
-            },
-            strain,
-            outline: Outline::NONE,
-        });
+        let class = Class::Section.within(bound::beyond_f32(aside_px, off, ceiling));
+        let reason = strain.map(|strain| Reason::without_outline(class, strain));
         AtSection {
             keeps: value >= 0.0,
             // NaN and an infinite bound leave it open.

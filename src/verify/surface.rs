@@ -106,7 +106,7 @@ impl Surface {
         let Lens { near, far, .. } = depths.lens;
         let ceiling = self.stored.ceiling / depths.stored_per_depth(self.depth - near);
         [near, far]
-            .into_iter()
+            .iter()
             .any(|plane| (self.depth - plane).abs() <= ceiling)
     }
 }
@@ -192,11 +192,8 @@ pub(super) fn explain(depths: &Depths, drawn: &Surface, picked: &Surface) -> Opt
     let all = [drawn_only, picked_only, by_depth];
     let best = all.into_iter().flatten().reduce(Reason::or)?;
     let is_lost = drawn.source == Source::Empty && !picked.is_at_plane(depths);
-    Some(if is_lost && best.class == Class::Depth {
-        best.and(Class::BeyondF32)
-    } else {
-        best
-    })
+    let class = best.class.within(is_lost && best.class == Class::Depth);
+    Some(Reason { class, ..best })
 }
 
 /// A lens's depths as the GPU computes them. Depths count from the near plane (*past near*), which keeps digits both at
@@ -293,11 +290,8 @@ impl Depths {
             Projection::Perspective { .. } => (self.lens.near, error.depth, 1.0 + factor),
             Projection::Orthographic { .. } => (1.0, 0.0, factor),
         };
-        let product = if exact {
-            0.0
-        } else {
-            2.0 * U * w + 2.0 * UNDERFLOW / self.unit_of_w
-        };
+        let of_product = 2.0 * U * w + 2.0 * UNDERFLOW / self.unit_of_w;
+        let product = if exact { 0.0 } else { of_product };
         larger((product + factor * error.measured + of_w) / change, 0.0)
     }
 

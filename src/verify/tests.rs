@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
-    geometry::{Aabb, Placement, Section, Sides, random::Random},
+    geometry::{Aabb, Placement, Section, random::Random},
     render::{
         Rasteriser,
         rounding::U,
@@ -23,22 +23,20 @@ use glam::{DAffine3, DMat3, DVec2, DVec3, Vec3};
 
 /// The largest ratio of an error to its bound.
 #[derive(Default)]
-struct Shares {
-    largest: f64,
-}
+struct Shares(f64);
 
 impl Shares {
     #[track_caller]
     fn add(&mut self, off: f64, bound: f64) {
         assert!(off.abs() <= bound, "{off:e} is above {bound:e}");
         if off != 0.0 {
-            self.largest = self.largest.max(off.abs() / bound);
+            self.0 = self.0.max(off.abs() / bound);
         }
     }
 
     #[track_caller]
     fn reach(&self, least: f64) {
-        assert!(self.largest >= least, "only {} of the bound", self.largest);
+        assert!(self.0 >= least, "only {} of the bound", self.0);
     }
 }
 
@@ -87,12 +85,8 @@ fn view(random: &mut Random, depth: DepthMapping, orthographic: bool) -> View {
         depth,
     };
     let target = 0.3 * random.point();
-    View {
-        camera: Camera::new(eye, target, random.point(), lens).expect("a camera"),
-        viewport: Viewport::new(1280, 720).expect("a size"),
-        sides: Sides::Both,
-        section: None,
-    }
+    let camera = Camera::new(eye, target, random.point(), lens).expect("a camera");
+    View::new(camera, Viewport::DEFAULT)
 }
 
 fn views(count: usize) -> impl Iterator<Item = (View, Random)> {
@@ -122,10 +116,7 @@ fn vertices(size: f64, views: impl Iterator<Item = (View, Random)>) -> [Shares; 
         let space = ViewSpace::new(&view);
         let linear = DMat3::from_cols(random.point(), random.point(), random.point());
         let placement = Placement::new(DAffine3::from_mat3(linear)).expect("no singular one");
-        let bounds = Aabb {
-            min: DVec3::splat(-size),
-            max: DVec3::splat(size),
-        };
+        let bounds = Aabb::of_half_size(DVec3::splat(size));
         let to_view = VertexToView::new(&space, &placement, DVec3::ZERO, &bounds);
         let rounding = to_view.rounding(&space, &placement, DVec3::ZERO);
         let position = (size * random.point()).as_vec3();
@@ -239,16 +230,13 @@ fn stored(near: f64) -> [Shares; 2] {
         for i in 0..20_000 {
             let mut random = Random(i);
             let any = view(&mut random, mapping, false);
-            let lens = Lens {
-                near,
-                ..*any.camera.lens()
-            };
+            let mut lens = *any.camera.lens();
+            lens.near = near;
             let camera = any.camera.with_lens(lens).expect("a lens");
             let view = View { camera, ..any };
-            let (space, mut power) = (ViewSpace::new(&view), random.next().abs());
-            power *= (lens.far / near).ln();
+            let space = ViewSpace::new(&view);
             let (depths, unit) = (Depths::new(&space), space.unit());
-            let depth = near * power.exp();
+            let depth = near * (random.next().abs() * (lens.far / near).ln()).exp();
             let past_near = depth - near;
             let to_origin = depth_origin(&view) - near;
             let exact = [past_near - to_origin, depth];
@@ -315,13 +303,8 @@ fn sections_decide_within_their_bounds_on_moved_corners() {
         });
         let shares_of = random.point().abs();
         let shares_of = (shares_of / shares_of.element_sum()).to_array();
-        let mixed = (0..3).map(|i| {
-            (
-                shares_of[i] * moved[i],
-                shares_of[i] * q(&space, seen[i].z)[0],
-            )
-        });
-        let (px, q_moved) = mixed.fold((DVec2::ZERO, 0.0), |sum, at| (sum.0 + at.0, sum.1 + at.1));
+        let px: DVec2 = (0..3).map(|i| shares_of[i] * moved[i]).sum();
+        let q_moved: f64 = (0..3).map(|i| shares_of[i] * q(&space, seen[i].z)[0]).sum();
         let screen = ScreenSection::of(&view).expect("a section");
         let is_drawn =
             screen.value(px, q_moved) >= -screen.corner_slack() - screen.bound(px, q_moved);
@@ -329,14 +312,8 @@ fn sections_decide_within_their_bounds_on_moved_corners() {
         let face = (seen[1] - seen[0]).cross(seen[2] - seen[0]);
         let past_near = ray.depth_on(seen[0], face);
         let slope = ray.slope(view.camera.lens().near + past_near, face);
-        let exact = Sectioned::new(&space).face(
-            px,
-            past_near,
-            slope,
-            [grid_px, 0.0],
-            &ViewError::default(),
-            || 0.0,
-        );
+        let (sectioned, error) = (Sectioned::new(&space), ViewError::default());
+        let exact = sectioned.face(px, past_near, slope, [grid_px, 0.0], &error, || 0.0);
         if steep == 0.0 {
             assert!(is_drawn, "{view:?}: {corners:?}");
             kept_in_plane += 1;

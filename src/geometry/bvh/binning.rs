@@ -9,7 +9,6 @@ use super::{
 use glam::Vec3A;
 
 /// Maps centres to bins.
-#[derive(Clone, Copy)]
 struct Bins {
     origin: Vec3A,
     scale: Vec3A,
@@ -66,73 +65,59 @@ impl Cut {
     }
 }
 
-/// How many triangles fall into each bin along each axis, and the boxes about them.
-pub(super) struct Binning<const BINS: usize> {
-    bins: Bins,
-    extents: [[Extent; BINS]; 3],
-    counts: [[usize; BINS]; 3],
-}
-
-impl<const BINS: usize> Binning<BINS> {
-    /// Of triangles, and the box about their doubled centres.
-    #[inline(always)]
-    pub fn new<L: Lanes>(lanes: L, leaves: &[Leaf], centers: &Extent) -> Self {
-        let bins = Bins::new(centers, to_u32(BINS - 1));
-        let mut extents = [[Extent::EMPTY; BINS]; 3];
-        let mut counts = [[0; BINS]; 3];
-        for leaf in leaves {
-            let numbers = lanes.load(&leaf.0.0);
-            let center = Vec3A::new(leaf.center(0), leaf.center(1), leaf.center(2));
-            for (axis, bin) in bins.of(center).into_iter().enumerate() {
-                let bin = bin as usize % BINS;
-                let extent = &mut extents[axis][bin].0;
-                *extent = lanes.store(lanes.min(lanes.load(&extent.0), numbers));
-                counts[axis][bin] += 1;
-            }
-        }
-        Self {
-            bins,
-            extents,
-            counts,
+/// The cut of triangles with the least expected cost, for so many bins along each axis; `None` when all are in one bin.
+/// `centers` is the box about their doubled centres.
+#[inline(always)]
+pub(super) fn best_cut<const BINS: usize, L: Lanes>(
+    lanes: L,
+    leaves: &[Leaf],
+    centers: &Extent,
+) -> Option<Cut> {
+    let bins = Bins::new(centers, to_u32(BINS - 1));
+    // Of the triangles in each bin: the boxes about them, and how many they are.
+    let mut extents = [[Extent::EMPTY; BINS]; 3];
+    let mut counts = [[0; BINS]; 3];
+    for leaf in leaves {
+        let numbers = lanes.load(&leaf.0.0);
+        let center = Vec3A::new(leaf.center(0), leaf.center(1), leaf.center(2));
+        for (axis, bin) in bins.of(center).into_iter().enumerate() {
+            let bin = bin as usize % BINS;
+            let extent = &mut extents[axis][bin].0;
+            *extent = lanes.store(lanes.min(lanes.load(&extent.0), numbers));
+            counts[axis][bin] += 1;
         }
     }
-
-    /// The cut with the least expected cost; `None` when all are in one bin.
-    #[inline(always)]
-    pub fn best<L: Lanes>(&self, lanes: L) -> Option<Cut> {
-        let mut best: Option<(f32, usize, usize)> = None;
-        for axis in 0..3 {
-            let (extents, counts) = (&self.extents[axis], &self.counts[axis]);
-            let mut costs_above = [f32::INFINITY; BINS];
-            let (mut extent, mut count) = (Extent::EMPTY, 0);
-            for bin in (1..BINS).rev() {
-                extent = extent.union(lanes, &extents[bin].0);
-                count += counts[bin];
-                costs_above[bin] = cost(&extent, count);
-            }
-            let (mut extent, mut count) = (Extent::EMPTY, 0);
-            for bin in 1..BINS {
-                extent = extent.union(lanes, &extents[bin - 1].0);
-                count += counts[bin - 1];
-                let cost = cost(&extent, count) + costs_above[bin];
-                if best.is_none_or(|(least, ..)| cost < least) && cost < f32::INFINITY {
-                    best = Some((cost, axis, bin));
-                }
+    let mut best: Option<(f32, usize, usize)> = None;
+    for (axis, (extents, counts)) in extents.iter().zip(&counts).enumerate() {
+        let mut costs_above = [f32::INFINITY; BINS];
+        let (mut extent, mut count) = (Extent::EMPTY, 0);
+        for bin in (1..BINS).rev() {
+            extent = extent.union(lanes, &extents[bin].0);
+            count += counts[bin];
+            costs_above[bin] = cost(&extent, count);
+        }
+        let (mut extent, mut count) = (Extent::EMPTY, 0);
+        for bin in 1..BINS {
+            extent = extent.union(lanes, &extents[bin - 1].0);
+            count += counts[bin - 1];
+            let cost = cost(&extent, count) + costs_above[bin];
+            if best.is_none_or(|(least, ..)| cost < least) && cost < f32::INFINITY {
+                best = Some((cost, axis, bin));
             }
         }
-        let (_, axis, first_above) = best?;
-        let mut bounds = [Extent::EMPTY; 2];
-        for (bin, extent) in self.extents[axis].iter().enumerate() {
-            let side = &mut bounds[usize::from(bin >= first_above)];
-            *side = side.union(lanes, &extent.0);
-        }
-        Some(Cut {
-            bins: self.bins,
-            axis,
-            first_above: to_u32(first_above),
-            bounds,
-        })
     }
+    let (_, axis, first_above) = best?;
+    let mut bounds = [Extent::EMPTY; 2];
+    for (bin, extent) in extents[axis].iter().enumerate() {
+        let side = &mut bounds[usize::from(bin >= first_above)];
+        *side = side.union(lanes, &extent.0);
+    }
+    Some(Cut {
+        bins,
+        axis,
+        first_above: to_u32(first_above),
+        bounds,
+    })
 }
 
 /// The expected cost of a ray: surface times number of packets. Infinite for no triangles.

@@ -44,11 +44,8 @@ pub(super) fn build(
         triangles,
         scale: 1.0,
     };
-    let threads = if triangles.len() < WORTH_THREADS {
-        1
-    } else {
-        cores()
-    };
+    let is_small = triangles.len() < WORTH_THREADS;
+    let threads = if is_small { 1 } else { cores() };
     let mut leaves = with_large_pages(triangles.len());
     leaves.extend((0..count).map(|i| vertices.leaf(i)));
     let mut all = instructions.run(Whole(&mut leaves));
@@ -73,12 +70,7 @@ pub(super) fn build(
         site.work();
     });
     let progress = (site.progress.into_inner()).unwrap_or_else(PoisonError::into_inner);
-    let Progress {
-        top,
-        grown,
-        is_given_up,
-        ..
-    } = progress;
+    let (top, grown, is_given_up) = (progress.top, progress.grown, progress.is_given_up);
     drop(leaves);
     if is_given_up {
         return None;
@@ -232,9 +224,8 @@ impl<'a> Site<'a> {
             let [node_place, place] = [node, index].map(|i| Place::new(i * Node::LINES, false));
             progress.top[node].children[lane] = Child::between(node_place, place);
         }
-        progress
-            .top
-            .push(node_about(parts.iter().map(Range::bounds)));
+        let node = node_about(parts.iter().map(Range::bounds));
+        progress.top.push(node);
         progress.open += parts.len();
         let jobs = parts.into_iter().enumerate().map(|(lane, range)| Job {
             range,

@@ -117,43 +117,29 @@ impl Bvh {
     /// The boxes `level` steps below the root, and those of packets above that level: at most `most` of them.
     #[must_use]
     pub fn boxes(&self, level: u32, most: usize) -> Vec<Aabb> {
-        let Frame {
-            bounds, unscale, ..
-        } = self.frame;
-        let mut boxes = vec![(Place::ROOT, bounds)];
+        let mut boxes = vec![(Place::ROOT, self.whole())];
         for _ in 0..level {
             let below = boxes.iter().flat_map(|&(place, bounds)| {
                 let node = (!place.is_packet()).then(|| Node::at(&self.lines, place));
                 let children = node.into_iter().flat_map(move |node| {
-                    node.children().map(move |(lane, child)| {
-                        let [min, max] = node
-                            .bounds(lane)
-                            .map(|corner| Vec3::from(corner).as_dvec3());
-                        (place.of(child), Aabb { min, max })
-                    })
+                    let children = node.children();
+                    children.map(move |(lane, child)| (place.of(child), self.bounds(node, lane)))
                 });
                 children.chain(place.is_packet().then_some((place, bounds)))
             });
             boxes = below.take(most).collect();
         }
-        let unscaled = boxes.into_iter().map(|(_, Aabb { min, max })| Aabb {
-            min: min * unscale,
-            max: max * unscale,
-        });
-        unscaled.collect()
+        boxes.into_iter().map(|(_, bounds)| bounds).collect()
     }
 
     /// The entry point of all rays within a pyramid; `None` where they meet nothing. The pyramid is given about the
     /// vertices' origin.
     pub(crate) fn entry(&self, pyramid: &Pyramid) -> Option<Entry> {
-        let unscale = self.frame.unscale;
         let children_met = |place: Place| {
             let node = Node::at(&self.lines, place);
             node.children().filter_map(move |(lane, child)| {
-                let bounds = node.bounds(lane);
-                let [min, max] = bounds.map(|corner| Vec3::from(corner).as_dvec3() * unscale);
-                let is_met = pyramid.may_meet(&Aabb { min, max });
-                is_met.then_some((place.of(child), bounds))
+                let is_met = pyramid.may_meet(&self.bounds(node, lane));
+                is_met.then(|| (place.of(child), node.bounds(lane)))
             })
         };
         // Descends as far as the children met still fit into one node.
@@ -191,41 +177,22 @@ impl Bvh {
         pyramid: &Pyramid,
         mut visit: impl FnMut(u32, [DVec3; 3]) -> ControlFlow<()>,
     ) {
-        let Frame {
-            bounds, unscale, ..
-        } = self.frame;
-        let corners = |bounds: Aabb| bounds.corners().map(|corner| corner * unscale);
-        let mut open = vec![Place::ROOT];
-        if !pyramid.may_hold(&corners(bounds)) {
+        let may_hold = |bounds: Aabb| pyramid.may_hold(&bounds.corners());
+        if !may_hold(self.whole()) {
             return;
         }
-        while let Some(place) = open.pop() {
-            if place.is_packet() {
-                let packet = Packet::at(&self.lines, place);
-                for lane in packet.lanes() {
-                    let corners = packet
-                        .corners_of(lane)
-                        .map(|c| Vec3::from(c).as_dvec3() * unscale);
-                    if pyramid.may_hold(&corners)
-                        && visit(packet.triangles[lane], corners).is_break()
-                    {
-                        return;
-                    }
-                }
-                continue;
-            }
-            let node = Node::at(&self.lines, place);
-            for (lane, child) in node.children() {
-                let [min, max] = node.bounds(lane).map(|c| Vec3::from(c).as_dvec3());
-                if pyramid.may_hold(&corners(Aabb { min, max })) {
-                    open.push(place.of(child));
+        for packet in self.packets(|node, lane| may_hold(self.bounds(node, lane))) {
+            for lane in packet.lanes() {
+                let corners = (packet.corners_of(lane)).map(|corner| self.corner(corner));
+                if pyramid.may_hold(&corners) && visit(packet.triangles[lane], corners).is_break() {
+                    return;
                 }
             }
         }
     }
 
-    /// All packets.
-    fn packets(&self) -> impl Iterator<Item = &Packet> {
+    /// All packets, but those below a child that is not wanted, given by its node and lane.
+    fn packets(&self, is_wanted: impl Fn(&Node, usize) -> bool) -> impl Iterator<Item = &Packet> {
         let mut open = vec![Place::ROOT];
         std::iter::from_fn(move || {
             loop {
@@ -234,8 +201,29 @@ impl Bvh {
                     return Some(Packet::at(&self.lines, place));
                 }
                 let node = Node::at(&self.lines, place);
-                open.extend(node.children().map(|(_, child)| place.of(child)));
+                let wanted = node.children().filter(|(lane, _)| is_wanted(node, *lane));
+                open.extend(wanted.map(|(_, child)| place.of(child)));
             }
         })
+    }
+
+    /// The box about everything.
+    fn whole(&self) -> Aabb {
+        let Frame {
+            bounds, unscale, ..
+        } = self.frame;
+        let [min, max] = [bounds.min, bounds.max].map(|corner| corner * unscale);
+        Aabb { min, max }
+    }
+
+    /// The box of a node's child.
+    fn bounds(&self, node: &Node, lane: usize) -> Aabb {
+        let [min, max] = node.bounds(lane).map(|corner| self.corner(corner));
+        Aabb { min, max }
+    }
+
+    /// A corner of a box or a triangle, in the caller's unit.
+    fn corner(&self, scaled: [f32; 3]) -> DVec3 {
+        Vec3::from(scaled).as_dvec3() * self.frame.unscale
     }
 }

@@ -5,7 +5,7 @@
 //! the memory. The library's faster presets made rays slower still.
 
 use super::{
-    binning::{Binning, Cut},
+    binning::{Cut, best_cut},
     leaf::{Extent, Leaf, center_of},
     node::WIDTH,
     simd::{Instructions, Lanes, StackRoom, Work},
@@ -145,23 +145,16 @@ impl<'a> Work for Split<'a> {
         let [worth_16, worth_32] = WORTH_BINS;
         let cut = match range.leaves.len() {
             _ if range.depth + range.halvings() >= DEEPEST => None,
-            count if count < worth_16 => {
-                Binning::<8>::new(lanes, range.leaves, &range.centers).best(lanes)
-            }
-            count if count < worth_32 => {
-                Binning::<16>::new(lanes, range.leaves, &range.centers).best(lanes)
-            }
-            _ => Binning::<32>::new(lanes, range.leaves, &range.centers).best(lanes),
+            count if count < worth_16 => best_cut::<8, _>(lanes, range.leaves, &range.centers),
+            count if count < worth_32 => best_cut::<16, _>(lanes, range.leaves, &range.centers),
+            _ => best_cut::<32, _>(lanes, range.leaves, &range.centers),
         };
         if let Some(cut) = cut {
             return range.split_at(lanes, &cut);
         }
-        let Range { depth, leaves, .. } = range;
-        let (a, b) = leaves.split_at_mut(leaves.len() / 2);
-        [
-            Range::new(lanes, depth + 1, a),
-            Range::new(lanes, depth + 1, b),
-        ]
+        let (depth, half) = (range.depth + 1, range.leaves.len() / 2);
+        let (a, b) = range.leaves.split_at_mut(half);
+        [Range::new(lanes, depth, a), Range::new(lanes, depth, b)]
     }
 }
 

@@ -317,10 +317,7 @@ mod tests {
         for i in 0..3_000_000_u32 {
             let most = 2_f64.powi(i32::from((i % 41) as u8) - 20);
             let most = most * (1.5 + 0.4 * random.next());
-            let bounds = Aabb {
-                min: DVec3::splat(-most),
-                max: DVec3::splat(most),
-            };
+            let bounds = Aabb::of_half_size(DVec3::splat(most));
             let frame = Frame {
                 bounds,
                 most: to_f32(most),
@@ -332,12 +329,8 @@ mod tests {
             let plane = to_f32(most * random.next());
             let target = most * random.point();
             let origin = away * most * random.point();
-            let ray = Ray {
-                origin,
-                direction: (target - origin) * (1.0 + 0.9 * random.next()),
-                t_min: 0.0,
-                t_max: f64::INFINITY,
-            };
+            let direction = (target - origin) * (1.0 + 0.9 * random.next());
+            let ray = Ray::over(origin, direction, [0.0, f64::INFINITY]);
             let Ok(prepared) = TreeRay::prepare(&(&ray).into(), &DVec3::ZERO, &frame) else {
                 continue;
             };
@@ -347,16 +340,11 @@ mod tests {
                 if !(ray.at(exact).abs().max_element() <= most) {
                     continue;
                 }
-                let met = exact;
-                let exact = met * prepared.placed.t_scale - prepared.placed.t_start;
-                let end = f64::from(prepared.end(met));
+                let end = f64::from(prepared.end(exact));
+                let exact = exact * prepared.placed.t_scale - prepared.placed.t_start;
                 assert!(end >= exact && end <= exact.max(0.0) * (1.0 + 1e-6));
-                let [inverse, early, late] = [
-                    prepared.inverse,
-                    prepared.entry_offset,
-                    prepared.exit_offset,
-                ]
-                .map(|v| v[axis]);
+                let inverse = prepared.inverse[axis];
+                let (early, late) = (prepared.entry_offset[axis], prepared.exit_offset[axis]);
                 let (enter, leave) = (plane * inverse + early, plane * inverse + late);
                 let fused = [early, late].map(|offset| plane.mul_add(inverse, offset));
                 let Placed { origin, most, .. } = prepared.placed;

@@ -125,7 +125,7 @@ impl<V: Visit> Work for Found<'_, V> {
 /// Visits every triangle.
 #[cold]
 fn visit_all(lanes: impl Lanes, tree: &Bvh, visit: &mut impl Visit) {
-    for packet in tree.packets() {
+    for packet in tree.packets(|_, _| true) {
         for lane in packet.lanes() {
             lanes.apart(Found {
                 tree,

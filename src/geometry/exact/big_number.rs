@@ -53,10 +53,7 @@ impl Dyadic {
 
     /// Rounded down to a multiple of `2^unit`.
     pub fn cut_off(&self, unit: i64) -> Self {
-        Self {
-            integer: self.in_units(unit),
-            exponent: unit,
-        }
+        Self::scaled(self.in_units(unit), unit)
     }
 
     /// The square root, rounded down to `bits` bits or one more; 0 for a negative number.
@@ -67,24 +64,20 @@ impl Dyadic {
         let surplus = bit_length(&self.integer) - 2 * bits;
         // The exponent must be even.
         let down = surplus + ((surplus + self.exponent) & 1);
-        Self {
-            integer: shifted(&self.integer, -down).sqrt(),
-            exponent: (self.exponent + down) >> 1,
-        }
+        let integer = shifted(&self.integer, -down).sqrt();
+        Self::scaled(integer, (self.exponent + down) >> 1)
     }
 
     /// The quotient by a number other than 0, cut off after `bits` bits or one more.
     pub fn quotient(&self, by: &Self, bits: i64) -> Self {
         let up = bits + 1 + bit_length(&by.integer) - bit_length(&self.integer);
-        Self {
-            integer: shifted(&self.integer, up) / &by.integer,
-            exponent: self.exponent - by.exponent - up,
-        }
+        let integer = shifted(&self.integer, up) / &by.integer;
+        Self::scaled(integer, self.exponent - by.exponent - up)
     }
 }
 
 /// An integer times a power of two as `f64`, rounded to within one unit in the last place.
-pub(crate) fn rounded(n: &BigInt, exponent: i64) -> f64 {
+pub(crate) fn rounded<I: Integer>(n: &I, exponent: i64) -> f64 {
     let (leading, above) = n.rounded();
     times_power_of_two(leading, above + exponent)
 }
@@ -94,6 +87,6 @@ fn shifted(n: &BigInt, up: i64) -> BigInt {
     if up >= 0 { n << up } else { n >> -up }
 }
 
-fn bit_length(n: &BigInt) -> i64 {
+pub(super) fn bit_length(n: &BigInt) -> i64 {
     i64::try_from(n.bits()).unwrap_or(i64::MAX)
 }

@@ -29,11 +29,7 @@ pub(crate) fn are_coplanar(a: [DVec3; 3], b: [DVec3; 3]) -> bool {
     if let Some(points) = short(a.into_iter().chain(b)) {
         return are_coplanar_integers(&points);
     }
-    let [a, b] = [a, b].map(|corners| Corners {
-        placement: None,
-        origin: DVec3::ZERO,
-        corners,
-    });
+    let [a, b] = [a, b].map(|corners| Corners::new(None, DVec3::ZERO, corners));
     solve(&OnePlane(&a, &b))
 }
 
@@ -50,11 +46,8 @@ impl Formula for OnePlane<'_> {
         let [to_q, to_r] = [q, r].map(|corner| way::<I>(a.placement, p, corner));
         let normal = to_q.cross(&to_r);
         let p = point(a.placement, [a.origin, p]);
-        (b.corners).map(|corner| {
-            point(b.placement, [b.origin, corner])
-                .minus(&p)
-                .dot(&normal)
-        })
+        let at = |corner| point(b.placement, [b.origin, corner]);
+        b.corners.map(|corner| at(corner).minus(&p).dot(&normal))
     }
 
     fn most_bits(volumes: &[Number<Bits>; 3]) -> u32 {

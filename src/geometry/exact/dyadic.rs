@@ -5,25 +5,16 @@ pub(crate) use super::{
     big_number::{Dyadic, DyadicVector, rounded},
     enclosure::Enclosure,
     exact_line::factors,
-    integer::{Decided, Ring},
+    integer::{Decided, Integer, Ring},
     number::{Number, Vector},
-    point::{divided, moved_by, placed},
+    point::{moved_by, placed, point},
+    root::divided,
 };
 use super::{
     super::{Placement, line::Line, local_ray::Exactly},
     exact_line::LocalLine,
-    point,
 };
 use glam::DVec3;
-
-/// Where a placement puts a vertex, given about an origin of object space.
-pub(crate) fn vertex_world<I: Ring>(
-    placement: &Placement,
-    origin: DVec3,
-    vertex: DVec3,
-) -> Vector<I> {
-    point::point(Some(placement), [origin, vertex])
-}
 
 /// A world-space point and direction in the object space of a placement. Both are multiplied by the third result, the
 /// determinant of the placement's linear part.

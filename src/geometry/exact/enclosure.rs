@@ -34,6 +34,7 @@ const LEAST: f64 = power_of_two(-900);
 
 impl Enclosure {
     /// A number with an error of at most `error`.
+    #[inline]
     pub fn about(value: f64, error: f64) -> Self {
         let value = value.into();
         Self { value, error }
@@ -61,10 +62,8 @@ impl Enclosure {
         } else {
             ROUNDING * value.hi.abs()
         };
-        Self {
-            value,
-            error: MORE * (error + rounding),
-        }
+        let error = MORE * (error + rounding);
+        Self { value, error }
     }
 
     /// The square root of a number that is certainly above 0.
@@ -93,8 +92,7 @@ impl Ring for Enclosure {
 
     #[inline]
     fn parts(value: f64) -> (Self, i64) {
-        let value = value.into();
-        (Self { value, error: 0.0 }, 0)
+        (Self::about(value, 0.0), 0)
     }
 
     #[inline]
@@ -116,21 +114,15 @@ impl Ring for Enclosure {
         // `MORE` also covers that a pair may be a little above its first number.
         let error = MORE * (a * other.error + b * self.error) + self.error * other.error;
         let is_known = value.hi.abs() >= LEAST || self.is_zero() || other.is_zero();
-        Self::of(
-            value,
-            [self, other],
-            if is_known { error } else { f64::INFINITY },
-        )
+        let error = if is_known { error } else { f64::INFINITY };
+        Self::of(value, [self, other], error)
     }
 
     fn shifted(&self, by: u32) -> Self {
         match by {
             0 => *self,
             1..=1000 => self.times(&Self::parts(power_of_two(by.into())).0),
-            _ => Self {
-                value: f64::NAN.into(),
-                error: f64::INFINITY,
-            },
+            _ => Self::about(f64::NAN, f64::INFINITY),
         }
     }
 }
@@ -141,11 +133,7 @@ impl Decided for Enclosure {
     fn decided_sign(&self) -> Result<Ordering, InDoubt> {
         let hi = self.value.hi;
         if 0.5 * hi.abs() > self.error {
-            Ok(if hi > 0.0 {
-                Ordering::Greater
-            } else {
-                Ordering::Less
-            })
+            Ok(hi.total_cmp(&0.0))
         } else if self.is_zero() {
             Ok(Ordering::Equal)
         } else {
@@ -182,16 +170,9 @@ pub(super) fn rounded_quotient(
     }
     let sign = denominator.decided_sign()?;
     let side = |next: f64| {
-        let middle = Number {
-            integer: Enclosure {
-                value: DoubleDouble {
-                    hi: nearest,
-                    lo: 0.5 * (next - nearest),
-                },
-                error: 0.0,
-            },
-            exponent: 0,
-        };
+        let (hi, lo) = (nearest, 0.5 * (next - nearest));
+        let value = DoubleDouble { hi, lo };
+        let middle = Number::scaled(Enclosure { value, error: 0.0 }, 0);
         numerator.minus(&middle.times(denominator)).decided_sign()
     };
     let (below, above) = (side(nearest.next_down())?, side(nearest.next_up())?);
@@ -230,10 +211,8 @@ mod tests {
             let (near, exact) = (formula::<Enclosure>(&n), formula::<BigInt>(&n));
             for (near, exact) in near.iter().zip(&exact) {
                 let Enclosure { value, error } = near.integer;
-                let off = exact
-                    .minus(&Number::new(value.hi))
-                    .minus(&Number::new(value.lo));
-                let off = off.ratio(&Number::new(1.0)).abs();
+                let [hi, lo] = [value.hi, value.lo].map(Number::new);
+                let off = exact.minus(&hi).minus(&lo).ratio(&Number::new(1.0)).abs();
                 assert!(off <= error, "{off:e} is more than {error:e}: {n:?}");
                 if error > 0.0 {
                     worst = worst.max(off / error);
@@ -249,10 +228,8 @@ mod tests {
             }
             if let Ok(quotient) = rounded_quotient(&near[0], &near[1]) {
                 let [numerator, denominator] = exact.clone();
-                let exact = Root::quotient(numerator, denominator)
-                    .expect("not 0")
-                    .to_f64();
-                assert_eq!(quotient.to_bits(), exact.to_bits(), "{n:?}");
+                let exact = Root::quotient(numerator, denominator).expect("not 0");
+                assert_eq!(quotient.to_bits(), exact.to_f64().to_bits(), "{n:?}");
                 quotients += 1;
             }
             if let Ok(root) = near[0].integer.sqrt() {
@@ -262,10 +239,8 @@ mod tests {
                     let root = hi.plus(&lo).plus(&Number::new(by));
                     root.times(&root).minus(&exact[0]).sign()
                 };
-                assert!(
-                    squared(-root.error).is_le() && squared(root.error).is_ge(),
-                    "{n:?}"
-                );
+                let is_within = squared(-root.error).is_le() && squared(root.error).is_ge();
+                assert!(is_within, "{n:?}");
             }
         }
         println!("worst error {worst:.2} of its bound; {decided} values, {quotients} quotients");
@@ -275,9 +250,8 @@ mod tests {
     #[test]
     fn quotients_that_may_round_either_way_are_in_doubt() {
         let quotient = |error| {
-            let integer = Enclosure::about(1.5, error * f64::EPSILON);
-            let exponent = 0;
-            rounded_quotient(&Number { integer, exponent }, &Number::new(1.0))
+            let numerator = Number::scaled(Enclosure::about(1.5, error * f64::EPSILON), 0);
+            rounded_quotient(&numerator, &Number::new(1.0))
         };
         assert_eq!(quotient(0.2).ok(), Some(1.5));
         // Half an epsilon, the last place of 1.5, decides; signs need twice the error, so the limit is 0.25.

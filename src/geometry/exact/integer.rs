@@ -118,18 +118,10 @@ impl<const N: usize> Integer for BInt<N> {
     }
 
     fn to_big(&self) -> BigInt {
-        let bytes: Vec<u8> = self
-            .unsigned_abs()
-            .digits()
-            .iter()
-            .flat_map(|digit| digit.to_le_bytes())
-            .collect();
-        let sign = if self.is_negative() {
-            Sign::Minus
-        } else {
-            Sign::Plus
-        };
-        BigInt::from_bytes_le(sign, &bytes)
+        let size = self.unsigned_abs();
+        let bytes = size.digits().iter().flat_map(|digit| digit.to_le_bytes());
+        let size = BigInt::from_bytes_le(Sign::Plus, &bytes.collect::<Vec<_>>());
+        if self.is_negative() { -size } else { size }
     }
 
     fn rounded(&self) -> (f64, i64) {
@@ -164,11 +156,7 @@ impl Ring for BigInt {
 
 impl Integer for BigInt {
     fn sign(&self) -> Ordering {
-        match Self::sign(self) {
-            Sign::Minus => Ordering::Less,
-            Sign::NoSign => Ordering::Equal,
-            Sign::Plus => Ordering::Greater,
-        }
+        Self::sign(self).cmp(&Sign::NoSign)
     }
 
     fn to_big(&self) -> BigInt {
@@ -216,11 +204,9 @@ impl Ring for Bits {
     }
 
     fn plus(&self, other: &Self) -> Self {
-        let both = self.here > 0 && other.here > 0;
-        Self::of(
-            self.here.max(other.here).saturating_add(u32::from(both)),
-            [*self, *other],
-        )
+        let carry = u32::from(self.here > 0 && other.here > 0);
+        let sum = self.here.max(other.here).saturating_add(carry);
+        Self::of(sum, [*self, *other])
     }
 
     fn minus(&self, other: &Self) -> Self {
@@ -312,10 +298,10 @@ mod tests {
                 [(); 4].map(|()| (random.next().abs() * longest) as u32),
             );
             let bits = Determinant::most_bits(&formula.numbers::<Bits>());
-            widths[[127, 255, 511, 1023]
-                .iter()
-                .filter(|most| bits > **most)
-                .count()] += 1;
+            let narrower = [127, 255, 511, 1023]
+                .into_iter()
+                .filter(|most| bits > *most);
+            widths[narrower.count()] += 1;
             let big = formula.answer(formula.numbers::<BigInt>());
             assert!(big.bits() <= u64::from(bits), "{big} {bits}");
             assert_eq!(solve(&formula), big);

@@ -7,7 +7,7 @@ use super::{
     number::{Number, Ratio},
     root::Root,
     solids,
-    triangle::{Corners, enclosed_parameter, plane_parameter},
+    triangle::{Corners, Seen, plane_parameter},
 };
 use glam::DVec3;
 
@@ -39,59 +39,56 @@ pub(super) fn parameter(ray: &WorldRay, surface: &Surface) -> Option<Root> {
     }
 }
 
+impl Surface<'_> {
+    /// For a flat one but a triangle: its placement, the axis of its normal in object space, and its coordinate along
+    /// that.
+    pub fn plane(&self) -> Option<(&Placement, (usize, f64))> {
+        match self {
+            Self::Cube {
+                placement, normal, ..
+            } => {
+                let axis = normal.abs().max_position();
+                let plane = Cuboid::HALF_SIDE.copysign(normal[axis]);
+                Some((placement, (axis, plane)))
+            }
+            Self::Square(placement) => Some((placement, (2, 0.0))),
+            Self::Triangle(_) | Self::Sphere(..) => None,
+        }
+    }
+}
+
 /// [`parameter`] as the quotient that [`mod@super::root`] has, in pairs of `f64`.
 pub(super) fn enclosed(ray: &WorldRay, surface: &Surface) -> Result<Ratio<Enclosure>, InDoubt> {
     let local = |placement| LocalLine::<Enclosure>::new(&Exactly::placed(ray, placement));
-    let (numerator, denominator) = match *surface {
-        Surface::Triangle(triangle) => return Ok(enclosed_parameter(ray.line(), &triangle)),
+    match *surface {
+        Surface::Triangle(triangle) => Ok(Seen::new(ray.line(), &triangle).plane),
         Surface::Sphere(placement, exit) => {
             let line = local(placement);
             let moment = line.origin.cross(&line.direction);
-            let squared = line.direction.dot(&line.direction);
+            let denominator = line.direction.dot(&line.direction);
             let radius = line.one.times(&Number::new(Sphere::RADIUS));
-            let discriminant = radius
-                .times(&radius)
-                .times(&squared)
-                .minus(&moment.dot(&moment));
-            let root = Number {
-                integer: discriminant.integer.sqrt()?,
-                exponent: 0,
-            };
+            let reach = radius.times(&radius).times(&denominator);
+            let discriminant = reach.minus(&moment.dot(&moment));
+            let root = Number::scaled(discriminant.integer.sqrt()?, 0);
             let middle = line.origin.dot(&line.direction).negated();
             let numerator = if exit {
                 middle.plus(&root)
             } else {
                 middle.minus(&root)
             };
-            (numerator, squared)
+            Ok(Ratio {
+                numerator,
+                denominator,
+            })
         }
-        Surface::Cube {
-            placement, normal, ..
-        } => {
+        Surface::Cube { .. } | Surface::Square(_) => {
+            let (placement, (axis, plane)) = surface.plane().ok_or(InDoubt)?;
             let line = local(placement);
-            let (axis, plane) = face(normal);
-            let way = line
-                .one
-                .times(&Number::new(plane))
-                .minus(&line.origin.component(axis));
-            (way, line.direction.component(axis))
+            let plane = line.one.times(&Number::new(plane));
+            Ok(Ratio {
+                numerator: plane.minus(&line.origin.component(axis)),
+                denominator: line.direction.component(axis),
+            })
         }
-        Surface::Square(placement) => {
-            let line = local(placement);
-            (
-                line.origin.component(2).negated(),
-                line.direction.component(2),
-            )
-        }
-    };
-    Ok(Ratio {
-        numerator,
-        denominator,
-    })
-}
-
-/// The axis of the normal of a cube's face, and the face's coordinate along that.
-pub(super) fn face(normal: DVec3) -> (usize, f64) {
-    let axis = normal.abs().max_position();
-    (axis, Cuboid::HALF_SIDE.copysign(normal[axis]))
+    }
 }

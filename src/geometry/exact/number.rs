@@ -25,41 +25,42 @@ pub(crate) struct Vector<I> {
     pub exponent: i64,
 }
 
+impl<I> Number<I> {
+    /// `integer * 2^exponent`.
+    pub fn scaled(integer: I, exponent: i64) -> Self {
+        Self { integer, exponent }
+    }
+}
+
 impl<I: Ring> Number<I> {
     /// From a finite number.
     pub fn new(value: f64) -> Self {
         let (integer, exponent) = I::parts(value);
-        Self { integer, exponent }
+        Self::scaled(integer, exponent)
     }
 
     pub fn negated(&self) -> Self {
-        Self {
-            integer: I::new(0).minus(&self.integer),
-            exponent: self.exponent,
-        }
+        Self::scaled(I::new(0).minus(&self.integer), self.exponent)
     }
 
     pub fn plus(&self, other: &Self) -> Self {
-        let ([a, b], exponent) = aligned(self, other);
-        Self {
-            integer: a.plus(&b),
-            exponent,
-        }
+        self.aligned(other, I::plus)
     }
 
     pub fn minus(&self, other: &Self) -> Self {
-        let ([a, b], exponent) = aligned(self, other);
-        Self {
-            integer: a.minus(&b),
-            exponent,
-        }
+        self.aligned(other, I::minus)
+    }
+
+    /// `by` of both integers in the smaller of the two units.
+    fn aligned(&self, other: &Self, by: impl Fn(&I, &I) -> I) -> Self {
+        let exponent = self.exponent.min(other.exponent);
+        let [a, b] = [self, other].map(|n| n.integer.shifted(difference(n.exponent, exponent)));
+        Self::scaled(by(&a, &b), exponent)
     }
 
     pub fn times(&self, other: &Self) -> Self {
-        Self {
-            integer: self.integer.times(&other.integer),
-            exponent: self.exponent + other.exponent,
-        }
+        let exponent = self.exponent + other.exponent;
+        Self::scaled(self.integer.times(&other.integer), exponent)
     }
 }
 
@@ -89,17 +90,19 @@ impl<I: Decided> Number<I> {
         Ok((value, exponent + self.exponent + unit + 1))
     }
 
-    /// `self / other`, to within three roundings. Never in doubt for integers; `other` must not be 0 then.
+    /// `self / other`, to within three roundings. In doubt where `other` is 0; for integers only there.
     pub fn decided_ratio(&self, other: &Self) -> Result<f64, InDoubt> {
-        let (a, b) = (
-            self.integer.decided_value()?,
-            other.integer.decided_value()?,
-        );
+        let (a, above) = self.integer.decided_value()?;
+        let (b, below) = other.integer.decided_value()?;
+        if a == 0.0 && b != 0.0 {
+            return Ok(0.0);
+        }
         // Pairs round a subnormal quotient once, integers twice.
-        if b.0 == 0.0 || (a.0 != 0.0 && !(a.0 / b.0).is_normal()) {
+        if !(a / b).is_normal() {
             return Err(InDoubt);
         }
-        Ok(quotient(a, b, self.exponent - other.exponent))
+        let exponent = above - below + self.exponent - other.exponent;
+        Ok(times_power_of_two(a / b, exponent))
     }
 }
 
@@ -143,35 +146,14 @@ impl<I: Integer> Number<I> {
         self.integer.sign()
     }
 
-    /// `self / other`, to within three roundings. `other` must not be 0.
+    /// `self / other`, to within three roundings; NaN where `other` is 0.
     pub fn ratio(&self, other: &Self) -> f64 {
-        let (a, b) = (self.integer.rounded(), other.integer.rounded());
-        quotient(a, b, self.exponent - other.exponent)
+        self.decided_ratio(other).unwrap_or(f64::NAN)
     }
 
     pub fn to_big(&self) -> Number<BigInt> {
-        Number {
-            integer: self.integer.to_big(),
-            exponent: self.exponent,
-        }
+        Number::scaled(self.integer.to_big(), self.exponent)
     }
-}
-
-/// `a / b * 2^exponent` of rounded integers, within one more rounding.
-fn quotient((a, above): (f64, i64), (b, below): (f64, i64), exponent: i64) -> f64 {
-    if a == 0.0 {
-        return 0.0;
-    }
-    times_power_of_two(a / b, above - below + exponent)
-}
-
-/// Both integers in the smaller of the two units.
-fn aligned<I: Ring>(a: &Number<I>, b: &Number<I>) -> ([I; 2], i64) {
-    let exponent = a.exponent.min(b.exponent);
-    (
-        [a, b].map(|n| n.integer.shifted(difference(n.exponent, exponent))),
-        exponent,
-    )
 }
 
 /// `greater - less`.
@@ -192,22 +174,11 @@ impl<I: Ring> Vector<I> {
         Self { integers, exponent }
     }
 
-    /// The same in a unit no larger than its own.
-    pub fn in_unit(&self, exponent: i64) -> Self {
-        let by = difference(self.exponent, exponent);
-        Self {
-            integers: self.integers.each_ref().map(|n| n.shifted(by)),
-            exponent,
-        }
-    }
-
     /// The vector of three numbers, in the smallest of their units.
     pub fn of(numbers: &[Number<I>; 3]) -> Self {
-        let [x, y, z] = numbers.each_ref().map(|n| n.exponent);
-        let exponent = x.min(y).min(z);
-        let integers = numbers
-            .each_ref()
-            .map(|n| n.integer.shifted(difference(n.exponent, exponent)));
+        let exponent = numbers.iter().map(|n| n.exponent).min().unwrap_or(0);
+        let in_unit = |n: &Number<I>| n.integer.shifted(difference(n.exponent, exponent));
+        let integers = numbers.each_ref().map(in_unit);
         Self { integers, exponent }
     }
 
@@ -221,41 +192,31 @@ impl<I: Ring> Vector<I> {
 
     fn by_component(&self, other: &Self, by: impl Fn(&I, &I) -> I) -> Self {
         let exponent = self.exponent.min(other.exponent);
-        let (a, b) = (self.in_unit(exponent), other.in_unit(exponent));
-        Self {
-            integers: [0, 1, 2].map(|i| by(&a.integers[i], &b.integers[i])),
-            exponent,
-        }
+        let [up, other_up] = [self, other].map(|v| difference(v.exponent, exponent));
+        let (a, b) = (&self.integers, &other.integers);
+        let integers = [0, 1, 2].map(|i| by(&a[i].shifted(up), &b[i].shifted(other_up)));
+        Self { integers, exponent }
     }
 
     pub fn times(&self, factor: &Number<I>) -> Self {
-        Self {
-            integers: self.integers.each_ref().map(|n| n.times(&factor.integer)),
-            exponent: self.exponent + factor.exponent,
-        }
+        let exponent = self.exponent + factor.exponent;
+        let integers = self.integers.each_ref().map(|n| n.times(&factor.integer));
+        Self { integers, exponent }
     }
 
     pub fn dot(&self, other: &Self) -> Number<I> {
         let [x, y, z] = [0, 1, 2].map(|i| self.integers[i].times(&other.integers[i]));
-        Number {
-            integer: x.plus(&y).plus(&z),
-            exponent: self.exponent + other.exponent,
-        }
+        Number::scaled(x.plus(&y).plus(&z), self.exponent + other.exponent)
     }
 
     pub fn cross(&self, other: &Self) -> Self {
-        let (a, b) = (&self.integers, &other.integers);
-        Self {
-            integers: [(1, 2), (2, 0), (0, 1)]
-                .map(|(i, j)| a[i].times(&b[j]).minus(&a[j].times(&b[i]))),
-            exponent: self.exponent + other.exponent,
-        }
+        let (a, b, axes) = (&self.integers, &other.integers, [(1, 2), (2, 0), (0, 1)]);
+        let integers = axes.map(|(i, j)| a[i].times(&b[j]).minus(&a[j].times(&b[i])));
+        let exponent = self.exponent + other.exponent;
+        Self { integers, exponent }
     }
 
     pub fn component(&self, i: usize) -> Number<I> {
-        Number {
-            integer: self.integers[i].clone(),
-            exponent: self.exponent,
-        }
+        Number::scaled(self.integers[i].clone(), self.exponent)
     }
 }

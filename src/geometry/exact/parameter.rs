@@ -4,7 +4,7 @@ use super::{
     super::{WorldRay, local_ray::Exactly},
     enclosure::{Enclosure, rounded_quotient},
     exact_line::LocalLine,
-    meeting::{Surface, enclosed, face, parameter},
+    meeting::{Surface, enclosed, parameter},
     number::{Difference, Ratio},
     root::Root,
     solids, triangle,
@@ -56,30 +56,16 @@ impl<'a> Parameter<'a> {
         rounded().or_else(|| Some(self.root()?.behind(before.root()?)))
     }
 
-    /// For a flat surface placed by `placement`: the axis of its normal in object space, and its coordinate along that.
-    fn plane(&self, placement: &Placement) -> Option<(usize, f64)> {
-        match &self.surface {
-            Surface::Cube {
-                placement: own,
-                normal,
-                ..
-            } if ptr::eq(*own, placement) => Some(face(*normal)),
-            Surface::Square(own) if ptr::eq(*own, placement) => Some((2, 0.0)),
-            _ => None,
-        }
-    }
-
     /// The point there in the object space of a placement: each coordinate to within three roundings; `None` where a
     /// number is not finite.
     pub fn point_object(&self, placement: &Placement) -> Option<DVec3> {
         let exactly = Exactly::placed(self.ray, placement);
         let enclosed = || {
-            let Ratio {
-                numerator,
-                denominator,
-            } = self.enclosed.as_ref()?;
+            let t = self.enclosed.as_ref()?;
             let line = LocalLine::<Enclosure>::new(&exactly);
-            solids::at(&line, [numerator, denominator], self.plane(placement)).ok()
+            let plane = (self.surface.plane()).filter(|(own, _)| ptr::eq(*own, placement));
+            let known = plane.map(|(_, known)| known);
+            solids::at(&line, [&t.numerator, &t.denominator], known).ok()
         };
         enclosed().or_else(|| solids::point_at(&exactly, self.root()?))
     }
@@ -90,8 +76,6 @@ impl<'a> Parameter<'a> {
         let Surface::Triangle(triangle) = &self.surface else {
             return None;
         };
-        let line = self.ray.line();
-        let enclosed = triangle::enclosed_weights(line, triangle).ok();
-        enclosed.or_else(|| triangle::weights(line, triangle))
+        triangle::weights(self.ray.line(), triangle)
     }
 }

@@ -5,7 +5,7 @@ use super::{
     integer::Ring,
     matrix::turned_by,
     number::{Number, Vector},
-    root::Root,
+    root::divided,
 };
 use glam::{DAffine3, DVec3};
 use num_bigint::BigInt;
@@ -15,7 +15,7 @@ impl PlacedPoint {
     #[must_use]
     pub fn world(&self) -> DVec3 {
         if self.is_finite() {
-            point_world(self)
+            divided(&placed(self), &Number::new(1.0))
         } else {
             DVec3::NAN
         }
@@ -30,7 +30,7 @@ impl PlacedPoint {
 }
 
 /// Where a placement puts the sum of two vectors of object space.
-pub(super) fn point<I: Ring>(placement: Option<&Placement>, sum_of: [DVec3; 2]) -> Vector<I> {
+pub(crate) fn point<I: Ring>(placement: Option<&Placement>, sum_of: [DVec3; 2]) -> Vector<I> {
     let object = match sum_of {
         [DVec3::ZERO, point] => Vector::new(point),
         [a, b] => Vector::new(a).plus(&Vector::new(b)),
@@ -90,15 +90,4 @@ pub(crate) fn moved_by(
 /// A vector of object space times the placement's linear part.
 fn turned<I: Ring>(placement: &Placement, object: &Vector<I>) -> Vector<I> {
     turned_by(placement.model().matrix3, object)
-}
-
-/// Where a point is in the world, each coordinate rounded once.
-fn point_world(point: &PlacedPoint) -> DVec3 {
-    divided(&placed(point), &Number::new(1.0))
-}
-
-/// A point divided by a number other than 0, each coordinate rounded once.
-pub(crate) fn divided(point: &Vector<BigInt>, by: &Number<BigInt>) -> DVec3 {
-    let nearest = |axis| Root::quotient(point.component(axis), by.clone());
-    DVec3::from_array([0, 1, 2].map(|axis| nearest(axis).map_or(f64::NAN, |root| root.to_f64())))
 }

@@ -5,9 +5,12 @@ use super::{
         Ray,
         binary::{split, times_power_of_two},
     },
-    number::Number,
+    big_number::bit_length,
+    integer::Integer,
+    number::{Number, Vector},
 };
-use num_bigint::{BigInt, Sign};
+use glam::DVec3;
+use num_bigint::BigInt;
 use std::cmp::Ordering;
 
 /// `(p + s sqrt(q)) / r` with integers `p`, `q >= 0` and `r > 0`, and `s` of 1 or -1: where a ray meets a plane (`q` is
@@ -24,10 +27,10 @@ impl Root {
     /// `numerator / denominator`; `None` for a denominator of 0.
     pub(super) fn quotient(numerator: Number<BigInt>, denominator: Number<BigInt>) -> Option<Self> {
         let (mut p, mut r) = (numerator.integer, denominator.integer);
-        match r.sign() {
-            Sign::NoSign => return None,
-            Sign::Minus => (p, r) = (-p, -r),
-            Sign::Plus => {}
+        match Integer::sign(&r) {
+            Ordering::Equal => return None,
+            Ordering::Less => (p, r) = (-p, -r),
+            Ordering::Greater => {}
         }
         let exponent = numerator.exponent - denominator.exponent;
         Some(Self::rational(p, r, exponent))
@@ -55,7 +58,7 @@ impl Root {
         c: &Number<BigInt>,
     ) -> Option<[Self; 2]> {
         let discriminant = b.times(b).minus(&a.times(c));
-        if discriminant.integer.sign() == Sign::Minus {
+        if discriminant.sign().is_lt() {
             return None;
         }
         // `p` and the root are in the unit whose square is that of `q`.
@@ -123,16 +126,15 @@ impl Root {
             return difference.to_f64();
         }
         rounded(|bits| {
-            let ([low, high], [before_low, before_high]) =
-                (self.enclosed(bits), before.enclosed(bits));
-            [low.minus(&before_high), high.minus(&before_low)]
+            let [[low, high], [from, to]] = [self, before].map(|root| root.enclosed(bits));
+            [low.minus(&to), high.minus(&from)]
         })
     }
 
     /// `self - other` where both have the same square root, which cancels: a quotient.
     fn rational_difference(&self, other: &Self) -> Option<Quotient> {
         let same_root = &self.q * &other.r * &other.r == &other.q * &self.r * &self.r;
-        let cancels = same_root && (self.minus == other.minus || self.q.sign() == Sign::NoSign);
+        let cancels = same_root && (self.minus == other.minus || self.q == BigInt::ZERO);
         cancels.then(|| Quotient {
             numerator: &self.p * &other.r - &other.p * &self.r,
             denominator: &self.r * &other.r,
@@ -142,10 +144,8 @@ impl Root {
     /// `of` applied to the root. `of` takes a numerator and a denominator, and must be monotonic. As in [`rounded`], an
     /// enclosure is narrowed until both its ends give the same.
     pub(super) fn agreed<T: PartialEq>(&self, of: impl Fn([BigInt; 2]) -> T) -> T {
-        agreed(|bits| {
-            self.enclosed(bits)
-                .map(|end| of([end.numerator, end.denominator]))
-        })
+        let of = |end: Quotient| of([end.numerator, end.denominator]);
+        agreed(|bits| self.enclosed(bits).map(of))
     }
 
     /// An enclosure by two quotients: equal where the square root is an integer, else with this many bits behind the
@@ -155,17 +155,23 @@ impl Root {
         let floor = scaled.sqrt();
         let is_whole = &floor * &floor == scaled;
         let ceil = if is_whole { floor.clone() } else { &floor + 1 };
-        let (least, most) = if self.minus {
-            (-ceil, -floor)
+        let roots = if self.minus {
+            [-ceil, -floor]
         } else {
-            (floor, ceil)
+            [floor, ceil]
         };
         let p = &self.p << bits;
-        [least, most].map(|root| Quotient {
+        roots.map(|root| Quotient {
             numerator: &p + root,
             denominator: &self.r << bits,
         })
     }
+}
+
+/// A point divided by a number other than 0, each coordinate rounded once.
+pub(crate) fn divided(point: &Vector<BigInt>, by: &Number<BigInt>) -> DVec3 {
+    let nearest = |axis| Root::quotient(point.component(axis), by.clone());
+    DVec3::from_array([0, 1, 2].map(|axis| nearest(axis).map_or(f64::NAN, |root| root.to_f64())))
 }
 
 /// How far a parameter may be off after a few roundings, also if it underflowed to 0.
@@ -175,41 +181,27 @@ pub(super) fn rounding_of(t: f64) -> f64 {
 
 /// The sign of `x + a sqrt(q) + b sqrt(r)`.
 fn sign_of_sum(x: &BigInt, (a, q): (&BigInt, &BigInt), (b, r): (&BigInt, &BigInt)) -> Ordering {
-    let first = sign_with_root(x, a, q);
-    let second = sign(&(b * r));
-    if first == second || second.is_eq() {
-        return first;
-    }
-    if first.is_eq() {
-        return second;
-    }
-    // Opposite signs: the larger square decides. `(x + a sqrt(q))^2 - b^2 r` contains only one square root.
-    let squares = sign_with_root(&(x * x + a * a * q - b * b * r), &(x * a * 2), q);
-    match squares {
-        Ordering::Equal => Ordering::Equal,
-        Ordering::Greater => first,
-        Ordering::Less => second,
-    }
+    // `(x + a sqrt(q))^2 - b^2 r` contains only one square root.
+    by_squares(sign_with_root(x, a, q), Integer::sign(&(b * r)), || {
+        sign_with_root(&(x * x + a * a * q - b * b * r), &(x * a * 2), q)
+    })
 }
 
 /// The sign of `x + a sqrt(q)`.
 fn sign_with_root(x: &BigInt, a: &BigInt, q: &BigInt) -> Ordering {
-    let (first, second) = (sign(x), sign(&(a * q)));
-    if first == second || second.is_eq() {
-        return first;
-    }
-    if first.is_eq() {
-        return second;
-    }
-    match (x * x).cmp(&(a * a * q)) {
-        Ordering::Equal => Ordering::Equal,
-        Ordering::Greater => first,
-        Ordering::Less => second,
-    }
+    let second = Integer::sign(&(a * q));
+    by_squares(Integer::sign(x), second, || (x * x).cmp(&(a * a * q)))
 }
 
-fn sign(n: &BigInt) -> Ordering {
-    n.sign().cmp(&Sign::NoSign)
+/// The sign of a sum of two numbers with these signs. Where they are opposite, the larger square decides: `squares`
+/// compares the first one's to the second one's.
+fn by_squares(first: Ordering, second: Ordering, squares: impl FnOnce() -> Ordering) -> Ordering {
+    match (first, second) {
+        (sign, Ordering::Equal) | (Ordering::Equal, sign) => sign,
+        (a, b) if a == b => a,
+        (Ordering::Less, _) => squares().reverse(),
+        _ => squares(),
+    }
 }
 
 /// A quotient of integers; the denominator is positive.
@@ -228,15 +220,16 @@ impl Quotient {
 
     /// The nearest `f64`, ties to even.
     fn to_f64(&self) -> f64 {
-        let bits = |n: &BigInt| i64::try_from(n.bits()).unwrap_or(i64::MAX);
-        if self.numerator.sign() == Sign::NoSign {
+        let sign = Integer::sign(&self.numerator);
+        if sign.is_eq() {
             return 0.0;
         }
         let magnitude = self.numerator.magnitude();
         let denominator = self.denominator.magnitude();
         // Scaled so that the quotient has 65 or 66 bits, or fewer where those would lie below the least `f64`: then it
         // is rounded only once.
-        let shift = (65 + bits(&self.denominator) - bits(&self.numerator)).min(1074 + 2);
+        let shift = 65 + bit_length(&self.denominator) - bit_length(&self.numerator);
+        let shift = shift.min(1074 + 2);
         let (dividend, divisor) = match shift {
             0.. => (magnitude << shift, denominator.clone()),
             _ => (magnitude.clone(), denominator << -shift),
@@ -248,11 +241,7 @@ impl Quotient {
             Ok(value) => round_scaled(value, -shift - 1),
             Err(_) => f64::INFINITY,
         };
-        if self.numerator.sign() == Sign::Minus {
-            -value
-        } else {
-            value
-        }
+        if sign.is_lt() { -value } else { value }
     }
 }
 
@@ -275,7 +264,7 @@ fn round_scaled(value: u128, exponent: i64) -> f64 {
     };
     #[expect(
         clippy::cast_precision_loss,
-        reason = "at most 53 bits, or a power of two"
+        reason = "53 bits at most, or a power of two"
     )]
     let result = kept as f64;
     times_power_of_two(result, unit)

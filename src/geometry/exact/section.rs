@@ -10,7 +10,6 @@ use super::{
     triangle::{Corners, Seen},
 };
 use num_bigint::BigInt;
-use std::cmp::Ordering;
 
 /// Whether a section keeps the point where a ray meets a surface. The ray must meet it.
 pub(crate) fn keeps(ray: &WorldRay, section: &Section, surface: &Surface) -> bool {
@@ -25,14 +24,10 @@ pub(crate) fn keeps(ray: &WorldRay, section: &Section, surface: &Surface) -> boo
     let Some(at) = parameter(ray, surface) else {
         return false;
     };
-    let from_plane = |start: Number<BigInt>, ahead| {
-        Root::quotient(start.negated(), ahead).map(|plane| at.compare(&plane))
-    };
-    match ahead.sign() {
-        Ordering::Equal => start.sign().is_ge(),
-        Ordering::Greater => from_plane(start, ahead).is_some_and(Ordering::is_ge),
-        Ordering::Less => from_plane(start, ahead).is_some_and(Ordering::is_le),
-    }
+    let against = ahead.sign().reverse();
+    // Without a quotient, the ray runs along the plane.
+    let plane = Root::quotient(start.negated(), ahead);
+    plane.map_or(start.sign().is_ge(), |plane| at.compare(&plane) != against)
 }
 
 /// `n . p + c` at a ray's start, and its growth per unit of t; both times the ray's weight, which is above 0.
@@ -55,10 +50,11 @@ impl Formula for OfTriangle<'_> {
     fn numbers<I: Ring>(&self) -> Self::Numbers<I> {
         let Seen { line, plane, .. } = Seen::new(self.0, self.1);
         let [start, ahead] = along(&line, self.2);
-        let side = start
-            .times(&plane.denominator)
-            .plus(&ahead.times(&plane.numerator));
-        [side, plane.denominator]
+        let way = ahead.times(&plane.numerator);
+        [
+            start.times(&plane.denominator).plus(&way),
+            plane.denominator,
+        ]
     }
 
     fn most_bits(numbers: &Self::Numbers<Bits>) -> u32 {

@@ -77,13 +77,10 @@ fn cube_crossing(line: &Integers) -> Option<Crossing> {
         let outward = DVec3::AXES[axis] * if backwards { -1.0 } else { 1.0 };
         let (near, far) = (Root::quotient(near, d.clone())?, Root::quotient(far, d)?);
         // Of several planes at one t, the lowest axis decides the face.
-        if enter
-            .as_ref()
-            .is_none_or(|(at, _)| near.compare(at).is_gt())
-        {
+        if (enter.as_ref()).is_none_or(|(at, _)| near.compare(at).is_gt()) {
             enter = Some((near, -outward));
         }
-        if leave.as_ref().is_none_or(|(at, _)| far.compare(at).is_lt()) {
+        if (leave.as_ref()).is_none_or(|(at, _)| far.compare(at).is_lt()) {
             leave = Some((far, outward));
         }
     }
@@ -130,59 +127,36 @@ pub(super) fn square_parameter(exactly: &Exactly) -> Option<Root> {
 
 /// The hits of the sphere within the ray's interval. `ray` is the ray of `exactly`, rounded.
 pub(in super::super) fn sphere(exactly: &Exactly, ray: &Ray) -> [Option<Hit>; 2] {
-    let Some(line) = local(exactly) else {
-        return [None, None];
+    let hits = || {
+        let line = local(exactly)?;
+        let crossing = sphere_crossing(&line)?;
+        let hit = |root, front| hit(root, ray, || at_root(&line, root), front);
+        let exit = hit(&crossing.leave.0, false);
+        // A tangent ray touches the sphere and does not enter it.
+        Some(if crossing.touches {
+            [exit, None]
+        } else {
+            [hit(&crossing.enter.0, true), exit]
+        })
     };
-    let Some(Crossing {
-        enter,
-        leave,
-        touches,
-    }) = sphere_crossing(&line)
-    else {
-        return [None, None];
-    };
-    let hit = |root: &Root, front: bool| {
-        let t = within(root, ray)?;
-        Some(Hit::analytic(
-            t,
-            rounding_of(t),
-            at_root(&line, root)?,
-            front,
-        ))
-    };
-    // A tangent ray touches the sphere and does not enter it.
-    if touches {
-        [hit(&leave.0, false), None]
-    } else {
-        [hit(&enter.0, true), hit(&leave.0, false)]
-    }
+    hits().unwrap_or_default()
 }
 
 /// The hits of the cube within the ray's interval.
 pub(in super::super) fn cube(exactly: &Exactly, ray: &Ray) -> [Option<Hit>; 2] {
-    let crossing = local(exactly).and_then(|line| cube_crossing(&line));
-    let Some(Crossing {
-        enter,
-        leave,
-        touches,
-    }) = crossing
-    else {
+    let Some(crossing) = local(exactly).and_then(|line| cube_crossing(&line)) else {
         return [None, None];
     };
-    let hit = |(root, normal): (Root, DVec3), front: bool| {
-        let t = within(&root, ray)?;
-        Some(Hit::analytic(t, rounding_of(t), normal, front))
-    };
-    let exit = if touches { None } else { hit(leave, false) };
-    [hit(enter, true), exit]
+    let hit = |(root, normal): &(Root, DVec3), front| hit(root, ray, || Some(*normal), front);
+    let exit = (!crossing.touches).then(|| hit(&crossing.leave, false));
+    [hit(&crossing.enter, true), exit.flatten()]
 }
 
 /// The hit of the square within the ray's interval.
 pub(in super::super) fn square(exactly: &Exactly, ray: &Ray) -> Option<Hit> {
     let line = local(exactly)?;
-    let t = within(&square_crossing(&line)?, ray)?;
     let front = line.direction.component(2).sign().is_lt();
-    Some(Hit::analytic(t, rounding_of(t), DVec3::Z, front))
+    hit(&square_crossing(&line)?, ray, || Some(DVec3::Z), front)
 }
 
 /// The point at a parameter in object space, each coordinate within three roundings. The coordinate along one axis may
@@ -207,10 +181,7 @@ pub(super) fn at<I: Decided>(
 /// [`at`] an exact parameter.
 fn at_root(line: &Integers, root: &Root) -> Option<DVec3> {
     root.agreed(|quotient| {
-        let quotient = quotient.map(|integer| Number {
-            integer,
-            exponent: 0,
-        });
+        let quotient = quotient.map(|integer| Number::scaled(integer, 0));
         at(line, quotient.each_ref(), None).ok()
     })
 }
@@ -221,7 +192,8 @@ pub(super) fn point_at(exactly: &Exactly, root: &Root) -> Option<DVec3> {
     at_root(&local(exactly)?, root)
 }
 
-/// The parameter of a hit that counts, rounded but kept within the interval.
-fn within(root: &Root, ray: &Ray) -> Option<f64> {
-    (root.is_within(ray)).then(|| ray.kept_within(root.to_f64()))
+/// The hit at a parameter, if it counts: `t` is rounded but kept within the interval.
+fn hit(root: &Root, ray: &Ray, normal: impl FnOnce() -> Option<DVec3>, front: bool) -> Option<Hit> {
+    let t = (root.is_within(ray)).then(|| ray.kept_within(root.to_f64()))?;
+    Some(Hit::analytic(t, rounding_of(t), normal()?, front))
 }

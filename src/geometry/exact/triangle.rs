@@ -5,7 +5,6 @@ use super::{
         Placement, Ray, TriangleHit,
         interval::{Approximate, InDoubt},
         line::Line,
-        local_ray::Exactly,
     },
     enclosure::Enclosure,
     exact_line::ExactLine,
@@ -26,7 +25,15 @@ pub(crate) struct Corners<'a> {
     pub corners: [DVec3; 3],
 }
 
-impl Corners<'_> {
+impl<'a> Corners<'a> {
+    pub fn new(placement: Option<&'a Placement>, origin: DVec3, corners: [DVec3; 3]) -> Self {
+        Self {
+            placement,
+            origin,
+            corners,
+        }
+    }
+
     pub fn is_finite(&self) -> bool {
         self.origin.is_finite() && self.corners.iter().all(|corner| corner.is_finite())
     }
@@ -53,12 +60,8 @@ pub(super) struct Seen<I> {
 impl<I: Ring> Seen<I> {
     pub fn new(line: &Line, triangle: &Corners) -> Self {
         let line = ExactLine::new(line);
-        let Corners {
-            placement,
-            origin,
-            corners: [a, b, c],
-        } = *triangle;
-        let corner = line.to(&point(placement, [origin, a]));
+        let (placement, [a, b, c]) = (triangle.placement, triangle.corners);
+        let corner = line.to(&point(placement, [triangle.origin, a]));
         let edges = [[b, a], [a, c]].map(|[from, to]| way(placement, from, to));
         let normal = edges[1].cross(&edges[0]);
         let plane = Ratio {
@@ -93,12 +96,8 @@ impl<I: Integer> Ratio<I> {
 impl<I: Decided> Weights<I> {
     /// The quotients, each within three roundings.
     fn rounded(&self) -> Result<[f64; 3], InDoubt> {
-        let [a, b, c] = &self.corners;
-        Ok([
-            a.decided_ratio(&self.sum)?,
-            b.decided_ratio(&self.sum)?,
-            c.decided_ratio(&self.sum)?,
-        ])
+        let [a, b, c] = (self.corners.each_ref()).map(|weight| weight.decided_ratio(&self.sum));
+        Ok([a?, b?, c?])
     }
 }
 
@@ -165,15 +164,9 @@ impl Hit<'_> {
             return Ok(None);
         }
         let t = plane.numerator.decided_ratio(&plane.denominator)?;
-        let rounded = Approximate {
-            value: t,
-            error: rounding_of(t),
-        };
-        let counts = match rounded.is_within(self.interval) {
-            Ok(counts) => counts,
-            Err(InDoubt) => counts()?,
-        };
-        if !counts {
+        let rounded = Approximate::new(t, rounding_of(t));
+        let is_within = rounded.is_within(self.interval);
+        if !is_within.or_else(|InDoubt| counts())? {
             return Ok(None);
         }
         let mirrors = self.triangle.placement.is_some_and(Placement::mirrors);
@@ -194,22 +187,12 @@ impl Hit<'_> {
 
 /// The hit by exact arithmetic; `None` also when a number is not finite. `t` and the weights are within three roundings
 /// of the exact values.
-pub(in super::super) fn hit(
-    exactly: &Exactly,
-    interval: &Ray,
-    origin: DVec3,
-    corners: [DVec3; 3],
-) -> Option<TriangleHit> {
-    let triangle = Corners {
-        placement: exactly.placement,
-        origin,
-        corners,
-    };
-    if !(interval.has_interval() && triangle.is_finite() && exactly.line.is_finite()) {
+pub(in super::super) fn hit(line: Line, interval: &Ray, triangle: Corners) -> Option<TriangleHit> {
+    if !(interval.has_interval() && triangle.is_finite() && line.is_finite()) {
         return None;
     }
     let formula = Hit {
-        line: exactly.line,
+        line,
         triangle,
         interval,
     };
@@ -232,20 +215,11 @@ pub(super) fn plane_parameter(line: &Line, triangle: &Corners) -> Option<Root> {
             plane.root()
         }
     }
-    let is_finite = triangle.is_finite() && line.is_finite();
-    is_finite
-        .then(|| solve(&Parameter(line, triangle)))
-        .flatten()
-}
-
-/// [`plane_parameter`] in pairs of `f64`.
-pub(super) fn enclosed_parameter(line: &Line, triangle: &Corners) -> Ratio<Enclosure> {
-    Seen::new(line, triangle).plane
-}
-
-/// [`weights`], where pairs of `f64` suffice.
-pub(super) fn enclosed_weights(line: &Line, triangle: &Corners) -> Result<[f64; 3], InDoubt> {
-    Seen::<Enclosure>::new(line, triangle).weights().rounded()
+    if triangle.is_finite() && line.is_finite() {
+        solve(&Parameter(line, triangle))
+    } else {
+        None
+    }
 }
 
 /// The barycentric weights where a ray's line meets a triangle's plane, each within three roundings; `None` if the line
@@ -266,8 +240,11 @@ pub(super) fn weights(line: &Line, triangle: &Corners) -> Option<[f64; 3]> {
             has_sum.then(|| weights.rounded().expect("integers are decided"))
         }
     }
-    let is_finite = triangle.is_finite() && line.is_finite();
-    is_finite.then(|| solve(&Rounded(line, triangle))).flatten()
+    if !(triangle.is_finite() && line.is_finite()) {
+        return None;
+    }
+    let enclosed = Seen::<Enclosure>::new(line, triangle).weights().rounded();
+    enclosed.map_or_else(|InDoubt| solve(&Rounded(line, triangle)), Some)
 }
 
 /// The formula of [`compare`].

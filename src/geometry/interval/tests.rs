@@ -19,11 +19,8 @@ fn what_is_not_in_doubt_is_right() {
             0 => 0.5 * random.point().normalize(),
             1 => {
                 let point = 0.5 * random.point();
-                DVec3::new(
-                    0.5_f64.copysign(point.x),
-                    0.5_f64.copysign(point.y),
-                    point.z,
-                )
+                let [x, y] = [point.x, point.y].map(|c| 0.5_f64.copysign(c));
+                DVec3::new(x, y, point.z)
             }
             _ => DVec3::new(0.5_f64.copysign(random.next()), 0.5 * random.next(), 0.0),
         };
@@ -36,12 +33,8 @@ fn what_is_not_in_doubt_is_right() {
             direction = at_border.cross(random.point()) + beside;
             origin = at_border + beside - away * direction;
         }
-        let world = WorldRay::from(Ray {
-            origin,
-            direction,
-            t_min: [f64::NEG_INFINITY, 0.0, 1.0][i as usize / 7 % 3],
-            t_max: f64::INFINITY,
-        });
+        let start = [f64::NEG_INFINITY, 0.0, 1.0][i as usize / 7 % 3];
+        let world = WorldRay::from(Ray::over(origin, direction, [start, f64::INFINITY]));
         let model = DAffine3::from_mat3(DMat3::from_rotation_x(random.next()));
         let placement = if i % 4 == 0 {
             Placement::new(model)
@@ -75,27 +68,22 @@ fn what_is_not_in_doubt_is_right() {
         }
         decided[shape] += 1;
         for (found, truth) in found.into_iter().zip(truth) {
-            assert_eq!(
-                found.is_some(),
-                truth.is_some(),
-                "{world:?}: {found:?} {truth:?}"
-            );
+            let case = || format!("{world:?}: {found:?} {truth:?}");
+            assert_eq!(found.is_some(), truth.is_some(), "{}", case());
             let (Some(found), Some(truth)) = (found, truth) else {
                 continue;
             };
             hits[shape] += 1;
-            assert_eq!(found.front, truth.front, "{world:?}");
+            assert_eq!(found.front, truth.front, "{}", case());
             let off = (found.t - truth.t).abs();
-            assert!(
-                off <= found.t_error + truth.t_error,
-                "{off} {found:?} {truth:?} {world:?}"
-            );
+            assert!(off <= found.t_error + truth.t_error, "{off} {}", case());
             assert!(
                 found.t_error <= HALF_OF_THE_DIGITS * found.t.abs(),
-                "{found:?}"
+                "{}",
+                case()
             );
             let turned = found.normal.normalize().dot(truth.normal.normalize());
-            assert!(shape == 0 || turned > 0.999, "{found:?} {truth:?}");
+            assert!(shape == 0 || turned > 0.999, "{}", case());
         }
     }
     println!(

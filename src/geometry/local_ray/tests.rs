@@ -50,11 +50,8 @@ fn local_rays_are_within_their_bounds() {
         };
         let px = DVec2::new(640.0, 360.0) + 640.0 * random.point().truncate();
         // Sometimes the middle, where nothing is added to F.
-        let px = if i % 11 == 0 {
-            DVec2::new(640.0, 360.5)
-        } else {
-            px
-        };
+        let middle = DVec2::new(640.0, 360.5);
+        let px = if i % 11 == 0 { middle } else { px };
         let world = camera.ray(px, [0.0, 1.0]);
         let placed = placement.local_ray(&world);
         let local = LocalRay::from(&placed);

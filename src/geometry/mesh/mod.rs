@@ -160,14 +160,19 @@ impl Mesh {
             return Ok(Err(error));
         }
         let bounds = bounds_of_parts(&data, go_on)?.into();
-        Ok(Ok(Self {
-            data: Arc::new(data),
+        Ok(Ok(Self::of(Arc::new(data), bounds, None)))
+    }
+
+    /// With nothing computed from its data yet but the boxes about its parts.
+    fn of(data: Arc<MeshData>, bounds: Arc<[Aabb]>, few: Option<Vec<u32>>) -> Self {
+        Self {
+            data,
             bounds,
             tree: OnceLock::new(),
             normals: OnceLock::new(),
             blocks: OnceLock::new(),
-            few: None,
-        }))
+            few,
+        }
     }
 
     /// What it is made of.
@@ -187,9 +192,8 @@ impl Mesh {
     #[inline]
     #[must_use]
     pub fn part_of(&self, triangle: u32) -> usize {
-        self.data
-            .parts
-            .partition_point(|part| part.triangles.end <= triangle)
+        let parts = &self.data.parts;
+        parts.partition_point(|part| part.triangles.end <= triangle)
     }
 
     /// The boxes of the blocks, in object space; made when first asked for.
@@ -199,7 +203,8 @@ impl Mesh {
             let boxes = in_shares(count, |share| {
                 let blocks = self.data.triangles.chunks(BLOCK);
                 let blocks = blocks.skip(share.start).take(share.len());
-                blocks.map(|block| self.around(block)).collect::<Vec<_>>()
+                let boxes = blocks.map(|block| around(&self.data, block));
+                boxes.collect::<Vec<_>>()
             });
             boxes.concat()
         })
@@ -209,19 +214,6 @@ impl Mesh {
     #[cfg(test)]
     pub(crate) fn has_blocks(&self) -> bool {
         self.blocks.get().is_some()
-    }
-
-    /// The box about triangles, in object space. Adding the origin keeps coordinates in order.
-    fn around(&self, triangles: &[[u32; 3]]) -> Aabb {
-        let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-        for vertex in triangles.as_flattened() {
-            let position = Vec3::from(self.data.positions[*vertex as usize]);
-            (min, max) = (min.min(position), max.max(position));
-        }
-        Aabb {
-            min: self.data.origin + min.as_dvec3(),
-            max: self.data.origin + max.as_dvec3(),
-        }
     }
 
     /// The corners of a triangle, in object space.
@@ -244,23 +236,16 @@ impl Mesh {
 
     /// [`Mesh::normals`], computed for as long as `go_on` lets it. It is not asked if nothing has to be computed.
     pub(crate) fn normals_while<E: Send>(&self, go_on: &GoOn<E>) -> Result<&CornerNormals, E> {
-        let MeshData {
-            positions,
-            triangles,
-            normals: given,
-            crease,
-            ..
-        } = &*self.data;
-        let Some(crease) = crease.filter(|_| !given.is_by_vertex()) else {
+        let (triangles, given) = (&self.data.triangles, &self.data.normals);
+        let Some(crease) = self.data.crease.filter(|_| !given.is_by_vertex()) else {
             return Ok(given);
         };
         if let Some(known) = self.normals.get() {
             return Ok(known);
         }
-        let computed = crease_normals_while(positions, triangles, crease, go_on)?;
-        Ok(self
-            .normals
-            .get_or_init(|| given.completed_by(computed, triangles)))
+        let computed = crease_normals_while(&self.data.positions, triangles, crease, go_on)?;
+        let complete = || given.completed_by(computed, triangles);
+        Ok(self.normals.get_or_init(complete))
     }
 
     /// The interpolated shading normal at a point of a triangle, in object space and of any length; `None` where
@@ -299,10 +284,8 @@ impl Mesh {
             return own.unwrap_or(Srgb::NEUTRAL).to_linear();
         }
         let mut sum = [0.0_f32; 3];
-        for (&vertex, s) in self.data.triangles[at.triangle as usize]
-            .iter()
-            .zip(at.barycentric)
-        {
+        let corners = self.data.triangles[at.triangle as usize];
+        for (vertex, s) in corners.into_iter().zip(at.barycentric) {
             let corner = colours[vertex as usize].to_linear();
             #[expect(clippy::cast_possible_truncation, reason = "a colour")]
             let s = s as f32;
@@ -328,23 +311,30 @@ fn wide(v: [f32; 3]) -> DVec3 {
     DVec3::from_array(v.map(f64::from))
 }
 
+/// The box about triangles, in object space. Adding the origin keeps coordinates in order.
+fn around(data: &MeshData, triangles: &[[u32; 3]]) -> Aabb {
+    let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+    for vertex in triangles.as_flattened() {
+        let position = Vec3::from(data.positions[*vertex as usize]);
+        (min, max) = (min.min(position), max.max(position));
+    }
+    let [min, max] = [min, max].map(|corner| data.origin + corner.as_dvec3());
+    Aabb { min, max }
+}
+
 /// The share of the boxes in the work of [`Mesh::new_while`].
 const BOXES: f64 = 0.6;
 
 /// The box about the triangles of each part.
 fn bounds_of_parts<E: Send>(data: &MeshData, go_on: &GoOn<E>) -> Result<Vec<Aabb>, E> {
     let of_pieces = in_pieces(data.triangles.len(), BOXES, go_on, |piece| {
-        let first = data
-            .parts
-            .partition_point(|part| part.triangles.end as usize <= piece.start);
-        let parts = data.parts[first..]
-            .iter()
-            .take_while(|part| (part.triangles.start as usize) < piece.end);
-        let bounds = parts.map(|part| {
-            let from = piece.start.max(part.triangles.start as usize);
-            let to = piece.end.min(part.triangles.end as usize);
-            let used = data.triangles[from..to].as_flattened().iter();
-            Aabb::around(used.map(|&i| data.origin + wide(data.positions[i as usize])))
+        let ends = |part: &Part| [part.triangles.start, part.triangles.end].map(|i| i as usize);
+        let first = (data.parts).partition_point(|part| ends(part)[1] <= piece.start);
+        let parts = data.parts[first..].iter().map(ends);
+        let parts = parts.take_while(|[start, _]| *start < piece.end);
+        let bounds = parts.map(|[start, end]| {
+            let part = piece.start.max(start)..piece.end.min(end);
+            around(data, &data.triangles[part])
         });
         (first, bounds.collect::<Vec<_>>())
     })?;

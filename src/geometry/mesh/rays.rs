@@ -4,7 +4,7 @@
     reason = "what is not inlined into a walk is not compiled for its instructions"
 )]
 
-use super::{Mesh, MeshData, wide};
+use super::{Mesh, wide};
 use crate::geometry::{
     Aabb, Bvh, Entry, Hit, LocalRay, Pyramid, Sides, Simd, TriangleHit, TriangleTest, VertexRay,
     Visit, guarded_volume,
@@ -15,7 +15,7 @@ use glam::DVec3;
 use std::{
     cmp::Ordering,
     ops::ControlFlow,
-    sync::{Arc, OnceLock, atomic::AtomicBool},
+    sync::{Arc, atomic::AtomicBool},
 };
 
 /// Below this many triangles, trying all takes less than a microsecond. From here on a tree pays for itself after a
@@ -38,14 +38,10 @@ impl Mesh {
     /// `build_tree_unless` for the given instructions; no tree is built where the processor lacks them.
     #[doc(hidden)] // public for tests and benches
     pub fn build_tree_by(&self, simd: Simd, stop: &AtomicBool) {
-        let MeshData {
-            positions,
-            triangles,
-            ..
-        } = &*self.data;
         if self.is_ready() {
             return;
         }
+        let (positions, triangles) = (&self.data.positions, &self.data.triangles);
         if let Some(tree) = Bvh::build(positions, triangles, simd, stop) {
             debug_assert_eq!(tree.validate(positions, triangles), Ok(()));
             // A tree that another thread built meanwhile is the same.
@@ -95,27 +91,15 @@ impl Mesh {
                 all.map(|(triangle, _)| triangle).collect()
             }
         };
-        Self {
-            data: Arc::clone(&self.data),
-            bounds: Arc::clone(&self.bounds),
-            tree: OnceLock::new(),
-            normals: OnceLock::new(),
-            blocks: OnceLock::new(),
-            few: Some(few),
-        }
+        Self::of(Arc::clone(&self.data), Arc::clone(&self.bounds), Some(few))
     }
 
     /// The triangles that rays within a pyramid may meet, in order. The pyramid is about the vertices' (0, 0, 0).
     fn triangles_near(&self, pyramid: &Pyramid) -> Vec<u32> {
-        let MeshData {
-            positions,
-            triangles,
-            ..
-        } = &*self.data;
+        let (positions, triangles) = (&self.data.positions, &self.data.triangles);
+        let beyond_of = |&position: &[f32; 3]| pyramid.beyond(wide(position));
         let beyond = in_shares(positions.len(), |share| {
-            let positions = positions[share].iter();
-            let beyond = positions.map(|&position| pyramid.beyond(wide(position)));
-            beyond.collect::<Vec<u8>>()
+            positions[share].iter().map(beyond_of).collect::<Vec<u8>>()
         });
         let beyond = beyond.concat();
         let near = in_shares(triangles.len(), |share| {

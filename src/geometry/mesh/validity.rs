@@ -52,19 +52,13 @@ pub(super) fn check<E: Send>(data: &MeshData, go_on: &GoOn<E>) -> Result<Result<
         corners => corners == count,
     };
     let are_usable = are_all && unusable.or(endless).is_none();
+    let parts = covers(data.parts.iter().map(|part| &part.triangles), count);
+    let runs = covers(data.colours.iter().map(|run| &run.triangles), count);
+    let are_coloured = [0, vertex_count].contains(&data.vertex_colours.len());
     let covered = [
-        (
-            "objects",
-            covers(data.parts.iter().map(|part| &part.triangles), count),
-        ),
-        (
-            "colours",
-            covers(data.colours.iter().map(|run| &run.triangles), count),
-        ),
-        (
-            "vertex colours",
-            [0, vertex_count].contains(&data.vertex_colours.len()),
-        ),
+        ("objects", parts),
+        ("colours", runs),
+        ("vertex colours", are_coloured),
         ("normals", are_usable),
     ];
     let uncovered = covered.into_iter().find(|(_, covers)| !covers);

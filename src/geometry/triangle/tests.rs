@@ -42,18 +42,12 @@ fn products_that_vanish_or_overflow_decide_nothing() {
                     let on_edge = corners[1].midpoint(corners[2]);
                     (on_edge - origin).normalize_or(DVec3::X) / 3.0
                 };
-                let ray = Ray {
-                    origin,
-                    direction: times_power(way, direction),
-                    t_min: if i % 7 < 3 { 0.0 } else { f64::MIN },
-                    t_max: f64::MAX,
-                };
-                let ray = VertexRay::exact(ray);
+                let start = if i % 7 < 3 { 0.0 } else { f64::MIN };
+                let direction = times_power(way, direction);
+                let ray = VertexRay::exact(Ray::over(origin, direction, [start, f64::MAX]));
                 let exact = exact_volume(&ray, corners);
-                for hit in [
-                    guarded_volume(&ray, corners),
-                    filtered_volume(&ray, corners),
-                ] {
+                for test in [guarded_volume, filtered_volume] {
+                    let hit = test(&ray, corners);
                     let case = format!("{ray:?} {corners:?} {exact:?} {hit:?}");
                     assert_eq!(exact.is_some(), hit.is_some(), "{case}");
                     if let (Some(exact), Some(hit)) = (exact, hit) {
@@ -91,37 +85,23 @@ fn volumes_round_by_less_than_their_bound() {
         if i % 5 == 0 {
             direction = corners[0] - (origin - vertex_origin);
         }
-        let ray = Ray {
-            origin,
-            direction,
-            t_min: 0.0,
-            t_max: 1.0,
-        };
+        let ray = Ray::over(origin, direction, [0.0, 1.0]);
         let local = LocalRay::from(&ray);
         let mut seen = VertexRay::new(&local, &vertex_origin);
         let is_exact = i % 4 < 2;
         if !is_exact {
             // As if it had been rounded to 40 digits.
-            let most = 2_f64.powi(-40)
-                * DVec3::new(
-                    origin.abs().max_element(),
-                    direction.abs().max_element(),
-                    0.0,
-                );
+            let most = [origin, direction].map(|v| 2_f64.powi(-40) * v.abs().max_element());
             let mut off = |v: DVec3, most: f64| v.map(|c| c + most * (0.999 * random.next()));
-            seen.errors = [most.x, most.y];
-            seen.ray.origin = off(seen.ray.origin, most.x);
-            seen.ray.direction = off(seen.ray.direction, most.y);
+            seen.errors = most;
+            seen.ray.origin = off(seen.ray.origin, most[0]);
+            seen.ray.direction = off(seen.ray.direction, most[1]);
         }
         let from = corners.map(|corner| corner - seen.ray.origin);
         let edges = edges(corners);
         let m = largest(from) + seen.tail_as_length;
-        let errors = volume_errors(
-            &ray,
-            vertex_origin,
-            corners,
-            volumes(seen.ray.direction, from, edges),
-        );
+        let volumes = volumes(seen.ray.direction, from, edges);
+        let errors = volume_errors(&ray, vertex_origin, corners, volumes);
         let bound = volume_bound(&seen, m, largest(edges));
         for error in errors {
             let worst = &mut worst[usize::from(is_exact)];
@@ -129,10 +109,8 @@ fn volumes_round_by_less_than_their_bound() {
         }
     }
     println!("worst error over its bound, of inexact rays and exact ones: {worst:.2?}");
-    assert!(
-        worst.iter().all(|worst| (0.1..=0.9).contains(worst)),
-        "{worst:?}"
-    );
+    let are_near = worst.iter().all(|worst| (0.1..=0.9).contains(worst));
+    assert!(are_near, "{worst:?}");
 }
 
 /// How far computed volumes are from the exact ones, for a ray that is exact as it stands.
@@ -159,12 +137,8 @@ fn parameters_lie_within_their_bounds() {
         let normal = (b - a).cross(c - a).normalize_or(DVec3::Z);
         let direction = (b - a) / size + 2_f64.powi(-(i / 61 % 20)) * normal;
         let away = size * 2_f64.powi(-(i / 7 % 37));
-        let ray = VertexRay::exact(Ray {
-            origin: 0.5 * a + 0.25 * b + 0.25 * c - away * direction,
-            direction,
-            t_min: f64::MIN,
-            t_max: f64::MAX,
-        });
+        let origin = 0.5 * a + 0.25 * b + 0.25 * c - away * direction;
+        let ray = VertexRay::exact(Ray::over(origin, direction, [f64::MIN, f64::MAX]));
         let Ok(Some(hit)) = filter(&ray, corners) else {
             continue;
         };

@@ -10,7 +10,10 @@
 //! Halving adds coordinates, which cancels digits. So coordinates are in fixed point, where the rounding has a bound.
 //! That bound is subtracted from each lower bound and added to each distance.
 
-use crate::geometry::{binary::times_power_of_two, dyadic::rounded};
+use crate::geometry::{
+    binary::times_power_of_two,
+    dyadic::{Integer, rounded},
+};
 use num_bigint::BigInt;
 use std::array;
 
@@ -20,31 +23,20 @@ const TOLERANCE: f64 = 1e-13;
 const TOLERANCE_PX: f64 = 1e-10;
 
 /// A number in fixed point.
-pub(super) trait Fixed: Sized + Clone {
+pub(super) trait Fixed: Integer {
     /// Half the sum, rounded down.
     fn midpoint(&self, other: &Self) -> Self;
-    /// The value over `2^bits`.
-    fn to_f64(&self, bits: i64) -> f64;
 }
 
 impl Fixed for i128 {
     fn midpoint(&self, other: &Self) -> Self {
         (self + other) >> 1
     }
-
-    #[expect(clippy::cast_precision_loss, reason = "this is the rounding")]
-    fn to_f64(&self, bits: i64) -> f64 {
-        times_power_of_two(*self as f64, -bits)
-    }
 }
 
 impl Fixed for BigInt {
     fn midpoint(&self, other: &Self) -> Self {
         (self + other) >> 1
-    }
-
-    fn to_f64(&self, bits: i64) -> f64 {
-        rounded(self, -bits)
     }
 }
 
@@ -85,9 +77,8 @@ impl<T: Fixed> Arcs<T> {
         // With a minimum on each of four arcs, each bit costs four halvings; this is twice that.
         for _ in 0..8 * self.bits {
             pieces.retain(|piece| piece.least + self.tolerance(piece.least) < best);
-            let least =
-                (0..pieces.len()).min_by(|&a, &b| pieces[a].least.total_cmp(&pieces[b].least));
-            let Some(least) = least else {
+            let order = |&a: &usize, &b: &usize| pieces[a].least.total_cmp(&pieces[b].least);
+            let Some(least) = (0..pieces.len()).min_by(order) else {
                 return Ok(best * self.px);
             };
             let piece = pieces.swap_remove(least);
@@ -113,16 +104,15 @@ impl<T: Fixed> Arcs<T> {
     ) -> f64 {
         // Each halving rounds down twice, by half a unit at most.
         let error = times_power_of_two(self.error + f64::from(halvings), -self.bits);
-        let points = controls
-            .each_ref()
-            .map(|p| p.each_ref().map(|c| c.to_f64(self.bits)));
+        let point = |p: &[T; 3]| p.each_ref().map(|c| rounded(c, -self.bits));
+        let points = controls.each_ref().map(point);
         pieces.push(Piece {
             least: least_distance(&points, error),
             controls,
             halvings,
         });
-        best.min(end_distance(points[0], error))
-            .min(end_distance(points[2], error))
+        let [from, to] = [points[0], points[2]].map(|end| end_distance(end, error));
+        best.min(from).min(to)
     }
 }
 

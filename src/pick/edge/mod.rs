@@ -13,7 +13,7 @@ use crate::{
     camera::View,
     geometry::{
         Cuboid, Hit, Placement, Square,
-        dyadic::{Decided, Enclosure, InDoubt, Number, Ring, vertex_world},
+        dyadic::{Decided, Enclosure, InDoubt, Number, Ring, point},
     },
     scene::{Object, Shape},
 };
@@ -60,7 +60,7 @@ fn polygon_px<I: Decided>(
 ) -> Result<Option<f64>, InDoubt> {
     let space = PictureSpace::<I>::new(view, px)?;
     let end = |&corner| {
-        let world = vertex_world(placement, origin, corner);
+        let world = point(Some(placement), [origin, corner]);
         let shown = space.point(&world);
         let sides = [Some(space.behind_near(&shown)), space.kept(&world)];
         End {

@@ -63,11 +63,8 @@ impl<I: Decided> PictureSpace<I> {
         let per_depth = right.cross(&up);
         let determinant = forward.dot(&per_depth);
         // A negative determinant, as of the axes of a left-handed view space, flips all signs.
-        let sign = Number::new(if determinant.decided_negative()? {
-            -1.0
-        } else {
-            1.0
-        });
+        let is_negative = determinant.decided_negative()?;
+        let sign = Number::new(if is_negative { -1.0 } else { 1.0 });
         let determinant = determinant.times(&sign);
         let [per_right, per_down, per_depth] =
             [up.cross(&forward), right.cross(&forward), per_depth].map(|row| row.times(&sign));
@@ -75,10 +72,8 @@ impl<I: Decided> PictureSpace<I> {
             let normal = normal.times(&height);
             if grid.is_orthographic {
                 let from_origin = normal.dot(&eye).plus(&aside.times(&determinant));
-                Row {
-                    normal,
-                    constant: from_origin.negated(),
-                }
+                let constant = from_origin.negated();
+                Row { normal, constant }
             } else {
                 Row::through(&eye, normal.minus(&per_depth.times(aside)))
             }
@@ -105,8 +100,7 @@ impl<I: Decided> PictureSpace<I> {
 
     /// A point of world space.
     pub(in crate::pick) fn point(&self, world: &Vector<I>) -> Shown<I> {
-        let [u, v, depth] =
-            [&self.u, &self.v, &self.depth].map(|row| row.normal.dot(world).plus(&row.constant));
+        let [u, v, depth] = [&self.u, &self.v, &self.depth].map(|row| row.at(world));
         let w = match &self.w {
             Weight::PerDepth(factor) => factor.times(&depth),
             Weight::Constant(w) => w.clone(),
@@ -136,8 +130,7 @@ impl<I: Decided> PictureSpace<I> {
 
     /// n . p + c of the section at a world point: below 0 where it is cut away. `None` without a section.
     pub(in crate::pick) fn kept(&self, world: &Vector<I>) -> Option<Number<I>> {
-        let section = self.section.as_ref()?;
-        Some(section.normal.dot(world).plus(&section.constant))
+        self.section.as_ref().map(|section| section.at(world))
     }
 
     /// How much a step along a direction changes [`PictureSpace::kept`].
@@ -149,10 +142,12 @@ impl<I: Decided> PictureSpace<I> {
 impl<I: Decided> Row<I> {
     /// The row that is 0 at a point.
     fn through(point: &Vector<I>, normal: Vector<I>) -> Self {
-        Self {
-            constant: normal.dot(point).negated(),
-            normal,
-        }
+        let constant = normal.dot(point).negated();
+        Self { normal, constant }
+    }
+
+    fn at(&self, point: &Vector<I>) -> Number<I> {
+        self.normal.dot(point).plus(&self.constant)
     }
 }
 

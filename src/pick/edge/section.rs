@@ -72,9 +72,8 @@ impl Kept {
                     continue;
                 }
                 let root = n.negated().quotient(by, bits);
-                let is_within =
-                    root.minus(&part.from).sign().is_gt() && part.to.minus(&root).sign().is_gt();
-                if is_within {
+                let sides = [root.minus(&part.from), part.to.minus(&root)];
+                if sides.iter().all(|side| side.sign().is_gt()) {
                     ends.push(root);
                 }
             }

@@ -177,35 +177,24 @@ impl Circle {
         let opposite: Vec3 = array::from_fn(|i| center[i].minus(&a[i]));
         let left = right.each_ref().map(Dyadic::negated);
         let mut controls = Vec::new();
-        let parts = self.visible_parts([&root, &root_g], longer);
-        for Part {
-            turned,
-            left: is_left,
-            from,
-            to,
-        } in parts
-        {
-            let (first, last) = if turned {
+        for part in self.visible_parts([&root, &root_g], longer) {
+            let (from, to) = (part.from, part.to);
+            let (first, last) = if part.turned {
                 (&opposite, &deepest)
             } else {
                 (&deepest, &opposite)
             };
-            let side = if is_left { &left } else { &right };
+            let side = if part.left { &left } else { &right };
             // The polar form of first + 2 p side + p^2 last.
             let control = |p: &Dyadic, q: &Dyadic| -> [T; 3] {
                 let (sum, product) = (p.plus(q), p.times(q));
                 array::from_fn(|i| {
-                    let c = first[i]
-                        .plus(&side[i].times(&sum))
-                        .plus(&last[i].times(&product));
-                    fixed(c.in_units(sizes[i] - bits))
+                    let c = first[i].plus(&side[i].times(&sum));
+                    fixed(c.plus(&last[i].times(&product)).in_units(sizes[i] - bits))
                 })
             };
-            controls.push([
-                control(&from, &from),
-                control(&from, &to),
-                control(&to, &to),
-            ]);
+            let ends = [(&from, &from), (&from, &to), (&to, &to)];
+            controls.push(ends.map(|(p, q)| control(p, q)));
         }
         (!controls.is_empty()).then(|| Arcs {
             controls,

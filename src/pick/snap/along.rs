@@ -95,26 +95,21 @@ impl Search<'_> {
     /// nearest point; if that is the hidden point, it goes both ways. A convex surface hides one interval of a side,
     /// which is skipped whole.
     pub(super) fn beside(&self, hidden: &Candidate, by: &SceneHit) -> Vec<Candidate> {
-        let Candidate {
-            facet,
-            corner,
-            share,
-            ..
-        } = hidden;
-        let Some([nearest, first, last]) = self.nearest_and_ends(facet, *corner) else {
+        let (facet, corner, share) = (&hidden.facet, hidden.corner, hidden.share);
+        let Some([nearest, first, last]) = self.nearest_and_ends(facet, corner) else {
             return Vec::new();
         };
         let is_hidden = |share: f64| {
-            let point = facet.point(self.scene, *corner, share);
+            let point = facet.point(self.scene, corner, share);
             hides(self.scene, self.view, by, &point)
         };
-        let ways = [(first, *share <= nearest), (last, *share >= nearest)];
+        let ways = [(first, share <= nearest), (last, share >= nearest)];
         let out = ways.into_iter().filter_map(|(end, is_further)| {
-            let end = self.reach(facet, *corner, [*share, end]);
+            let end = self.reach(facet, corner, [share, end]);
             let comes_out = is_further && !is_hidden(end);
-            comes_out.then(|| first_without(*share, end, is_hidden))
+            comes_out.then(|| first_without(share, end, is_hidden))
         });
-        out.filter_map(|share| self.candidate(facet, *corner, share))
+        out.filter_map(|share| self.candidate(facet, corner, share))
             .collect()
     }
 
@@ -143,20 +138,13 @@ impl Search<'_> {
     /// The interval of shares that near, far and section leave of a side, rounded inwards; `None` where they leave
     /// nothing.
     fn left(&self, ends: &[DyadicVector; 2], shown: &[Shown<BigInt>; 2]) -> Option<[f64; 2]> {
-        let both = |of: &dyn Fn(usize) -> Dyadic| [of(0), of(1)];
-        let near = both(&|end| self.space.behind_near(&shown[end]));
-        let far = both(&|end| self.space.before_far(&shown[end]));
-        let section = [self.space.kept(&ends[0]), self.space.kept(&ends[1])];
-        let section = match section {
-            [Some(a), Some(b)] => Some([a, b]),
-            _ => None,
-        };
+        let near = shown.each_ref().map(|end| self.space.behind_near(end));
+        let far = shown.each_ref().map(|end| self.space.before_far(end));
+        let [a, b] = ends.each_ref().map(|end| self.space.kept(end));
+        let section = a.zip(b).map(|(a, b)| ([a, b], true));
         let mut left = [0.0_f64, 1.0];
         // A point on the far plane is not shown; on the other planes it is.
-        for ([a, b], with_zero) in [(near, true), (far, false)]
-            .into_iter()
-            .chain(section.map(|section| (section, true)))
-        {
+        for ([a, b], with_zero) in [(near, true), (far, false)].into_iter().chain(section) {
             let is_left = |side: &Dyadic| side.sign().is_gt() || (with_zero && side.is_zero());
             let slope = b.minus(&a);
             let is_left_at = |share: f64| is_left(&a.plus(&slope.times(&Dyadic::new(share))));

@@ -57,13 +57,8 @@ pub(super) fn facets(scene: &Scene, view: &View, px: DVec2, radius_px: f64) -> V
     let mut facets = Vec::new();
     match corners.pyramid(&Placement::IDENTITY) {
         Some(pyramid) => scene.visit_batches_within(&pyramid, |batch| {
-            let placement = &scene.objects()[batch.start].placement;
-            add(
-                scene,
-                batch,
-                corners.pyramid(placement).as_ref(),
-                &mut facets,
-            );
+            let pyramid = corners.pyramid(&scene.objects()[batch.start].placement);
+            add(scene, batch, pyramid.as_ref(), &mut facets);
             ControlFlow::Continue(())
         }),
         // From so far away that rounding merges the rays, any facet may show.

@@ -130,10 +130,12 @@ impl Search<'_> {
     fn vertex(&self, facets: &[Facet]) -> Option<Candidate> {
         let candidates = sides(facets).filter_map(|(facet, corner)| {
             let [a, _] = self.roughly(facet, corner);
-            let is_near = a.is_none_or(|a| a.distance(self.px) <= self.radius_px + 1.0);
-            is_near
-                .then(|| self.candidate(facet, corner, 0.0))
-                .flatten()
+            let is_far = a.is_some_and(|a| !(a.distance(self.px) <= self.radius_px + 1.0));
+            if is_far {
+                None
+            } else {
+                self.candidate(facet, corner, 0.0)
+            }
         });
         self.first(candidates.collect(), |_, _| Vec::new(), |_| true)
     }
@@ -155,13 +157,10 @@ impl Search<'_> {
         });
         let beside = |hidden: &Candidate, by: &SceneHit| self.beside(hidden, by);
         self.first(candidates.collect(), beside, |candidate| {
-            let Facet {
-                object, triangle, ..
-            } = candidate.facet;
-            let Some(triangle) = triangle else {
+            let Some(triangle) = candidate.facet.triangle else {
                 return true;
             };
-            match faces(object, triangle) {
+            match faces(candidate.facet.object, triangle) {
                 Ok(None) => true,
                 Ok(Some(face)) => side_of(&face, triangle, candidate.corner).is_some(),
                 // Triangulation may have added this edge.
@@ -239,15 +238,13 @@ impl Search<'_> {
             squared(&a_shown).times(&b_shown.w.squared()),
             squared(&b_shown).times(&a_shown.w.squared()),
         ];
-        a_away
-            .minus(&b_away)
-            .sign()
-            .then_with(|| {
-                let [a, b] = [(&a_shown, &b_weight), (&b_shown, &a_weight)];
-                let [a, b] = [a, b].map(|(of, weight)| of.depth.times(weight));
-                a.minus(&b).sign()
-            })
-            .then_with(|| name(a).cmp(&name(b)))
+        let by_depth = || {
+            let [a, b] = [(&a_shown, &b_weight), (&b_shown, &a_weight)];
+            let [a, b] = [a, b].map(|(of, weight)| of.depth.times(weight));
+            a.minus(&b).sign()
+        };
+        let by_place = a_away.minus(&b_away).sign().then_with(by_depth);
+        by_place.then_with(|| name(a).cmp(&name(b)))
     }
 }
 
@@ -261,9 +258,8 @@ fn sides(facets: &[Facet]) -> impl Iterator<Item = (&Facet, usize)> {
 /// compared by position, not by index: a polygon may name a vertex twice, and a triangle may use either. A polygon with
 /// a hole does so at both ends of the bridge to the hole.
 fn side_of(face: &FaceInFile, triangle: u32, corner: usize) -> Option<[usize; 2]> {
-    let corners = face
-        .corners
-        .get(triangle.checked_sub(face.triangles.start)? as usize)?;
+    let number = triangle.checked_sub(face.triangles.start)?;
+    let corners = face.corners.get(number as usize)?;
     let at = |place: usize| face.vertices[place].position;
     let ends = [corner, corner + 1].map(|corner| at(corners[corner % 3] as usize));
     let count = face.vertices.len();

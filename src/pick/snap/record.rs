@@ -99,12 +99,11 @@ impl Snap {
     ) -> Self {
         let Candidate { facet, corner, .. } = *candidate;
         let object = &scene.objects()[facet.object];
+        let placement = &object.placement;
+        let stored = |share: f64| ExactPoint::stored(&facet.point(scene, corner, share), 0.0);
         let (to, exact) = match of_edge {
             Some(exact) => (SnapTo::Edge, exact),
-            None => (
-                SnapTo::Vertex,
-                ExactPoint::stored(&candidate.point(scene), 0.0),
-            ),
+            None => (SnapTo::Vertex, stored(candidate.share)),
         };
         let point_world = exact.world();
         let triangle = facet.triangle;
@@ -119,9 +118,7 @@ impl Snap {
             let vertex = |place: usize| face.vertices[place].clone();
             Some(places.into_iter().map(vertex).collect::<Vec<_>>())
         });
-        let written =
-            |vertex: &VertexInFile| ExactPoint::written(&object.placement, &vertex.written);
-        let stored = |share: f64| ExactPoint::stored(&facet.point(scene, corner, share), 0.0);
+        let written = |vertex: &VertexInFile| ExactPoint::written(placement, &vertex.written);
         // A vertex is measured as the file writes it; a point of an edge is off by at most as much as its ends.
         let ends: Option<Vec<_>> =
             (of_file.as_deref()).and_then(|all| all.iter().map(written).collect());
@@ -142,11 +139,7 @@ impl Snap {
         });
         let area = match &face {
             Some(face) => area_of(face, scene, facet.object),
-            None => Some(area_of_corners(
-                &object.placement,
-                facet.origin,
-                facet.corners(),
-            )),
+            None => Some(area_of_corners(placement, facet.origin, facet.corners())),
         };
         Self {
             to,

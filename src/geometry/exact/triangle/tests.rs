@@ -22,18 +22,10 @@ fn what_pairs_decide_is_what_integers_say() {
             (origin.x, origin.y) = (0.5 * (a.x + b.x), 0.5 * (a.x + b.x));
             direction = DVec3::new(aside.x, 0.0, c.z);
         }
-        let triangle = |third| Corners {
-            placement: None,
-            origin: DVec3::ZERO,
-            corners: [a, b, third],
-        };
+        let triangle = |third| Corners::new(None, DVec3::ZERO, [a, b, third]);
         let line = Line::Given { origin, direction };
-        let interval = Ray {
-            origin,
-            direction,
-            t_min: 0.0,
-            t_max: if case % 2 == 0 { 1.0 } else { f64::INFINITY },
-        };
+        let end = if case % 2 == 0 { 1.0 } else { f64::INFINITY };
+        let interval = Ray::over(origin, direction, [0.0, end]);
         let hit = Hit {
             line,
             triangle: triangle(c),
@@ -72,10 +64,8 @@ fn bounds_that_underflow_decide_nothing() {
         origin: DVec3::new(x, y, -1.0),
         direction: DVec3::Z,
     };
-    let corners = |corners: [[f64; 3]; 3]| Corners {
-        placement: Some(&placement),
-        origin: DVec3::ZERO,
-        corners: corners.map(DVec3::from),
+    let corners = |corners: [[f64; 3]; 3]| {
+        Corners::new(Some(&placement), DVec3::ZERO, corners.map(DVec3::from))
     };
     let steep = corners([[1.0, 1.0, 0.0], [1.0, -1.0, -two(-95)], [-1.0, y, two(-96)]]);
     let level = corners([[x + d, y + d, 0.0], [x + d, y - d, 0.0], [x - d, y, 0.0]]);
@@ -90,19 +80,10 @@ fn a_subnormal_parameter_is_rounded_as_by_integers() {
     for _ in 0..500 {
         let origin = DVec3::new(0.25, 0.25, -two(-893) * random.next().abs());
         let direction = DVec3::new(0.0, 0.0, two(130) * (1.0 + random.next().abs()));
-        let interval = Ray {
-            origin,
-            direction,
-            t_min: 0.0,
-            t_max: 1.0,
-        };
+        let interval = Ray::over(origin, direction, [0.0, 1.0]);
         let hit = Hit {
             line: Line::Given { origin, direction },
-            triangle: Corners {
-                placement: None,
-                origin: DVec3::ZERO,
-                corners: [DVec3::ZERO, DVec3::X, DVec3::Y],
-            },
+            triangle: Corners::new(None, DVec3::ZERO, [DVec3::ZERO, DVec3::X, DVec3::Y]),
             interval: &interval,
         };
         let exact = solve(&hit).expect("it hits").t;
