@@ -114,10 +114,8 @@ fn draw(painter: &Painter, middle: Pos2, end: &End, is_lit: bool) {
     let colour = if is_lit { Color32::WHITE } else { end.colour };
     let mut of_name = Color32::BLACK;
     if end.is_negative() {
-        let (radius, edge) = (
-            if is_lit { END } else { 0.6 * END },
-            Stroke::new(1.5, colour),
-        );
+        let radius = if is_lit { END } else { 0.6 * END };
+        let edge = Stroke::new(1.5, colour);
         painter.circle(end.at, radius, Color32::from_black_alpha(140), edge);
         of_name = colour;
     } else {

@@ -77,22 +77,19 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
                     dismissed = Some(index);
                 }
                 let visuals = ui.visuals();
-                let (colour, hint) = match notice.kind {
-                    Kind::Done { .. } => {
-                        let hint = "done: this message goes away by itself";
-                        (visuals.text_color(), hint)
-                    }
-                    Kind::Warning => {
-                        let hint = "a warning: the cross dismisses it, and so does Esc";
-                        (visuals.warn_fg_color, hint)
-                    }
-                    Kind::Error(_) => {
-                        let hint = "an error: the cross dismisses it, and so does Esc";
-                        (visuals.error_fg_color, hint)
-                    }
+                let (colour, what) = match notice.kind {
+                    Kind::Done { .. } => (visuals.text_color(), "done"),
+                    Kind::Warning => (visuals.warn_fg_color, "a warning"),
+                    Kind::Error(_) => (visuals.error_fg_color, "an error"),
+                };
+                let goes = if notice.stays() {
+                    "the cross dismisses it, and so does Esc"
+                } else {
+                    "this message goes away by itself"
                 };
                 let text = RichText::new(&notice.text).color(colour);
-                ui.add(Label::new(text).wrap()).hint(hint);
+                ui.add(Label::new(text).wrap())
+                    .hint(format!("{what}: {goes}"));
             });
         });
     }

@@ -121,13 +121,8 @@ fn above(ui: &mut Ui, state: &State, filter: &Filter, commands: &mut Vec<Command
         button(selected, "hide", hint, Action::HideSelection);
         let hint = "hide all but the selection (I)";
         button(selected, "isolate", hint, Action::Isolate);
-        let hides = scene.hidden_count() > 0;
-        button(
-            hides,
-            "show all",
-            "show what is hidden (U)",
-            Action::ShowAll,
-        );
+        let (hides, hint) = (scene.hidden_count() > 0, "show what is hidden (U)");
+        button(hides, "show all", hint, Action::ShowAll);
     });
 }
 

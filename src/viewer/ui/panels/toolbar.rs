@@ -134,10 +134,10 @@ fn add(ui: &mut Ui, shown: &Shown, tool: &Tool, with_name: bool, commands: &mut 
             response
         }
     };
-    let name = if with_name {
-        String::new()
+    let response = response.named(tool.called);
+    if with_name {
+        response.hint(&tool.hint);
     } else {
-        format!("{}: ", tool.name)
-    };
-    response.named(tool.called).hint(name + &tool.hint);
+        response.hint(format!("{}: {}", tool.name, tool.hint));
+    }
 }

@@ -156,12 +156,8 @@ fn learning(shown: &Shown) -> Vec<Tool> {
     let gallery = menu("\u{1f5bc}", "Gallery", hint, Menu::Gallery);
     let hint = format!("dark or light panels; now: {}", shown.look.about());
     let look = ask("\u{2600}", "Look", hint, Command::NextLook);
-    let help = ask(
-        "\u{2753}",
-        "Help",
-        "keys and mouse (H)",
-        Command::ToggleHelp,
-    );
+    let hint = "keys and mouse (H)";
+    let help = ask("\u{2753}", "Help", hint, Command::ToggleHelp);
     vec![
         four.switched(!shown.state.stages().is_empty()),
         matrices.switched(shown.floating.pipeline),

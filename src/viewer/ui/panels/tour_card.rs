@@ -79,15 +79,11 @@ fn bar(ui: &mut Ui, tour: Tour, state: &State, commands: &mut Vec<Command>) {
             (true, false) => RichText::new("next").strong(),
             (true, true) => RichText::new("finish").strong(),
         };
-        let hint = "to the next step";
-        ui.button(next)
-            .asks(hint, Command::Tour(TourMove::Next), commands);
+        let (next, hint) = (ui.button(next), "to the next step");
+        next.asks(hint, Command::Tour(TourMove::Next), commands);
         let back = ui.add_enabled(behind > 0, Button::new("back"));
-        back.asks(
-            "to the step before",
-            Command::Tour(TourMove::Back),
-            commands,
-        );
+        let hint = "to the step before";
+        back.asks(hint, Command::Tour(TourMove::Back), commands);
         if tour.is_done {
             let done = RichText::new(TICK).color(ui.visuals().hyperlink_color);
             ui.label(done.size(18.0)).named("step done").hint("done");
