@@ -230,6 +230,7 @@ impl Docks {
         widths
     }
 
+    /// The same as [`Self::widths`], and notes which sides show.
     fn widths_shown(&mut self, sections: &[Section], room: f32) -> [Option<f32>; 2] {
         let widths = self.widths(sections, room);
         self.showing = widths.map(|width| width.is_some());

@@ -22,7 +22,7 @@ const SOUGHT: f32 = 18.0;
 /// A triangle that is smaller than this in the picture, in points, has no names at its corners: they would hide it.
 const LEGIBLE: f32 = 36.0;
 
-/// Beside and below the lines of triangles and distances.
+/// The dark rim of a triangle's edges and of a distance's line.
 const SHADE: (f32, Color32) = (4.0, Color32::from_black_alpha(160));
 
 /// Lines end this far outside the picture, in pixels, so that their ends do not show.
