@@ -82,17 +82,19 @@ pub(in crate::viewer) enum Command {
     Quit,
 }
 
+impl From<Action> for Command {
+    fn from(action: Action) -> Self {
+        Self::Act(action)
+    }
+}
+
 impl Command {
     /// Whether it opens, adds, reloads, saves or closes. A number that is still being typed is to count before that.
     pub fn ends_typing(&self) -> bool {
+        use Command::{Add, Open, OpenDialog, Quit, Reload, SaveDialog};
         matches!(
             self,
-            Self::OpenDialog
-                | Self::SaveDialog
-                | Self::Open(_)
-                | Self::Add(_)
-                | Self::Reload
-                | Self::Quit
+            OpenDialog | SaveDialog | Open(_) | Add(_) | Reload | Quit
         )
     }
 }
@@ -176,10 +178,7 @@ impl Intent {
 
 /// Whether files are a single scene of the gallery.
 fn is_exhibit(paths: &[impl AsRef<Path>]) -> bool {
-    match paths {
-        [only] => matches!(Exhibit::at(only.as_ref()), Ok(Some(_))),
-        _ => false,
-    }
+    matches!(paths, [only] if matches!(Exhibit::at(only.as_ref()), Ok(Some(_))))
 }
 
 /// The user's answer to the question about unsaved edits and measures.

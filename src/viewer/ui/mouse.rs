@@ -86,9 +86,7 @@ pub(in crate::viewer) fn scene(
     drag: &mut Option<Drag>,
 ) -> (Response, Vec<Action>) {
     // Tab does not stop here: there is nothing to type.
-    let id = ui
-        .scope_id()
-        .with(("scene", of.map(|stage| stage as usize)));
+    let id = (ui.scope_id()).with(("scene", of.map(|stage| stage as usize)));
     let response = ui.interact(rect, id, Sense::CLICK | Sense::DRAG);
     let mut actions = vec![Action::Resize(place.viewport)];
     let (modifiers, time_s) = ui.input(|input| (input.modifiers, input.time));
@@ -96,10 +94,9 @@ pub(in crate::viewer) fn scene(
     // egui also gives a widget what happens slightly outside of it, where there is no picture.
     let within =
         |position: Pos2| Some(place.to_px(position)).filter(|at| place.viewport.contains(*at));
+    let pressed_at = ui.input(|input| input.pointer.press_origin());
     if response.drag_started()
-        && let Some(at) = ui
-            .input(|input| input.pointer.press_origin())
-            .and_then(within)
+        && let Some(at) = pressed_at.and_then(within)
     {
         let does = match response.dragged_by(PointerButton::Primary) {
             true if modifiers.command => Does::Steer,
@@ -135,10 +132,8 @@ pub(in crate::viewer) fn scene(
             actions.push(Action::Recentre(at));
         }
     }
-    let hovering = response
-        .hover_pos()
-        .filter(|_| drag.is_none() && !response.is_pointer_button_down_on())
-        .and_then(within);
+    let is_idle = drag.is_none() && !response.is_pointer_button_down_on();
+    let hovering = (response.hover_pos().filter(|_| is_idle)).and_then(within);
     if let Some(at) = hovering {
         wheel(ui, place, at, &mut actions);
     }

@@ -49,26 +49,21 @@ impl PathQuestion {
             self.said = Some("This is not the path of a file.".into());
             return None;
         }
+        if self.what == PathFor::Save && !scene::is_scene_file(&path) {
+            path.add_extension("toml");
+        }
+        let name = path.display();
         match self.what {
             PathFor::Open if !path.exists() => {
-                self.said = Some(format!("{} does not exist.", path.display()));
-                return None;
+                self.said = Some(format!("{name} does not exist."));
+                None
             }
-            PathFor::Open => {}
-            PathFor::Save => {
-                if !scene::is_scene_file(&path) {
-                    path.add_extension("toml");
-                }
-                if path.exists() && self.replaces.as_ref() != Some(&path) {
-                    self.said = Some(format!(
-                        "{} exists already. Enter once more replaces it.",
-                        path.display()
-                    ));
-                    self.replaces = Some(path);
-                    return None;
-                }
+            PathFor::Save if path.exists() && self.replaces.as_ref() != Some(&path) => {
+                let text = format!("{name} exists already. Enter once more replaces it.");
+                (self.said, self.replaces) = (Some(text), Some(path));
+                None
             }
+            _ => Some(path),
         }
-        Some(path)
     }
 }

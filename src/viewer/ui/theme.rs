@@ -61,28 +61,26 @@ impl Look {
 pub(in crate::viewer) fn context() -> egui::Context {
     let context = egui::Context::default();
     mouse::options(&context);
-    let mut dark = egui::Visuals::dark();
-    dark.error_fg_color = Color32::from_rgb(255, 120, 105);
-    dark.warn_fg_color = color32(look::WARNING[0]);
-    dark.override_text_color = Some(Color32::from_gray(222));
-    dark.weak_text_color = Some(Color32::from_gray(160));
-    context.set_visuals_of(Theme::Dark, dark);
-    let mut light = egui::Visuals::light();
-    light.error_fg_color = Color32::from_rgb(176, 20, 0);
-    light.warn_fg_color = color32(look::WARNING[1]);
-    light.override_text_color = Some(Color32::from_gray(24));
-    light.weak_text_color = Some(Color32::from_gray(86));
-    context.set_visuals_of(Theme::Light, light);
+    let [dark, light] = look::WARNING;
+    for (theme, error, warning, text, weak) in [
+        (Theme::Dark, [255, 120, 105], dark, 222, 160),
+        (Theme::Light, [176, 20, 0], light, 24, 86),
+    ] {
+        let mut visuals = theme.default_visuals();
+        visuals.error_fg_color = color32(Srgb(error));
+        visuals.warn_fg_color = color32(warning);
+        visuals.override_text_color = Some(Color32::from_gray(text));
+        visuals.weak_text_color = Some(Color32::from_gray(weak));
+        context.set_visuals_of(theme, visuals);
+    }
     context
 }
 
 /// Notes the characters that egui's own typefaces lack.
 pub(in crate::viewer) fn note_missing(context: &egui::Context, missing: Missing) {
     context.add_font_provider(Arc::new(move |request: &FallbackRequest<'_>| {
-        request
-            .cluster
-            .chars()
-            .for_each(|character| missing.add(character));
+        let characters = request.cluster.chars();
+        characters.for_each(|character| missing.add(character));
         None
     }));
 }

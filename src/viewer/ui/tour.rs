@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     camera::{DepthMapping, Projection},
-    scene::Shape,
+    scene::{Object, Shape},
     viewer::{
         jobs::Checking,
         model::{Action, Compared, Overlay, Stage, State, Views},
@@ -57,6 +57,23 @@ const fn step(task: &'static str, why: &'static str, is_done: fn(&JustDone) -> b
     }
 }
 
+impl Step {
+    const fn in_picture(mut self) -> Self {
+        self.is_in_picture = true;
+        self
+    }
+
+    const fn about(mut self, panel: Section) -> Self {
+        self.panel = Some(panel);
+        self
+    }
+
+    const fn with_example(mut self, point: [f64; 3]) -> Self {
+        self.example = Some(point);
+        self
+    }
+}
+
 /// The object that the steps speak of most.
 const EGG: &str = "Egg";
 /// The object in the background.
@@ -67,49 +84,41 @@ const CHAPTERS: [Chapter; 8] = [
     Chapter {
         title: "Axes and the view matrix",
         steps: &[
-            Step {
-                is_in_picture: true,
-                ..step(
-                    "Drag over the picture with the left button: the camera orbits the point under the cursor.",
-                    "A camera is a point, the eye, and three axes of length 1: R right, U up and F forward. Nothing in the scene moves.",
-                    turns,
-                )
-            },
-            Step {
-                is_in_picture: true,
-                ..step(
-                    "Press P for the matrices, drag again and watch V.",
-                    "The rows of V are R, U and F, and its last column moves the eye to the origin. In view space x is right, y up and z forward, which makes it left-handed.",
-                    |done| done.matrices && turns(done),
-                )
-            },
+            step(
+                "Drag over the picture with the left button: the camera orbits the point under the cursor.",
+                "A camera is a point, the eye, and three axes of length 1: R right, U up and F forward. Nothing in the scene moves.",
+                turns,
+            )
+            .in_picture(),
+            step(
+                "Press P for the matrices, drag again and watch V.",
+                "The rows of V are R, U and F, and its last column moves the eye to the origin. In view space x is right, y up and z forward, which makes it left-handed.",
+                |done| done.matrices && turns(done),
+            )
+            .in_picture(),
         ],
     },
     Chapter {
         title: "Perspective and orthographic",
         steps: &[
-            Step {
-                panel: Some(Section::Camera),
-                example: Some([-1.0, 1.5, 2.0]),
-                ..step(
-                    "In the panel Camera set fov to 90, near to 1, far to 10 and depth to standard.",
-                    "Perspective divides by depth, so what is far away is small: the point (-1, 1.5, 2) of view space maps to y = 1.5 / 2 = 3/4, to depth 5/9 and, in a square picture, to x = -1/2.",
-                    |done| {
-                        let lens = done.state.controls();
-                        !lens.orthographic
-                            && (lens.fov_deg, lens.near, lens.far, lens.depth)
-                                == (90.0, Some(1.0), Some(10.0), DepthMapping::Standard)
-                    },
-                )
-            },
-            Step {
-                example: Some([-2.0, 5.0, 0.5]),
-                ..step(
-                    "Press 5: orthographic.",
-                    "Nothing is divided, so size does not depend on depth. In a square picture 20 high the point (-2, 5, 0.5) maps to (-0.2, 0.5, -1/18): a depth below 0 is in front of the near plane.",
-                    |done| done.state.controls().orthographic,
-                )
-            },
+            step(
+                "In the panel Camera set fov to 90, near to 1, far to 10 and depth to standard.",
+                "Perspective divides by depth, so what is far away is small: the point (-1, 1.5, 2) of view space maps to y = 1.5 / 2 = 3/4, to depth 5/9 and, in a square picture, to x = -1/2.",
+                |done| {
+                    let lens = done.state.controls();
+                    !lens.orthographic
+                        && (lens.fov_deg, lens.near, lens.far, lens.depth)
+                            == (90.0, Some(1.0), Some(10.0), DepthMapping::Standard)
+                },
+            )
+            .about(Section::Camera)
+            .with_example([-1.0, 1.5, 2.0]),
+            step(
+                "Press 5: orthographic.",
+                "Nothing is divided, so size does not depend on depth. In a square picture 20 high the point (-2, 5, 0.5) maps to (-0.2, 0.5, -1/18): a depth below 0 is in front of the near plane.",
+                |done| done.state.controls().orthographic,
+            )
+            .with_example([-2.0, 5.0, 0.5]),
             step(
                 "Press 5 again, then Enter: the view that the scene opened with.",
                 "Each projection is one 4 x 4 matrix. The last row of P makes w, by which all else is divided: the depth in perspective, 1 in orthographic.",
@@ -123,46 +132,38 @@ const CHAPTERS: [Chapter; 8] = [
     Chapter {
         title: "Clipping",
         steps: &[
-            Step {
-                panel: Some(Section::Camera),
-                ..step(
-                    "In the field near type a larger number, such as 9.5, until the near plane has passed the egg.",
-                    "What lies in front of near or beyond far is cut away. Picture and picks agree on that by one number, depth along F: a hit counts where near <= t < far, and t is that depth.",
-                    |done| done.near_is_past(EGG),
-                )
-            },
-            Step {
-                panel: Some(Section::Camera),
-                ..step(
-                    "Check fit beside near.",
-                    "A fitted near plane is as far away as the scene allows, which saves digits of the depth buffer.",
-                    |done| {
-                        done.acts(|action| matches!(action, Action::Lens(_)))
-                            && done.state.controls().near.is_none()
-                    },
-                )
-            },
+            step(
+                "In the field near type a larger number, such as 9.5, until the near plane has passed the egg.",
+                "What lies in front of near or beyond far is cut away. Picture and picks agree on that by one number, depth along F: a hit counts where near <= t < far, and t is that depth.",
+                |done| done.near_is_past(EGG),
+            )
+            .about(Section::Camera),
+            step(
+                "Check fit beside near.",
+                "A fitted near plane is as far away as the scene allows, which saves digits of the depth buffer.",
+                |done| {
+                    done.acts(|action| matches!(action, Action::Lens(_)))
+                        && done.state.controls().near.is_none()
+                },
+            )
+            .about(Section::Camera),
         ],
     },
     Chapter {
         title: "From a pixel to a ray",
         steps: &[
-            Step {
-                panel: Some(Section::Pick),
-                ..step(
-                    "Click the egg. A ring with a dot marks the point that the ray hit.",
-                    "The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. Its ray starts at the eye and runs along F + x aspect tan(fov / 2) R + y tan(fov / 2) U. That direction is not normalised, so that t is depth.",
-                    |done| done.clicks() && done.picked().is_some_and(|object| object.name == EGG),
-                )
-            },
-            Step {
-                is_in_picture: true,
-                ..step(
-                    "Press T and drag: this camera stays behind, as lines.",
-                    "They show its eye, its frustum, the pixel grid on its near plane and the ray through your pixel, with every surface that it hits. T removes them again.",
-                    |done| done.state.frozen().is_some() && turns(done),
-                )
-            },
+            step(
+                "Click the egg. A ring with a dot marks the point that the ray hit.",
+                "The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. Its ray starts at the eye and runs along F + x aspect tan(fov / 2) R + y tan(fov / 2) U. That direction is not normalised, so that t is depth.",
+                |done| done.clicks() && done.has_picked(EGG),
+            )
+            .about(Section::Pick),
+            step(
+                "Press T and drag: this camera stays behind, as lines.",
+                "They show its eye, its frustum, the pixel grid on its near plane and the ray through your pixel, with every surface that it hits. T removes them again.",
+                |done| done.state.frozen().is_some() && turns(done),
+            )
+            .in_picture(),
         ],
     },
     Chapter {
@@ -173,11 +174,7 @@ const CHAPTERS: [Chapter; 8] = [
                 "The egg is a sphere under a matrix. A ray hits it where a quadratic in t is 0: twice, once or never. The smaller root is the front; the larger one, a back face, gets a ring with a cross.",
                 |done| {
                     let further = done.state.hits().is_some_and(|hits| hits.at > 0);
-                    done.clicks()
-                        && further
-                        && done
-                            .picked()
-                            .is_some_and(|object| matches!(object.shape, Shape::Sphere))
+                    further && done.clicks_on(|shape| matches!(shape, Shape::Sphere))
                 },
             ),
             step(
@@ -196,11 +193,9 @@ const CHAPTERS: [Chapter; 8] = [
                 |done| {
                     let zooms = done
                         .acts(|action| matches!(action, Action::Zoom(_, factor) if *factor > 1.0));
-                    zooms
-                        && done.state.overlays().shows(Overlay::Triangle)
-                        && done
-                            .picked()
-                            .is_some_and(|object| matches!(object.shape, Shape::Mesh { .. }))
+                    let shows = done.state.overlays().shows(Overlay::Triangle);
+                    let is_mesh = |object: &Object| matches!(object.shape, Shape::Mesh { .. });
+                    zooms && shows && done.picked().is_some_and(is_mesh)
                 },
             ),
         ],
@@ -231,31 +226,27 @@ const CHAPTERS: [Chapter; 8] = [
     Chapter {
         title: "Near, far and the depth buffer",
         steps: &[
-            Step {
-                panel: Some(Section::Camera),
-                ..step(
-                    "Press Enter. Set near to 0.001 and depth to standard, click the tower and unfold Depth buffer, far down in the panel Pick.",
-                    "Standard depth is a + b / z. Nearly all of its f32 values lie just beyond near. At the tower they are far apart, and two surfaces within one step look like one.",
-                    |done| {
-                        let lens = done.state.controls();
-                        let near = lens.near.is_some_and(|near| near <= 0.001);
-                        near && lens.depth == DepthMapping::Standard
-                            && done.picked().is_some_and(|object| object.name == TOWER)
-                            && done.command == Some(&Command::ShowsDepthSteps)
-                    },
-                )
-            },
-            Step {
-                panel: Some(Section::Camera),
-                ..step(
-                    "Set depth to reversed.",
-                    "Reversed depth puts far at 0, where f32 has most of its values: that makes up for 1 / z. Enter brings back the view that the scene opened with.",
-                    |done| {
-                        done.acts(|action| matches!(action, Action::Lens(_)))
-                            && done.state.controls().depth == DepthMapping::Reversed
-                    },
-                )
-            },
+            step(
+                "Press Enter. Set near to 0.001 and depth to standard, click the tower and unfold Depth buffer, far down in the panel Pick.",
+                "Standard depth is a + b / z. Nearly all of its f32 values lie just beyond near. At the tower they are far apart, and two surfaces within one step look like one.",
+                |done| {
+                    let lens = done.state.controls();
+                    let near = lens.near.is_some_and(|near| near <= 0.001);
+                    near && lens.depth == DepthMapping::Standard
+                        && done.has_picked(TOWER)
+                        && done.command == Some(&Command::ShowsDepthSteps)
+                },
+            )
+            .about(Section::Camera),
+            step(
+                "Set depth to reversed.",
+                "Reversed depth puts far at 0, where f32 has most of its values: that makes up for 1 / z. Enter brings back the view that the scene opened with.",
+                |done| {
+                    done.acts(|action| matches!(action, Action::Lens(_)))
+                        && done.state.controls().depth == DepthMapping::Reversed
+                },
+            )
+            .about(Section::Camera),
         ],
     },
     Chapter {
@@ -265,10 +256,8 @@ const CHAPTERS: [Chapter; 8] = [
                 "Press E for the failure gallery's first scene, then M: the test of Moeller & Trumbore in f32 picks now. Find a pixel where it fails and click it.",
                 "Every wrong pixel is marked. f32 keeps 24 bits of a number. The difference of two large ones keeps only the last few, rounding noise, which then decides on which side of an edge the ray passes.",
                 |done| {
-                    let compared = done
-                        .state
-                        .showing()
-                        .and_then(|showing| showing.compared.as_ref());
+                    let showing = done.state.showing();
+                    let compared = showing.and_then(|showing| showing.compared.as_ref());
                     let fault = compared.and_then(Compared::fault);
                     let method = done.state.method();
                     method.is_some_and(|method| method.info().name == "Moeller-Trumbore")
@@ -300,12 +289,8 @@ pub fn tour_text() -> String {
     let entry = |(at, chapter): (usize, &Chapter)| {
         let steps = chapter.steps.iter();
         let steps = steps.map(|step| format!(" {} {}", step.task, step.why));
-        format!(
-            "{}. **{}.**{}\n",
-            at + 1,
-            chapter.title,
-            steps.collect::<String>()
-        )
+        let (number, steps): (_, String) = (at + 1, steps.collect());
+        format!("{number}. **{}.**{steps}\n", chapter.title)
     };
     CHAPTERS.iter().enumerate().map(entry).collect()
 }
@@ -356,10 +341,11 @@ impl Step {
     /// What the card adds in the present state: where the lens puts the step's point, or that the four views are in the
     /// way.
     pub fn now(&self, state: &State) -> Option<String> {
-        let is_in_the_way = self.is_in_picture && state.views() != Views::Picture;
-        let elsewhere = is_in_the_way
-            .then(|| "Here a drag turns one view alone: press 4 for the picture first.".to_owned());
-        elsewhere.or_else(|| self.example(state))
+        let elsewhere = "Here a drag turns one view alone: press 4 for the picture first.";
+        if self.is_in_picture && state.views() != Views::Picture {
+            return Some(elsewhere.to_owned());
+        }
+        self.example(state)
     }
 
     fn example(&self, state: &State) -> Option<String> {

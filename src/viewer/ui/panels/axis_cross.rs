@@ -1,19 +1,9 @@
 //! The world's axes as the camera sees them, in a corner of the picture. A click on an end looks along its axis.
 
-use super::field::short;
-use crate::{
-    look,
-    viewer::{
-        model::{Action, State},
-        screen::grid_step,
-        ui::{command::Command, theme::color32},
-    },
-};
-use egui::{
-    Align, Align2, Color32, FontId, Frame, Label, Layout, Painter, Pos2, Rect, Response, RichText,
-    Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo, pos2, vec2,
-};
-use glam::{DMat3, DVec3};
+use super::{field::short, prelude::*};
+use crate::{look, viewer::screen::grid_step};
+use egui::{Frame, Painter, Pos2, Role, UiBuilder, WidgetInfo};
+use glam::DMat3;
 
 /// From the middle to the end of an axis that is parallel to the picture, in points.
 const LENGTH: f32 = 30.0;
@@ -52,16 +42,13 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, state: &State, commands: &mut Vec<Co
     if let Some(step) = grid_step(state) {
         let at = middle + vec2(RADIUS + 6.0, RADIUS - 18.0);
         let room = Rect::from_min_size(at, vec2(STEP_WIDTH, 18.0));
-        let inside = UiBuilder::new()
-            .max_rect(room)
-            .layout(Layout::left_to_right(Align::Center));
+        let inside = UiBuilder::new().max_rect(room);
+        let inside = inside.layout(Layout::left_to_right(Align::Center));
         let text = RichText::new(format!("grid step {}", short(step)));
         let text = Label::new(text.color(Color32::from_gray(200))).selectable(false);
         // Readable over light surfaces, too.
-        let plate = Frame::new()
-            .fill(Color32::from_black_alpha(90))
-            .corner_radius(3.0)
-            .inner_margin(vec2(4.0, 1.0));
+        let plate = Frame::new().fill(Color32::from_black_alpha(90));
+        let plate = plate.corner_radius(3.0).inner_margin(vec2(4.0, 1.0));
         ui.scope_builder(inside, |ui| plate.show(ui, |ui| ui.add(text)).inner)
             .inner
             .on_hover_text("from one line of the grid to the next, in world units (G hides it)");
@@ -125,30 +112,18 @@ fn interact(ui: &Ui, rect: Rect, end: &End) -> Response {
 /// Positive ends bear their names, negative ones only while lit.
 fn draw(painter: &Painter, middle: Pos2, end: &End, is_lit: bool) {
     let colour = if is_lit { Color32::WHITE } else { end.colour };
+    let mut of_name = Color32::BLACK;
     if end.is_negative() {
         let radius = if is_lit { END } else { 0.6 * END };
-        painter.circle(
-            end.at,
-            radius,
-            Color32::from_black_alpha(140),
-            Stroke::new(1.5, colour),
-        );
+        let edge = Stroke::new(1.5, colour);
+        painter.circle(end.at, radius, Color32::from_black_alpha(140), edge);
+        of_name = colour;
     } else {
         painter.line_segment([middle, end.at], Stroke::new(2.0, colour));
         painter.circle_filled(end.at, END, colour);
     }
     if is_lit || !end.is_negative() {
-        let on = if end.is_negative() {
-            colour
-        } else {
-            Color32::BLACK
-        };
-        painter.text(
-            end.at,
-            Align2::CENTER_CENTER,
-            end.name,
-            FontId::proportional(12.0),
-            on,
-        );
+        let font = FontId::proportional(12.0);
+        painter.text(end.at, Align2::CENTER_CENTER, end.name, font, of_name);
     }
 }

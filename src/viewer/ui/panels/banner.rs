@@ -1,20 +1,12 @@
 //! The warning that a method other than Sightline's picks: a bar over the picture, a frame around it, and marks of what
 //! both methods found at the last click.
 
-use super::exhibit::{RIGHT, WRONG, step_and_name};
-use super::hints::Hint;
-use crate::{
-    study::swap::Found,
-    viewer::{
-        model::{Action, Compared, State},
-        screen::SceneRect,
-        ui::command::Command,
-    },
+use super::{
+    exhibit::{RIGHT, WRONG, step_and_name},
+    prelude::*,
 };
-use egui::{
-    Align, Color32, FontId, Label, Layout, Painter, Rect, RichText, Stroke, StrokeKind, Ui,
-    UiBuilder, vec2,
-};
+use crate::{study::swap::Found, viewer::model::Compared};
+use egui::{Painter, StrokeKind, UiBuilder};
 
 /// The bar's height in points.
 pub(super) const HEIGHT: f32 = 50.0;
@@ -31,24 +23,20 @@ pub(super) fn show(
 ) {
     let Some(method) = state.method() else { return };
     let painter = ui.painter().with_clip_rect(rect);
-    let compared = state
-        .showing()
-        .and_then(|showing| showing.compared.as_ref());
-    if let Some(compared) = compared {
+    if let Some(showing) = state.showing()
+        && let Some(compared) = &showing.compared
+    {
         marks(&painter, place, state, compared);
     }
     painter.rect_stroke(rect, 0.0, Stroke::new(4.0, BAR), StrokeKind::Inside);
     let bar = Rect::from_min_size(rect.min, vec2(rect.width(), HEIGHT));
     painter.rect_filled(bar, 0.0, BAR);
-    let inside = UiBuilder::new()
-        .max_rect(bar.shrink2(vec2(10.0, 4.0)))
-        .layout(Layout::right_to_left(Align::Center));
+    let inside = UiBuilder::new().max_rect(bar.shrink2(vec2(10.0, 4.0)));
+    let inside = inside.layout(Layout::right_to_left(Align::Center));
     ui.scope_builder(inside, |ui| {
         let back = RichText::new("back (Esc)").size(15.0).strong();
         let hint = "pick by Sightline's own method again, the default";
-        if ui.button(back).hint(hint).clicked() {
-            commands.push(Command::Act(Action::PickBy(None)));
-        }
+        ui.button(back).asks(hint, Action::PickBy(None), commands);
         ui.with_layout(Layout::top_down(Align::Min), |ui| {
             let text = |text: String, size| RichText::new(text).size(size).color(Color32::BLACK);
             let warning = "Not the default: another method picks".to_owned();
@@ -106,11 +94,8 @@ fn marks(painter: &Painter, place: SceneRect, state: &State, compared: &Compared
     for (text, colour) in lines {
         let galley = painter.layout_no_wrap(text, FontId::proportional(16.0), colour);
         let size = galley.size();
-        painter.rect_filled(
-            Rect::from_min_size(corner, size).expand2(vec2(5.0, 1.0)),
-            3.0,
-            Color32::from_black_alpha(210),
-        );
+        let plate = Rect::from_min_size(corner, size).expand2(vec2(5.0, 1.0));
+        painter.rect_filled(plate, 3.0, Color32::from_black_alpha(210));
         painter.galley(corner, galley, colour);
         corner.y += size.y + 3.0;
     }

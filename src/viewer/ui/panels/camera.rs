@@ -3,20 +3,16 @@
 use super::{
     field::{AXES, Field, WIDTH, short},
     gesture::Gesture,
-    hints::{Hint, named},
     plane_slider::{self, size},
+    prelude::*,
     section,
 };
 use crate::{
     camera::{CameraChoice, DepthMapping, Orbit, Projection, UpAxis},
     geometry::Sides,
-    viewer::{
-        model::{Action, LensControls, State},
-        ui::command::Command,
-    },
+    viewer::model::LensControls,
 };
-use egui::{Align, Grid, Layout, Sense, Slider, Ui, UiBuilder, vec2};
-use glam::DVec3;
+use egui::{Slider, UiBuilder};
 use std::{cell::Cell, ops::RangeInclusive};
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
@@ -37,38 +33,28 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.label("up axis")
             .hint("which axis of the world points up: turns the view, never the data");
-        for (axis, name) in [(UpAxis::Y, "y"), (UpAxis::Z, "z")] {
+        for (axis, name, hint) in [
+            (UpAxis::Y, "y", "as in most models"),
+            (UpAxis::Z, "z", "as in buildings, maps and CAD"),
+        ] {
             let label = ui.selectable_label(state.up_axis() == axis, name);
-            named(&label, &format!("{name} points up"));
-            let hint = match axis {
-                UpAxis::Y => "as in most models",
-                UpAxis::Z => "as in buildings, maps and CAD",
-            };
-            if label.hint(hint).clicked() {
-                commands.push(Command::Act(Action::UpAxis(axis)));
-            }
+            let label = label.named(&format!("{name} points up"));
+            label.asks(hint, Action::UpAxis(axis), commands);
         }
         ui.separator();
         let mut culls = state.view().sides == Sides::Front;
-        if ui
-            .checkbox(&mut culls, "cull back faces")
-            .hint("surfaces seen from behind are neither drawn nor picked (B)")
-            .changed()
-        {
-            commands.push(Command::Act(Action::ToggleSides));
-        }
+        let hint = "surfaces seen from behind are neither drawn nor picked (B)";
+        let culls = ui.checkbox(&mut culls, "cull back faces");
+        culls.asks(hint, Action::ToggleSides, commands);
     });
     section::show(ui, state, commands);
 }
 
 /// The button that copies the camera.
 pub(super) fn copy(ui: &mut Ui, commands: &mut Vec<Command>) {
-    let copy = ui.small_button("copy");
-    named(&copy, "copy camera");
+    let copy = ui.small_button("copy").named("copy camera");
     let hint = "as a scene file writes it (Shift+C); Ctrl+V pastes a copied one";
-    if copy.hint(hint).clicked() {
-        commands.push(Command::CopyCamera);
-    }
+    copy.asks(hint, Command::CopyCamera, commands);
 }
 
 fn projection(ui: &mut Ui, next: &mut LensControls) {
@@ -101,30 +87,19 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
         ui.horizontal_top(|ui| {
             let mut slid = next.fov_deg;
             let slider = ui.add(Slider::new(&mut slid, FOV_RANGE).show_value(false));
-            named(&slider, "fov, slid");
-            let slider = slider.hint(FOV);
+            let slider = slider.named("fov, slid").hint(FOV);
             gesture.note(&slider);
             if slider.changed() {
                 next.fov_deg = slid;
             }
-            let field = Field {
-                name: "fov",
-                hint: FOV,
-                of: state.scene_revision(),
-                value: next.fov_deg,
-                width: WIDTH,
-                step: 1.0,
-            };
-            if let Some(number) = field.show(ui, typed) {
+            let field = Field::new("fov", FOV, state.scene_revision(), WIDTH, next.fov_deg);
+            if let Some(number) = field.show(ui, 1.0, typed) {
                 next.fov_deg = number;
             }
         });
     });
-    let default = ui
-        .small_button("45")
-        .hint("back to 45 degrees, the default");
-    named(&default, "fov of 45 degrees");
-    if default.clicked() {
+    let default = ui.small_button("45").named("fov of 45 degrees");
+    if default.hint("back to 45 degrees, the default").clicked() {
         next.fov_deg = CameraChoice::FOV;
     }
     ui.end_row();
@@ -161,25 +136,17 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
             if let Some(slid) = slid.filter(|slid| typed(*slid).is_ok()) {
                 *which(next) = Some(slid);
             }
-            let field = Field {
-                name,
-                hint,
-                of: state.scene_revision(),
-                value,
-                width: WIDTH,
-                step: 0.01 * size(state),
-            };
-            if let Some(number) = field.show(ui, typed) {
+            let field = Field::new(name, hint, state.scene_revision(), WIDTH, value);
+            if let Some(number) = field.show(ui, 0.01 * size(state), typed) {
                 *which(next) = Some(number);
             }
         });
         let mut fitted = which(next).is_none();
-        let fit = ui
-            .checkbox(&mut fitted, "fit")
-            .hint("let the plane follow the scene, as close as possible");
-        named(&fit, &format!("fit {name}"));
-        if fit.changed() {
-            *which(next) = if fitted { None } else { Some(value) };
+        let fit = ui.checkbox(&mut fitted, "fit");
+        let fit = fit.named(&format!("fit {name}"));
+        let hint = "let the plane follow the scene, as close as possible";
+        if fit.hint(hint).changed() {
+            *which(next) = (!fitted).then_some(value);
         }
         ui.end_row();
     }
@@ -263,8 +230,7 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                     }
                     let level = Action::Pose([next[0], next[1], state.up_axis().up()]);
                     // A new eye or target keeps a level horizon.
-                    let keeps_level = is_level && row < 2 && state.check(&level).is_ok();
-                    if keeps_level {
+                    if is_level && state.check(&level).is_ok() {
                         level
                     } else {
                         Action::Pose(next)
@@ -277,19 +243,15 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                     }
                     checked
                 };
-                let field = Field {
-                    name: &format!("{name} {}", AXES[axis]),
-                    hint,
-                    of: state.scene_revision(),
-                    value: pose[row][axis],
-                    width,
-                    step: if row == 2 {
-                        0.01
-                    } else {
-                        0.01 * (pose[0] - pose[1]).length()
-                    },
+                let size = if row == 2 {
+                    1.0
+                } else {
+                    (pose[0] - pose[1]).length()
                 };
-                if let Some(number) = field.show(ui, check) {
+                let name = format!("{name} {}", AXES[axis]);
+                let (of, value) = (state.scene_revision(), pose[row][axis]);
+                let field = Field::new(&name, hint, of, width, value);
+                if let Some(number) = field.show(ui, 0.01 * size, check) {
                     let action = with(number);
                     if let (2, Action::Pose([.., up])) = (row, &action) {
                         next_up = Some(*up);

@@ -1,18 +1,12 @@
 //! What a comparison of the picture with its picks found: marks on the pixels that differ, and how many there are of
 //! each class.
 
-use super::hints::Hint;
+use super::{messages::plate, prelude::*};
 use crate::{
     verify::{COLOURS, Class, IN_ONE_PLACE, Verdict},
-    viewer::{
-        jobs::{Check, Checked, Checking},
-        screen::SceneRect,
-        ui::theme::color32,
-    },
+    viewer::jobs::{Check, Checked, Checking},
 };
-use egui::{
-    Align2, Area, Color32, Frame, Grid, Id, Rect, RichText, Sense, TextureId, Ui, Vec2, pos2,
-};
+use egui::TextureId;
 
 /// Shown over the scene's rectangle; nothing if no comparison is under way or done.
 pub(super) fn show(
@@ -30,19 +24,16 @@ pub(super) fn show(
         let painter = ui.painter().with_clip_rect(rect);
         painter.image(marks, place.to_points(), whole, Color32::WHITE);
     }
-    Area::new(Id::unique("check"))
-        .fixed_pos(rect.right_bottom() - Vec2::splat(10.0))
-        .pivot(Align2::RIGHT_BOTTOM)
-        .show(ui.ctx(), |ui| {
-            Frame::popup(ui.style()).show(ui, |ui| match &check.found {
-                None => {
-                    // Short, so that the grid's step stays in view in the smallest window.
-                    ui.label("comparing \u{2026}")
-                        .hint("every pixel with its pick");
-                }
-                Some(found) => table(ui, check, found),
-            });
-        });
+    let at = rect.right_bottom() - Vec2::splat(10.0);
+    plate(ui.ctx(), "check", at, Align2::RIGHT_BOTTOM, |ui| {
+        if let Some(found) = &check.found {
+            table(ui, check, found);
+        } else {
+            // Short, so that the grid's step stays in view in the smallest window.
+            let text = "comparing \u{2026}";
+            ui.label(text).hint("every pixel with its pick");
+        }
+    });
 }
 
 fn table(ui: &mut Ui, check: &Check, found: &Checked) {
@@ -50,26 +41,24 @@ fn table(ui: &mut Ui, check: &Check, found: &Checked) {
     ui.label(RichText::new(format!("Drawn against picked{}", check.by())).strong())
         .hint("each pixel of the picture is compared with what a click on it picks, and marked where they differ");
     Grid::new("classes").num_columns(3).show(ui, |ui| {
-        swatch(ui, Color32::TRANSPARENT);
-        ui.label("same").hint("pixels that show what a click there picks");
-        ui.monospace(report.same().to_string());
-        ui.end_row();
-        for (class, colour, in_words) in COLOURS {
-            swatch(ui, color32(colour));
-            ui.label(class.name())
-                .hint(format!("{in_words}: {}", meaning(class)));
-            ui.monospace(report.count(class).to_string());
+        let mut row = |colour, name, hint: &str, pixels: usize| {
+            let (rect, _) = ui.allocate_exact_size(Vec2::splat(10.0), Sense::hover());
+            ui.painter().rect_filled(rect, 0.0, colour);
+            ui.label(name).hint(hint);
+            ui.monospace(pixels.to_string());
             ui.end_row();
+        };
+        let hint = "pixels that show what a click there picks";
+        row(Color32::TRANSPARENT, "same", hint, report.same());
+        for (class, colour, in_words) in COLOURS {
+            let hint = format!("{in_words}: {}", meaning(class));
+            row(color32(colour), class.name(), &hint, report.count(class));
         }
         // Counted apart: these are pixels of any class.
         let pixels = found.in_one_place.len();
         if pixels > 0 {
-            swatch(ui, color32(IN_ONE_PLACE.0));
-            ui.label("surfaces in one place").hint(
-                "Surfaces closer together than drawing can tell apart, whether the pixel differs or not. Click for their names.",
-            );
-            ui.monospace(pixels.to_string());
-            ui.end_row();
+            let hint = "Surfaces closer together than drawing can tell apart, whether the pixel differs or not. Click for their names.";
+            row(color32(IN_ONE_PLACE.0), "surfaces in one place", hint, pixels);
         }
     });
     if check.by().is_empty() {
@@ -99,21 +88,16 @@ fn meaning(class: Class) -> &'static str {
     }
 }
 
-fn swatch(ui: &mut Ui, colour: Color32) {
-    let (rect, _) = ui.allocate_exact_size(Vec2::splat(10.0), Sense::hover());
-    ui.painter().rect_filled(rect, 0.0, colour);
-}
-
 /// What can be trusted, where the verdict tells that.
 fn advice(verdict: Verdict) -> Option<&'static str> {
-    match verdict {
-        Verdict::Agrees | Verdict::Unexplained(_) => None,
-        Verdict::BeyondF32(_) => Some(
-            "f32 is too coarse to draw this view.\nPicks are right, and so is\nsightline render --by raycast",
-        ),
-        Verdict::NothingDrawn(_) => Some(
-            "Nothing is drawn where picks hit.\nPicks are right, and so is\nsightline render --by raycast",
-        ),
-        Verdict::NothingPicked(_) => Some("Nothing is picked where the picture shows something."),
-    }
+    Some(match verdict {
+        Verdict::Agrees | Verdict::Unexplained(_) => return None,
+        Verdict::BeyondF32(_) => {
+            "f32 is too coarse to draw this view.\nPicks are right, and so is\nsightline render --by raycast"
+        }
+        Verdict::NothingDrawn(_) => {
+            "Nothing is drawn where picks hit.\nPicks are right, and so is\nsightline render --by raycast"
+        }
+        Verdict::NothingPicked(_) => "Nothing is picked where the picture shows something.",
+    })
 }

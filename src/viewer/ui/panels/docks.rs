@@ -220,15 +220,20 @@ impl Docks {
         if was && !in_gallery {
             self.give_back(Section::Gallery);
         }
-        let mut widths = self.widths(sections, room);
-        self.showing = widths.map(|width| width.is_some());
+        let widths = self.widths_shown(sections, room);
         // If another panel has taken room, the gallery's panel could vanish when that room is given back.
         let is_safe = self.is_visible(Section::Gallery) && self.before.is_none();
         if in_gallery && !was && !is_safe {
             self.take_room(Section::Gallery);
-            widths = self.widths(sections, room);
-            self.showing = widths.map(|width| width.is_some());
+            return self.widths_shown(sections, room);
         }
+        widths
+    }
+
+    /// The same as [`Self::widths`], and notes which sides show.
+    fn widths_shown(&mut self, sections: &[Section], room: f32) -> [Option<f32>; 2] {
+        let widths = self.widths(sections, room);
+        self.showing = widths.map(|width| width.is_some());
         widths
     }
 
@@ -256,13 +261,9 @@ impl Docks {
             return;
         };
         before.takers[section as usize] = false;
-        let Before {
-            wings,
-            first,
-            takers,
-        } = *before;
-        if !takers.contains(&true) {
-            (self.wings, self.first, self.before) = (wings, first, None);
+        if !before.takers.contains(&true) {
+            (self.wings, self.first) = (before.wings, before.first);
+            self.before = None;
         }
     }
 
@@ -294,16 +295,14 @@ impl Docks {
         let alone = |side| Some(wanted(side).min(room)).filter(|width| *width >= NARROWEST);
         match [shows(Side::Left), shows(Side::Right)] {
             [false, false] => [None, None],
-            [true, false] => [alone(Side::Left), None],
-            [false, true] => [None, alone(Side::Right)],
             [true, true] if least[0] + least[1] <= room => {
                 let right = wanted(Side::Right).min(room - least[0]);
                 [Some(wanted(Side::Left).min(room - right)), Some(right)]
             }
-            [true, true] => match self.first {
-                Side::Left => [alone(Side::Left), None],
-                Side::Right => [None, alone(Side::Right)],
-            },
+            [left, right] if left && (!right || self.first == Side::Left) => {
+                [alone(Side::Left), None]
+            }
+            _ => [None, alone(Side::Right)],
         }
     }
 

@@ -2,8 +2,8 @@
 
 use super::{
     field::{short, value_text},
-    hints::Hint,
     plot,
+    prelude::*,
 };
 use crate::{
     look,
@@ -17,12 +17,10 @@ use crate::{
     },
     viewer::{
         jobs::Chart,
-        model::{Action, Compared, Fault, Showing, State},
-        ui::{command::Command, theme::color32},
+        model::{Compared, Fault, Showing},
     },
 };
-use egui::{Button, Color32, ComboBox, Grid, RichText, Ui};
-use glam::DVec3;
+use egui::ComboBox;
 
 /// The colour of methods that are not the default, and of what is wrong: [`look::WRONG`].
 pub(super) const WRONG: Color32 = color32(look::WRONG);
@@ -93,9 +91,8 @@ pub(super) fn show(
 
 /// Which other methods are correct here.
 fn others(rows: &[Row]) -> String {
-    let names: Vec<String> = as_good(rows)
-        .map(|row| format!("{} {}", row.info.name, row.info.precision))
-        .collect();
+    let names = as_good(rows).map(|row| format!("{} {}", row.info.name, row.info.precision));
+    let names: Vec<String> = names.collect();
     if names.is_empty() {
         return "No other method of this step is correct here.".to_owned();
     }
@@ -110,46 +107,29 @@ fn name(info: &MethodInfo) -> String {
 fn methods(ui: &mut Ui, showing: &Showing, commands: &mut Vec<Command>) {
     ui.strong("Pick by")
         .hint("M: the next method; Shift+M: the one before");
-    let mut asked = None;
-    if ui
-        .radio(showing.method.is_none(), "Sightline's own, the default")
-        .hint("Esc goes back to it")
-        .clicked()
-    {
-        asked = Some(None);
-    }
+    let own = ui.radio(showing.method.is_none(), "Sightline's own, the default");
+    own.asks("Esc goes back to it", Action::PickBy(None), commands);
     let all = swaps(showing.exhibit.name);
     let (broken, others) = all.split_at(breaks_on(showing.exhibit.name).count());
     for swap in broken {
-        let info = swap.info();
         let text = RichText::new(step_and_name(swap)).color(WRONG);
         let radio = ui.radio(showing.method == Some(*swap), text);
-        let hint = format!("breaks here\n{}", info.source);
-        if radio.hint(hint).clicked() {
-            asked = Some(Some(*swap));
-        }
+        let hint = format!("breaks here\n{}", swap.info().source);
+        radio.asks(hint, Action::PickBy(Some(*swap)), commands);
     }
     let other = showing.method.filter(|method| others.contains(method));
-    let shown = other.map_or("another method of the step".to_owned(), |swap| {
-        name(&swap.info())
+    let shown = other.map(|swap| name(&swap.info()));
+    let shown = shown.unwrap_or_else(|| "another method of the step".to_owned());
+    let list = ComboBox::from_id_salt("other methods").selected_text(shown);
+    let list = list.width(ui.available_width() - 12.0);
+    let list = list.show_ui(ui, |ui| {
+        for swap in others {
+            let label = ui.selectable_label(showing.method == Some(*swap), step_and_name(swap));
+            label.asks(swap.info().source, Action::PickBy(Some(*swap)), commands);
+        }
     });
-    let list = ComboBox::from_id_salt("other methods")
-        .selected_text(shown)
-        .width(ui.available_width() - 12.0)
-        .show_ui(ui, |ui| {
-            for swap in others {
-                let info = swap.info();
-                let label = ui.selectable_label(showing.method == Some(*swap), step_and_name(swap));
-                if label.hint(info.source).clicked() {
-                    asked = Some(Some(*swap));
-                }
-            }
-        });
     let hint = "the study's other methods for the step that breaks here";
     list.response.hint(hint);
-    if let Some(method) = asked {
-        commands.push(Command::Act(Action::PickBy(method)));
-    }
 }
 
 fn outcome(ui: &mut Ui, state: &State, showing: &Showing) {
@@ -168,81 +148,63 @@ fn outcome(ui: &mut Ui, state: &State, showing: &Showing) {
     header.header_response.hint(hint);
 }
 
-/// Writes what a row says about a method's hit.
-type Column = fn(&State, &Found) -> String;
-
 fn numbers(ui: &mut Ui, state: &State, compared: &Compared) {
-    Grid::new("compared")
-        .num_columns(3)
-        .striped(true)
-        .show(ui, |ui| {
-            ui.label("");
-            ui.colored_label(WRONG, "this method")
-                .hint("what the chosen method finds at the clicked pixel");
-            ui.colored_label(RIGHT, "Sightline")
-                .hint("what is there: Sightline's own pick");
-            ui.end_row();
-            let rows: [(&str, &str, Column); 4] = [
-                ("object", "what was hit", object),
-                ("triangle", "which of its triangles", |_, found| {
-                    let at = found.hit.hit.on_triangle;
-                    at.map_or("\u{2013}".to_owned(), |at| at.triangle.to_string())
-                }),
-                ("point", "where, in the world", |_, found| {
-                    vector(found.point_world)
-                }),
-                (
-                    "normal",
-                    "the surface's outward direction there",
-                    |_, found| vector(found.normal_world),
-                ),
-            ];
-            for (what, hint, column) in rows {
-                ui.weak(what).hint(hint);
-                for found in [&compared.theirs, &compared.ours] {
-                    let text = found
-                        .as_ref()
-                        .map_or("nothing".to_owned(), |found| column(state, found));
-                    ui.label(value_text(text)).hint(hint);
-                }
-                ui.end_row();
+    let grid = Grid::new("compared").num_columns(3).striped(true);
+    grid.show(ui, |ui| {
+        ui.label("");
+        let hint = "what the chosen method finds at the clicked pixel";
+        ui.colored_label(WRONG, "this method").hint(hint);
+        let hint = "what is there: Sightline's own pick";
+        ui.colored_label(RIGHT, "Sightline").hint(hint);
+        ui.end_row();
+        let mut row = |what: &str, hint: &str, column: &dyn Fn(&Found) -> String| {
+            ui.weak(what).hint(hint);
+            for found in [&compared.theirs, &compared.ours] {
+                ui.label(value_text(or_nothing(found.as_ref(), column)))
+                    .hint(hint);
             }
+            ui.end_row();
+        };
+        row("object", "what was hit", &|found| object(state, found));
+        row("triangle", "which of its triangles", &|found| {
+            let at = found.hit.hit.on_triangle;
+            at.map_or("\u{2013}".to_owned(), |at| at.triangle.to_string())
         });
+        let point = |found: &Found| vector(found.point_world);
+        row("point", "where, in the world", &point);
+        let normal = |found: &Found| vector(found.normal_world);
+        row("normal", "the surface's outward direction there", &normal);
+    });
+}
+
+fn or_nothing(found: Option<&Found>, text: impl Fn(&Found) -> String) -> String {
+    found.map_or("nothing".to_owned(), text)
 }
 
 /// The result of the comparison, in words.
 fn verdict(state: &State, compared: &Compared) -> (String, Color32) {
-    let name = |found: &Option<Found>| {
-        found
-            .as_ref()
-            .map_or("nothing".to_owned(), |found| object(state, found))
-    };
-    let (theirs, ours) = (name(&compared.theirs), name(&compared.ours));
-    match compared.fault() {
-        None => ("Nothing is there, and nothing is picked.".to_owned(), RIGHT),
-        Some(Fault::Missed) => (format!("Wrong: it misses {ours}, which is there."), WRONG),
-        Some(Fault::Phantom) => (format!("Wrong: it picks {theirs} where nothing is."), WRONG),
-        Some(Fault::Other) if theirs == ours => {
-            ("Wrong: another triangle is there.".to_owned(), WRONG)
-        }
-        Some(Fault::Other) => (
-            format!("Wrong: it picks {theirs}, but {ours} is there."),
-            WRONG,
-        ),
-        Some(Fault::Off(by)) if !by.shows() => ("Correct here.".to_owned(), RIGHT),
+    let both = [&compared.theirs, &compared.ours];
+    let [theirs, ours] = both.map(|found| or_nothing(found.as_ref(), |found| object(state, found)));
+    let wrong = match compared.fault() {
+        None => return ("Nothing is there, and nothing is picked.".to_owned(), RIGHT),
+        Some(Fault::Off(by)) if !by.shows() => return ("Correct here.".to_owned(), RIGHT),
+        Some(Fault::Missed) => format!("Wrong: it misses {ours}, which is there."),
+        Some(Fault::Phantom) => format!("Wrong: it picks {theirs} where nothing is."),
+        Some(Fault::Other) if theirs == ours => "Wrong: another triangle is there.".to_owned(),
+        Some(Fault::Other) => format!("Wrong: it picks {theirs}, but {ours} is there."),
         Some(Fault::Off(by)) => {
             let place = format!("{} px and {} units", short(by.px), short(by.world));
             let normal = format!("{}\u{b0}", short(by.normal_deg));
-            let text = if by.normal_deg < 1.0 {
+            if by.normal_deg < 1.0 {
                 format!("Right object, wrong place: {place} off.")
             } else if by.world == 0.0 {
                 format!("Right object, wrong normal: {normal} off.")
             } else {
                 format!("Right object, wrong place: {place} off, its normal {normal}.")
-            };
-            (text, WRONG)
+            }
         }
-    }
+    };
+    (wrong, WRONG)
 }
 
 fn object(state: &State, found: &Found) -> String {

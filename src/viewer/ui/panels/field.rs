@@ -1,9 +1,9 @@
 //! A field for a number. Text that is no valid value is red and says why; the last valid value stays in force.
 
-use super::hints::{Hint, described, named};
+use super::{hints::described, prelude::*};
 use egui::{
-    Align, Align2, Context, FontId, Id, Key, Label, Layout, Modifiers, Response, RichText,
-    TextEdit, Ui, text::CCursorRange, text_edit::TextEditState, util::IdTypeMap, vec2,
+    Context, Id, Key, Modifiers, TextEdit, text::CCursorRange, text_edit::TextEditState,
+    util::IdTypeMap,
 };
 
 /// Typed text whose number is not in force: it is refused, or not confirmed yet. It is forgotten when its field is
@@ -22,10 +22,8 @@ struct Refused(u64);
 /// Gives up every red text. Returns whether there was one.
 pub(in crate::viewer::ui) fn give_up_refused(ctx: &Context) -> bool {
     let pass = ctx.cumulative_pass_nr();
-    let is_there = |Refused(at)| at == pass;
-    let was = ctx
-        .data(|data| data.get_temp(refused_id()))
-        .is_some_and(is_there);
+    let last = ctx.data(|data| data.get_temp(refused_id()));
+    let was = last.is_some_and(|Refused(at)| at == pass);
     if was {
         ctx.data_mut(IdTypeMap::remove_by_type::<Typed>);
         ctx.request_repaint();
@@ -43,29 +41,35 @@ const STILL: f32 = 16.0;
 /// Names of axes.
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// A number and how it is shown.
+/// A field and how it is shown.
 pub(super) struct Field<'a> {
-    /// What it is called.
-    pub name: &'a str,
-    /// Identifies what the number belongs to: text that was typed for one thing does not show for another.
-    pub of: u64,
-    /// What the number is, in a few words.
-    pub hint: &'a str,
-    /// The number in force.
-    pub value: f64,
-    /// The field's width in points.
-    pub width: f32,
-    /// What an arrow key adds or subtracts; with Shift, ten times as much.
-    pub step: f64,
+    name: &'a str,
+    hint: &'a str,
+    of: u64,
+    width: f32,
+    value: f64,
 }
 
-impl Field<'_> {
-    /// Shows the field. Returns the typed number once Enter or leaving the field confirms it and `check` accepts it, or
-    /// the number that the arrow keys step to. Esc gives up. Invalid text is red, with the reason and with what stays
-    /// in force.
+impl<'a> Field<'a> {
+    /// A field with its name, what its number is in a few words, its width in points, and the number in force. `of`
+    /// identifies what the number belongs to: text that was typed for one thing does not show for another.
+    pub fn new(name: &'a str, hint: &'a str, of: u64, width: f32, value: f64) -> Self {
+        Self {
+            name,
+            hint,
+            of,
+            width,
+            value,
+        }
+    }
+
+    /// Shows the field. An arrow key adds or subtracts `step`; with Shift, ten times as much. Returns the typed number
+    /// once Enter or leaving the field confirms it and `check` accepts it, or the number that the arrow keys step to.
+    /// Esc gives up. Invalid text is red, with the reason and with what stays in force.
     pub fn show<E: ToString>(
         &self,
         ui: &mut Ui,
+        step: f64,
         check: impl Fn(f64) -> Result<(), E>,
     ) -> Option<f64> {
         let (id, value) = (ui.scope_id().with((self.name, self.of)), self.value);
@@ -79,9 +83,12 @@ impl Field<'_> {
             check(number).map_err(|error| error.to_string())?;
             Ok::<_, String>(number)
         };
-        if let Some(stepped) = self.stepped(ui, id, parse(&text).ok())
-            && check(stepped).is_ok()
+        if ui.memory(|memory| memory.has_focus(id))
+            && let Ok(from) = parse(&text)
+            && let Some(steps) = steps(ui)
+            && check(from + steps * step).is_ok()
         {
+            let stepped = from + steps * step;
             forget(ui, id);
             self.edit(ui, id, &mut short(stepped), None);
             return Some(stepped);
@@ -91,9 +98,7 @@ impl Field<'_> {
         let wrong = wrong.map(|reason| format!("{reason}; {shown} stays in force"));
         let was_typed = typed.is_some();
         // Only below a field without the focus, so that nothing moves while the user types.
-        let still = wrong
-            .as_ref()
-            .filter(|_| !ui.memory(|memory| memory.has_focus(id)));
+        let still = (wrong.as_ref()).filter(|_| !ui.memory(|memory| memory.has_focus(id)));
         let height = ui.spacing().interact_size.y + if still.is_some() { STILL } else { 0.0 };
         let below = Layout::top_down(Align::Min);
         let response = ui.allocate_ui_with_layout(vec2(self.width, height), below, |ui| {
@@ -117,21 +122,8 @@ impl Field<'_> {
         if given_up || is_left {
             forget(ui, id);
         }
-        parsed
-            .ok()
-            .filter(|_| is_left && response.lost_focus() && !given_up)
-    }
-
-    /// What the arrow keys make of a number, where the field has the focus.
-    fn stepped(&self, ui: &Ui, id: Id, from: Option<f64>) -> Option<f64> {
-        let from = from.filter(|_| ui.memory(|memory| memory.has_focus(id)))?;
-        let count = |modifiers, key| {
-            let times = ui.input_mut(|input| input.count_and_consume_key(modifiers, key));
-            u32::try_from(times).map_or(0.0, f64::from)
-        };
-        let steps = |modifiers| count(modifiers, Key::ArrowUp) - count(modifiers, Key::ArrowDown);
-        let by = 10.0 * steps(Modifiers::SHIFT) + steps(Modifiers::NONE);
-        (by != 0.0).then_some(from + by * self.step)
+        let is_entered = is_left && response.lost_focus() && !given_up;
+        parsed.ok().filter(|_| is_entered)
     }
 
     fn edit(&self, ui: &mut Ui, id: Id, text: &mut String, wrong: Option<&str>) -> Response {
@@ -150,7 +142,7 @@ impl Field<'_> {
         if is_tabbed || response.double_clicked() {
             select_all(ui, id, text);
         }
-        named(&response, self.name);
+        let response = response.named(self.name);
         let Some(wrong) = wrong else {
             return response.hint(format!("{}; exactly {}", self.hint, self.value));
         };
@@ -162,6 +154,17 @@ impl Field<'_> {
         }
         response.on_hover_text(text)
     }
+}
+
+/// How many steps up the arrow keys ask for.
+fn steps(ui: &Ui) -> Option<f64> {
+    let count = |modifiers, key| {
+        let times = ui.input_mut(|input| input.count_and_consume_key(modifiers, key));
+        u32::try_from(times).map_or(0.0, f64::from)
+    };
+    let steps = |modifiers| count(modifiers, Key::ArrowUp) - count(modifiers, Key::ArrowDown);
+    let by = 10.0 * steps(Modifiers::SHIFT) + steps(Modifiers::NONE);
+    (by != 0.0).then_some(by)
 }
 
 /// What is typed next replaces the text.
@@ -181,15 +184,11 @@ fn parse(text: &str, value: f64, shown: &str) -> Result<f64, String> {
     if text == shown {
         return Ok(value);
     }
-    let number = text
-        .trim()
-        .parse::<f64>()
-        .map_err(|_| format!("\u{201c}{}\u{201d} is not a number", text.trim()))?;
-    if number.is_finite() {
-        Ok(number)
-    } else {
-        Err("it must be a finite number".into())
-    }
+    let text = text.trim();
+    let number = text.parse::<f64>();
+    let number = number.map_err(|_| format!("\u{201c}{text}\u{201d} is not a number"))?;
+    let is_finite = number.is_finite().then_some(number);
+    is_finite.ok_or_else(|| "it must be a finite number".into())
 }
 
 /// Width of a field in points that shows as many digits as [`short`] gives.

@@ -1,7 +1,6 @@
 //! Sliding and dragging: all changes from press to release are one undo step.
 
-use crate::viewer::{model::Action, ui::command::Command};
-use egui::Response;
+use super::prelude::*;
 
 /// What a control that can be slid or dragged did in this pass.
 #[derive(Clone, Copy, Default)]

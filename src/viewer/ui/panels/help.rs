@@ -1,11 +1,8 @@
 //! The help: keys, from the table that dispatches them, and what the mouse does.
 
-use super::{hints::Hint, tour_card};
-use crate::viewer::ui::{
-    command::{Command, TourMove},
-    keys,
-};
-use egui::{Align2, Context, Grid, ScrollArea, Ui, Vec2, Window, vec2};
+use super::{prelude::*, tour_card};
+use crate::viewer::ui::{command::TourMove, keys};
+use egui::{Context, ScrollArea, Window};
 
 /// The space around the rows, and the width of a row that does not wrap, in points.
 const MARGIN: Vec2 = vec2(60.0, 90.0);

@@ -1,12 +1,7 @@
 //! Hints, and names for controls that show no name. Screen readers are told both, and tests find controls by name.
 
+use crate::viewer::ui::command::Command;
 use egui::{Order, Response, accesskit};
-
-/// Names a control.
-pub(super) fn named(response: &Response, name: &str) {
-    let context = &response.ctx;
-    context.accesskit_node_builder(response.id, |node| node.set_label(name));
-}
 
 /// Describes a control, for example why the text in it is invalid.
 pub(super) fn described(response: &Response, text: &str) {
@@ -14,23 +9,35 @@ pub(super) fn described(response: &Response, text: &str) {
     context.accesskit_node_builder(response.id, |node| node.set_description(text));
 }
 
-/// Tells screen readers where a control is that Tab skips. For other controls, egui does that.
-pub(super) fn bounded(response: &Response) {
-    let rect = response.rect;
-    let [x0, y0, x1, y1] = [rect.min.x, rect.min.y, rect.max.x, rect.max.y].map(f64::from);
-    let context = &response.ctx;
-    context.accesskit_node_builder(response.id, |node| {
-        node.set_bounds(accesskit::Rect { x0, y0, x1, y1 });
-    });
-}
+/// What is said about a control or a word, and what a click on it asks for.
+pub(super) trait Hint: Sized {
+    /// Names a control.
+    fn named(self, name: &str) -> Self;
 
-/// What a control or a word means: a tooltip, which screen readers are told too.
-pub(super) trait Hint {
-    /// Adds the hint.
+    /// Tells screen readers where a control is that Tab skips. For other controls, egui does that.
+    fn bounded(self) -> Self;
+
+    /// Adds what the control or word means: a tooltip, which screen readers are told too.
     fn hint(self, text: impl AsRef<str>) -> Self;
+
+    /// Adds the hint, and asks for the command if the control was clicked.
+    fn asks(self, hint: impl AsRef<str>, command: impl Into<Command>, commands: &mut Vec<Command>);
 }
 
 impl Hint for Response {
+    fn named(self, name: &str) -> Self {
+        (self.ctx).accesskit_node_builder(self.id, |node| node.set_label(name));
+        self
+    }
+
+    fn bounded(self) -> Self {
+        let rect = self.rect;
+        let [x0, y0, x1, y1] = [rect.min.x, rect.min.y, rect.max.x, rect.max.y].map(f64::from);
+        let bounds = accesskit::Rect { x0, y0, x1, y1 };
+        (self.ctx).accesskit_node_builder(self.id, |node| node.set_bounds(bounds));
+        self
+    }
+
     fn hint(self, text: impl AsRef<str>) -> Self {
         let text = text.as_ref();
         described(&self, text);
@@ -38,6 +45,12 @@ impl Hint for Response {
             return self;
         }
         self.on_hover_text(text).on_disabled_hover_text(text)
+    }
+
+    fn asks(self, hint: impl AsRef<str>, command: impl Into<Command>, commands: &mut Vec<Command>) {
+        if self.hint(hint).clicked() {
+            commands.push(command.into());
+        }
     }
 }
 

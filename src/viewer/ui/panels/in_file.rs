@@ -1,18 +1,8 @@
 //! What a mesh's file says about the pick, and fields that go to something by its number.
 
-use super::{
-    field::value_text,
-    hints::{Hint, named},
-    value_rows::rows,
-};
-use crate::{
-    pick::Pick,
-    viewer::{
-        model::State,
-        ui::command::{Command, GoTo},
-    },
-};
-use egui::{CollapsingHeader, Id, Label, TextEdit, Ui};
+use super::{field::value_text, prelude::*, value_rows::rows};
+use crate::{pick::Pick, viewer::ui::command::GoTo};
+use egui::{CollapsingHeader, Id, TextEdit};
 
 /// The most corners of a polygon that are listed.
 const MOST_CORNERS: usize = 12;
@@ -42,29 +32,14 @@ pub(super) fn show(ui: &mut Ui, hit: &Pick) {
         4 => "a quad".to_owned(),
         _ => format!("a polygon of {corners} corners"),
     };
-    rows(
-        ui,
-        "in file",
-        &[
-            (
-                "file",
-                name.to_owned(),
-                "the file that the mesh was loaded from",
-            ),
-            (
-                "line",
-                line.to_string(),
-                "where the face stands in the file",
-            ),
-            (
-                "face",
-                format!("{face}, {kind}"),
-                "its number among the file's f lines, from 1, and how many corners it has there",
-            ),
-        ],
-    );
-    let title = "Corners in the file";
-    let header = CollapsingHeader::new(title).default_open(true);
+    let hint = "the file that the mesh was loaded from";
+    let file = ("file", name.to_owned(), hint);
+    let hint = "where the face stands in the file";
+    let line = ("line", line.to_string(), hint);
+    let hint = "its number among the file's f lines, from 1, and how many corners it has there";
+    let face = ("face", format!("{face}, {kind}"), hint);
+    rows(ui, "in file", &[file, line, face]);
+    let header = CollapsingHeader::new("Corners in the file").default_open(true);
     let header = header.show(ui, |ui| {
         let of_triangle = |place: usize| {
             let place = u32::try_from(place).ok();
@@ -73,10 +48,8 @@ pub(super) fn show(ui: &mut Ui, hit: &Pick) {
         for (place, vertex) in vertices.iter().enumerate().take(MOST_CORNERS) {
             let mark = if of_triangle(place) { "\u{2022}" } else { " " };
             let text = format!("{mark} v {}: {}", vertex.vertex, vertex.written);
-            let hint = format!(
-                "as line {} writes it; a dot marks the corners of the triangle that was hit",
-                vertex.line
-            );
+            let hint = "a dot marks the corners of the triangle that was hit";
+            let hint = format!("as line {} writes it; {hint}", vertex.line);
             ui.add(Label::new(value_text(text)).wrap()).hint(hint);
             if let Some(stored) = vertex.stored {
                 let text = format!("    stored {} {} {}", stored.x, stored.y, stored.z);
@@ -89,9 +62,8 @@ pub(super) fn show(ui: &mut Ui, hit: &Pick) {
                 .hint("all of them are in the copied JSON");
         }
     });
-    header
-        .header_response
-        .hint("the face's vertices with their numbers, as the file writes them");
+    let hint = "the face's vertices with their numbers, as the file writes them";
+    header.header_response.hint(hint);
 }
 
 /// Fields that go to an object, face or vertex by its number, and the outcome of the last "go to".
@@ -99,41 +71,34 @@ pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &m
     let mut wrong = None;
     ui.horizontal(|ui| {
         ui.weak("go to").hint("type a number and press Enter");
+        let object = "an object by its number in the list";
+        let face = "a face by its number among the f lines of the selected object's file, or of the only file";
+        let vertex = "a vertex by its number in the selected object's file, or in the only file";
         let fields: [GoToField; 3] = [
-            ("object", "an object by its number in the list", GoTo::Object),
-            (
-                "face",
-                "a face by its number among the f lines of the selected object's file, or of the only file",
-                GoTo::Face,
-            ),
-            (
-                "vertex",
-                "a vertex by its number in the selected object's file, or in the only file",
-                GoTo::Vertex,
-            ),
+            ("object", object, GoTo::Object),
+            ("face", face, GoTo::Face),
+            ("vertex", vertex, GoTo::Vertex),
         ];
         let room = ui.available_width() - 2.0 * ui.spacing().item_spacing.x;
         let width = (room / 3.0 - FRAME).floor().max(40.0);
         for (name, hint, to) in fields {
             let id = Id::unique(("go to", name));
             let mut text: String = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-            let number = text.trim().parse::<usize>().ok().filter(|number| *number > 0);
+            let number = text.trim().parse::<usize>();
+            let number = number.ok().filter(|number| *number > 0);
             let is_wrong = number.is_none() && !text.trim().is_empty();
             if is_wrong {
                 wrong = Some(format!("{name} {}: type a whole number from 1", text.trim()));
             }
-            let mut field = TextEdit::singleline(&mut text)
-                .id(id)
-                .hint_text(name)
-                .desired_width(width);
+            let field = TextEdit::singleline(&mut text).id(id).hint_text(name);
+            let mut field = field.desired_width(width);
             if is_wrong {
                 field = field.text_color(ui.visuals().error_fg_color);
             }
-            let response = ui.add(field);
-            named(&response, &format!("go to {name}"));
-            let entered = response.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter));
-            let response = response.hint(hint);
-            if response.changed() {
+            let response = ui.add(field).named(&format!("go to {name}"));
+            let has_enter = ui.input(|input| input.key_pressed(egui::Key::Enter));
+            let entered = response.lost_focus() && has_enter;
+            if response.hint(hint).changed() {
                 ui.data_mut(|data| data.insert_temp(id, text));
             }
             if let (true, Some(number)) = (entered, number) {

@@ -2,18 +2,15 @@
 
 use super::{
     field::{short, value_text},
-    hints::Hint,
+    prelude::*,
     tools,
     value_rows::{Digits, PLACES, rows},
 };
 use crate::{
     pick::Pick,
-    viewer::{
-        model::{Action, DepthSteps, Overlay, State, triangle},
-        ui::command::Command,
-    },
+    viewer::model::{DepthSteps, Overlay, triangle},
 };
-use egui::{CollapsingHeader, Grid, ScrollArea, Ui};
+use egui::{CollapsingHeader, ScrollArea};
 
 /// The most rows of hits that show at once.
 const ROWS: f32 = 12.0;
@@ -54,18 +51,11 @@ fn hits(ui: &mut Ui, state: &State, digits: Digits, commands: &mut Vec<Command>)
             for at in rows {
                 let pick = &hits.picks[at];
                 let side = if pick.front { "front" } else { "back" };
-                let text = format!(
-                    "{:>3}  {}  {side:5}  {}",
-                    at + 1,
-                    digits.length(pick.distance),
-                    pick.object
-                );
-                let text = value_text(text);
-                let label = ui.selectable_label(at == hits.at, text);
+                let (number, distance) = (at + 1, digits.length(pick.distance));
+                let text = format!("{number:>3}  {distance}  {side:5}  {}", pick.object);
+                let label = ui.selectable_label(at == hits.at, value_text(text));
                 let hint = "distance from the eye in world units, side, object: click to pick it";
-                if label.hint(hint).clicked() {
-                    commands.push(Command::Act(Action::StepTo(at)));
-                }
+                label.asks(hint, Action::StepTo(at), commands);
             }
         });
     });
@@ -77,23 +67,13 @@ fn corners(ui: &mut Ui, state: &State, hit: &Pick, digits: Digits, commands: &mu
     };
     let hint = "its corners in the world, and the pick's barycentrics: the weight of each corner";
     section(ui, "triangle", "Triangle".to_owned(), hint, |ui| {
-        for (name, (corner, weight)) in ["v1", "v2", "v3"]
-            .into_iter()
-            .zip(corners.into_iter().zip(weights))
-        {
-            let lines = [
-                (
-                    name,
-                    digits.vector(corner),
-                    "a corner of the triangle in the world",
-                ),
-                (
-                    "  weight",
-                    format!("{weight:.PLACES$}"),
-                    "this corner's share of the point: 1 at the corner, 0 on the opposite side; the three add up to 1",
-                ),
-            ];
-            rows(ui, name, &lines);
+        let corners = corners.into_iter().zip(weights);
+        for (name, (corner, weight)) in ["v1", "v2", "v3"].into_iter().zip(corners) {
+            let hint = "a corner of the triangle in the world";
+            let corner = (name, digits.vector(corner), hint);
+            let hint = "this corner's share of the point: 1 at the corner, 0 on the opposite side; the three add up to 1";
+            let weight = ("  weight", format!("{weight:.PLACES$}"), hint);
+            rows(ui, name, &[corner, weight]);
         }
         tools::overlay(ui, state, Overlay::Triangle, commands);
     });
@@ -109,19 +89,13 @@ fn distance(ui: &mut Ui, state: &State, digits: Digits, commands: &mut Vec<Comma
         };
         let by = to.point_world - from.point_world;
         let length = |value: f64| digits.length(value);
+        let straight = "in a straight line between the two points, in world units";
         let along = "how far apart they are along this axis of the world";
+        let before = "the object of the previous pick";
         let lines = [
-            (
-                "from",
-                from.object.clone(),
-                "the object of the previous pick",
-            ),
+            ("from", from.object.clone(), before),
             ("to", to.object.clone(), "the object of this pick"),
-            (
-                "distance",
-                length(by.length()),
-                "in a straight line between the two points, in world units",
-            ),
+            ("distance", length(by.length()), straight),
             ("along x", length(by.x), along),
             ("along y", length(by.y), along),
             ("along z", length(by.z), along),
@@ -133,53 +107,45 @@ fn distance(ui: &mut Ui, state: &State, digits: Digits, commands: &mut Vec<Comma
 
 fn depth(ui: &mut Ui, steps: &DepthSteps, commands: &mut Vec<Command>) {
     let hint = "the smallest difference in depth that the 32-bit depth buffer resolves here";
-    let confused = steps.confuses(steps.in_use);
     section(ui, "depth", "Depth buffer".to_owned(), hint, |ui| {
-        let numbers = Grid::new("steps")
-            .num_columns(3)
-            .striped(true)
-            .show(ui, |ui| {
-                for (mapping, step) in steps.steps {
-                    ui.weak(format!("{mapping} step")).hint(hint);
-                    let text = if step.is_finite() {
-                        format!("{} units", short(step))
-                    } else {
-                        "past the far plane".to_owned()
-                    };
-                    ui.label(value_text(text)).hint(hint);
-                    let in_use = if mapping == steps.in_use {
-                        "in use"
-                    } else {
-                        ""
-                    };
-                    ui.weak(in_use)
-                        .hint("which of the two the picture is drawn with");
-                    ui.end_row();
-                }
-                if let Some(next) = steps.next_surface {
-                    let hint = "how far behind this one the ray meets the next surface";
-                    ui.weak("next surface").hint(hint);
-                    let text = match next {
-                        0.0 => "in the same place".to_owned(),
-                        next => format!("{} units deeper", short(next)),
-                    };
-                    ui.label(value_text(text)).hint(hint);
-                    ui.end_row();
-                }
-            });
+        let grid = Grid::new("steps").num_columns(3).striped(true);
+        let numbers = grid.show(ui, |ui| {
+            for (mapping, step) in steps.steps {
+                ui.weak(format!("{mapping} step")).hint(hint);
+                let text = if step.is_finite() {
+                    format!("{} units", short(step))
+                } else {
+                    "past the far plane".to_owned()
+                };
+                ui.label(value_text(text)).hint(hint);
+                let is_in_use = mapping == steps.in_use;
+                ui.weak(if is_in_use { "in use" } else { "" })
+                    .hint("which of the two the picture is drawn with");
+                ui.end_row();
+            }
+            if let Some(next) = steps.next_surface {
+                let hint = "how far behind this one the ray meets the next surface";
+                ui.weak("next surface").hint(hint);
+                let text = match next {
+                    0.0 => "in the same place".to_owned(),
+                    next => format!("{} units deeper", short(next)),
+                };
+                ui.label(value_text(text)).hint(hint);
+                ui.end_row();
+            }
+        });
         if ui.is_rect_visible(numbers.response.rect) {
             commands.push(Command::ShowsDepthSteps);
         }
         for (mapping, _) in steps.steps {
             if steps.confuses(mapping) && mapping != steps.in_use {
-                ui.weak(format!(
-                    "With {mapping} depth these surfaces could not be told apart."
-                ))
-                .hint("its step is larger than the gap between them");
+                let text = format!("With {mapping} depth these surfaces could not be told apart.");
+                ui.weak(text)
+                    .hint("its step is larger than the gap between them");
             }
         }
     });
-    if confused {
+    if steps.confuses(steps.in_use) {
         let text = "Two surfaces are closer here than the depth buffer can tell apart: rounding decides which one shows.";
         ui.colored_label(ui.visuals().warn_fg_color, text)
             .hint(hint);

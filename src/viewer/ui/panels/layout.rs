@@ -4,20 +4,20 @@
 use super::{
     axis_cross, banner, differences,
     docks::{Section, Side, room},
-    help, marks, menu, messages, panes, path_field, question, section_handle,
+    help, marks, menu, messages, panes, path_field,
+    prelude::*,
+    question, section_handle,
     shown::Shown,
     status, toolbar, tour_card, wings,
 };
 use crate::viewer::{
-    model::{Action, Stage},
-    screen::SceneRect,
+    model::Stage,
     ui::{
-        command::Command,
         keys,
         mouse::{self, Drag},
     },
 };
-use egui::{CentralPanel, Panel, Popup, Rect, Ui};
+use egui::{CentralPanel, Panel, Popup};
 
 /// The result of a pass over the panels.
 pub(in crate::viewer) struct Asked {
@@ -47,14 +47,8 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     let room = room(window, ui.available_size());
     let widths = shown.docks.lay_out(&wanted, room);
     let edges = Side::BOTH.map(|side| {
-        wings::show(
-            ui,
-            side,
-            widths[side as usize],
-            &wanted,
-            shown,
-            &mut commands,
-        )
+        let width = widths[side as usize];
+        wings::show(ui, side, width, &wanted, shown, &mut commands)
     });
     let place = CentralPanel::no_frame().show(ui, |ui| {
         let rect = picture_rect(ui, shown);

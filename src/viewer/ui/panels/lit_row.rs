@@ -1,9 +1,7 @@
 //! Shows in the four views what a row of a matrix does, while the cursor rests on the row: its planes, axis or length.
 
-use super::pane_page::Page;
+use super::{pane_page::Page, prelude::*};
 use crate::viewer::model::{Matrix, NDC_DRAWN, Stage};
-use egui::Color32;
-use glam::DVec3;
 
 /// White. No area of another colour is filled.
 const COLOUR: Color32 = Color32::from_rgb(255, 255, 255);
@@ -71,9 +69,14 @@ impl Page<'_> {
             return self.dot(eye, 7.0, COLOUR);
         };
         let along = self.followed_or(camera.lens().near, |point| camera.to_view(point)[row]);
-        self.line(eye, eye + along * *axis, 4.0, COLOUR);
+        self.along(eye, eye + along * *axis);
+    }
+
+    /// A length along an axis, and from its end to the followed point.
+    fn along(&self, from: DVec3, to: DVec3) {
+        self.line(from, to, 4.0, COLOUR);
         if let Some(point) = self.state.followed_world() {
-            self.line(eye + along * *axis, point, 1.0, COLOUR);
+            self.line(to, point, 1.0, COLOUR);
         }
     }
 
@@ -97,12 +100,8 @@ impl Page<'_> {
                 }
             }
             Stage::World => {
-                let axis = DVec3::AXES[row];
                 let along = self.followed_or(radius, |point| point[row]);
-                self.line(DVec3::ZERO, along * axis, 4.0, COLOUR);
-                if let Some(point) = self.state.followed_world() {
-                    self.line(along * axis, point, 1.0, COLOUR);
-                }
+                self.along(DVec3::ZERO, along * DVec3::AXES[row]);
             }
             _ => {}
         }

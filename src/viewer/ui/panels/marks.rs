@@ -1,20 +1,19 @@
 //! Marks over the picture: the point that the pick's ray hits, the triangle there with its corners and barycentrics,
 //! the distance from the previous pick, snapped points, and the face or vertex that the user went to.
 
-use super::field::short;
+use super::{field::short, prelude::*};
 use crate::{
     camera::View,
     geometry::clip,
     look,
     pick::{Pick, Sight, snap::Snap},
     viewer::{
-        model::{Overlay, PickView, State, triangle},
-        screen::SceneRect,
-        ui::theme::{color32, rimmed},
+        model::{Overlay, PickView, triangle},
+        ui::theme::rimmed,
     },
 };
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
-use glam::{DVec2, DVec3};
+use egui::{Painter, Pos2, Shape};
+use glam::DVec2;
 
 /// Radius of the mark at a hit, in points.
 const MARK: f32 = 6.0;
@@ -22,6 +21,9 @@ const MARK: f32 = 6.0;
 const SOUGHT: f32 = 18.0;
 /// A triangle that is smaller than this in the picture, in points, has no names at its corners: they would hide it.
 const LEGIBLE: f32 = 36.0;
+
+/// The dark rim of a triangle's edges and of a distance's line.
+const SHADE: (f32, Color32) = (4.0, Color32::from_black_alpha(160));
 
 /// Lines end this far outside the picture, in pixels, so that their ends do not show.
 const MARGIN_PX: f64 = 16.0;
@@ -115,18 +117,15 @@ impl Page<'_> {
                 self.painter.circle_filled(at, 2.0 + 0.5 * more, colour);
                 self.painter.line(rim.to_vec(), stroke);
             } else {
-                self.painter
-                    .extend(Shape::dashed_line(&rim, stroke, 6.0, 6.0));
+                let dashes = Shape::dashed_line(&rim, stroke, 6.0, 6.0);
+                self.painter.extend(dashes);
             }
         }
-        let name = sought.of.name();
-        let text = match state.sight_of_sought() {
-            Some(Sight::Hidden(_)) => {
-                format!("{name}, {}", state.says_of_sought().unwrap_or_default())
-            }
-            _ => name,
-        };
-        self.text(at - vec2(0.0, SOUGHT + 8.0), &text, self.colour);
+        let mut text = sought.of.name();
+        if let Some(Sight::Hidden(_)) = state.sight_of_sought() {
+            text = format!("{text}, {}", state.says_of_sought().unwrap_or_default());
+        }
+        self.text(at - vec2(0.0, SOUGHT + 8.0), text);
     }
 
     /// A diamond around each point that a click snapped to, and the distance between them.
@@ -135,17 +134,12 @@ impl Page<'_> {
             self.distance(from.point_world, to.point_world);
         }
         for at in points.iter().filter_map(|point| self.at(point.point_world)) {
-            let corners = [
-                vec2(9.0, 0.0),
-                vec2(0.0, 9.0),
-                vec2(-9.0, 0.0),
-                vec2(0.0, -9.0),
-            ];
-            let corners = corners.map(|corner| at + corner).to_vec();
+            let corners = [(9.0, 0.0), (0.0, 9.0), (-9.0, 0.0), (0.0, -9.0)];
+            let corners = corners.map(|(x, y)| at + vec2(x, y)).to_vec();
             for (colour, more) in rimmed(self.colour) {
                 let stroke = Stroke::new(1.5 + more, colour);
-                self.painter
-                    .add(Shape::closed_line(corners.clone(), stroke));
+                let diamond = Shape::closed_line(corners.clone(), stroke);
+                self.painter.add(diamond);
             }
         }
     }
@@ -159,10 +153,9 @@ impl Page<'_> {
         let middle = (a + b + c) / 3.0;
         for (from, to) in [(a, b), (b, c), (c, a)] {
             if let Some(ends) = self.line(from, to) {
-                self.painter
-                    .line_segment(ends, Stroke::new(4.0, Color32::from_black_alpha(160)));
-                self.painter
-                    .line_segment(ends, Stroke::new(2.0, self.colour));
+                self.painter.line_segment(ends, SHADE);
+                let edge = Stroke::new(2.0, self.colour);
+                self.painter.line_segment(ends, edge);
             }
         }
         // From each corner to the picked point, which is a weighted mean of the corners.
@@ -173,27 +166,18 @@ impl Page<'_> {
             }
         }
         let seen = corners.map(|corner| self.at(corner));
-        let small = match seen {
-            [Some(a), Some(b), Some(c)] => {
-                Rect::from_points(&[a, b, c]).size().max_elem() < LEGIBLE
-            }
-            _ => false,
-        };
-        let middle = self.at(middle);
-        for (name, (at, weight)) in ["v1", "v2", "v3"]
-            .into_iter()
-            .zip(seen.into_iter().zip(weights))
+        if let [Some(a), Some(b), Some(c)] = seen
+            && Rect::from_points(&[a, b, c]).size().max_elem() < LEGIBLE
         {
-            let Some(at) = at.filter(|_| !small) else {
-                continue;
-            };
+            return;
+        }
+        let middle = self.at(middle);
+        let seen = seen.into_iter().zip(weights);
+        for (name, (at, weight)) in ["v1", "v2", "v3"].into_iter().zip(seen) {
+            let Some(at) = at else { continue };
             self.painter.circle_filled(at, 4.0, self.colour);
             let outwards = middle.map_or(vec2(0.0, -1.0), |middle| (at - middle).normalized());
-            self.text(
-                at + 26.0 * outwards,
-                &format!("{name} {weight:.3}"),
-                self.colour,
-            );
+            self.text(at + 26.0 * outwards, format!("{name} {weight:.3}"));
         }
     }
 
@@ -202,34 +186,28 @@ impl Page<'_> {
             return;
         };
         if let Some(line) = self.line(from, to) {
-            self.painter
-                .line_segment(line, Stroke::new(4.0, Color32::from_black_alpha(160)));
+            self.painter.line_segment(line, SHADE);
             let dashes = Shape::dashed_line(&line, Stroke::new(2.0, self.colour), 8.0, 4.0);
             self.painter.extend(dashes);
         }
+        let edge = Stroke::new(1.5, Color32::BLACK);
         for end in ends {
-            self.painter
-                .circle(end, 4.0, self.colour, Stroke::new(1.5, Color32::BLACK));
+            self.painter.circle(end, 4.0, self.colour, edge);
         }
         let middle = ends[0].lerp(ends[1], 0.5);
-        let text = short(from.distance(to));
-        self.text(middle - vec2(0.0, 16.0), &text, self.colour);
+        self.text(middle - vec2(0.0, 16.0), short(from.distance(to)));
     }
 
-    fn text(&self, at: Pos2, text: &str, colour: Color32) {
-        let galley =
-            self.painter
-                .layout_no_wrap(text.to_owned(), FontId::proportional(15.0), colour);
+    fn text(&self, at: Pos2, text: String) {
+        let (font, colour) = (FontId::proportional(15.0), self.colour);
+        let galley = self.painter.layout_no_wrap(text, font, colour);
         let rect = Align2::CENTER_CENTER.anchor_size(at, galley.size());
         // Moved sideways into the picture, if it fits there.
         let bounds = self.painter.clip_rect().shrink(4.0);
         let over = (rect.right() - bounds.right()).max(0.0);
         let rect = rect.translate(vec2((bounds.left() - rect.left()).max(-over), 0.0));
-        self.painter.rect_filled(
-            rect.expand2(vec2(4.0, 1.0)),
-            3.0,
-            Color32::from_black_alpha(200),
-        );
+        let plate = rect.expand2(vec2(4.0, 1.0));
+        (self.painter).rect_filled(plate, 3.0, Color32::from_black_alpha(200));
         self.painter.galley(rect.min, galley, colour);
     }
 }

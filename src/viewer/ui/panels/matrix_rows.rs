@@ -3,18 +3,16 @@
 use super::{
     docks::MATRIX,
     field::{DIGITS, short, short_in, value_text},
-    hints::{Hint, bounded, described, named},
+    hints::described,
+    prelude::*,
     visual_order::visual_order,
 };
 use crate::{
     camera::{DepthMapping, Projection},
     scene::Object,
-    viewer::{
-        model::{Action, Matrix, State},
-        ui::command::Command,
-    },
+    viewer::model::Matrix,
 };
-use egui::{FontId, Response, Sense, Shape, Ui};
+use egui::Shape;
 use glam::DMat4;
 
 /// The fewest characters that show a number's size and sign.
@@ -43,39 +41,28 @@ pub(super) fn title(matrix: Matrix, object: Option<&Object>) -> (String, String)
 
 /// What a row makes, in words.
 fn does(matrix: Matrix, row: usize) -> &'static str {
-    match (matrix, row) {
-        (Matrix::Projection, 0) => {
-            "clip x: view x over half the picture's width at depth 1. It is -w and w on the left and right planes"
-        }
-        (Matrix::Projection, 1) => {
-            "clip y: view y over half the picture's height at depth 1. It is -w and w on the bottom and top planes"
-        }
-        (Matrix::Projection, 2) => {
-            "clip z: made from the depth, so that after the division near and far are 0 and 1, or 1 and 0"
-        }
-        (Matrix::Projection, _) => {
-            "w, which the others are divided by: in perspective the depth itself"
-        }
-        (Matrix::View, 0) => {
-            "view x: along the camera's axis R. The last number is minus the eye's own place along R"
-        }
-        (Matrix::View, 1) => {
-            "view y: along the camera's axis U. The last number is minus the eye's own place along U"
-        }
-        (Matrix::View, 2) => {
-            "view z, the depth: along the camera's axis F. The last number is minus the eye's own place along F"
-        }
-        (Matrix::Model, 0) => {
-            "world x: what each of the object's axes adds to it, and the x of the object's origin"
-        }
-        (Matrix::Model, 1) => {
-            "world y: what each of the object's axes adds to it, and the y of the object's origin"
-        }
-        (Matrix::Model, 2) => {
-            "world z: what each of the object's axes adds to it, and the z of the object's origin"
-        }
-        (Matrix::View | Matrix::Model, _) => "w stays 1: points stay points",
-    }
+    const AFFINE: &str = "w stays 1: points stay points";
+    let rows = match matrix {
+        Matrix::Projection => [
+            "clip x: view x over half the picture's width at depth 1. It is -w and w on the left and right planes",
+            "clip y: view y over half the picture's height at depth 1. It is -w and w on the bottom and top planes",
+            "clip z: made from the depth, so that after the division near and far are 0 and 1, or 1 and 0",
+            "w, which the others are divided by: in perspective the depth itself",
+        ],
+        Matrix::View => [
+            "view x: along the camera's axis R. The last number is minus the eye's own place along R",
+            "view y: along the camera's axis U. The last number is minus the eye's own place along U",
+            "view z, the depth: along the camera's axis F. The last number is minus the eye's own place along F",
+            AFFINE,
+        ],
+        Matrix::Model => [
+            "world x: what each of the object's axes adds to it, and the x of the object's origin",
+            "world y: what each of the object's axes adds to it, and the y of the object's origin",
+            "world z: what each of the object's axes adds to it, and the z of the object's origin",
+            AFFINE,
+        ],
+    };
+    rows[row]
 }
 
 /// What the determinant of a model matrix says.
@@ -106,16 +93,15 @@ pub(super) fn determinant(
             "the world is right-handed, and z forward makes view space left-handed: -1. The picture is not mirrored by that: only the coordinates differ",
         ),
         Matrix::Model => {
-            let hand = if entries.determinant() < 0.0 {
-                ", mirrored"
+            let is_mirrored = entries.determinant() < 0.0;
+            let hand = if is_mirrored {
+                "mirrored"
             } else {
-                ", not mirrored"
+                "not mirrored"
             };
+            let times = value.trim_start_matches('-');
             (
-                format!(
-                    "det {value}: volumes times {}{hand}",
-                    value.trim_start_matches('-')
-                ),
+                format!("det {value}: volumes times {times}, {hand}"),
                 VOLUMES,
             )
         }
@@ -146,17 +132,9 @@ pub(super) fn rows(
     commands: &mut Vec<Command>,
 ) {
     // Entries that are mere rounding errors of the largest read better as 0.
-    let largest = matrix
-        .to_cols_array()
-        .into_iter()
-        .fold(0.0, |most: f64, value| most.max(value.abs()));
-    let entry = |value: f64| {
-        if value.abs() > 4.0 * f64::EPSILON * largest {
-            value
-        } else {
-            0.0
-        }
-    };
+    let all = matrix.to_cols_array().into_iter();
+    let least = 4.0 * f64::EPSILON * all.fold(0.0, |most: f64, value| most.max(value.abs()));
+    let entry = |value: f64| if value.abs() > least { value } else { 0.0 };
     for row in 0..4 {
         let values = matrix.row(row).to_array().map(entry);
         let Some((matrix, state)) = of else {
@@ -166,9 +144,8 @@ pub(super) fn rows(
         let lit = ui.painter().add(Shape::Noop);
         let coordinate = ["x", "y", "z", "w"][row];
         let response = numbers(ui, &values, Some((coordinate, does(matrix, row))));
-        let response = response.interact(Sense::hover());
-        named(&response, &format!("{name}, row {coordinate}"));
-        bounded(&response);
+        let response = response.interact(Sense::hover()).bounded();
+        let response = response.named(&format!("{name}, row {coordinate}"));
         if state.row() == Some((matrix, row)) {
             let colour = ui.visuals().selection.bg_fill;
             let shape = Shape::rect_filled(response.rect.expand(1.0), 2.0, colour);

@@ -1,28 +1,18 @@
 //! The points that clicks snap to, and the list of measures.
 
-use super::{
-    field::value_text,
-    hints::{Hint, named},
-};
+use super::{field::value_text, prelude::*};
 use crate::{
     json,
     pick::{measure::Measured, snap::Snap},
-    viewer::{
-        model::{Action, Entry, MeasureAction, Measuring, State, What},
-        ui::command::Command,
-    },
+    viewer::model::{Entry, MeasureAction, Measuring, What},
 };
-use egui::{Button, Label, Ui};
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let measuring = state.measuring();
-    let mut actions = Vec::new();
     let mut is_on = measuring.is_on;
     let toggle = ui.checkbox(&mut is_on, "snap clicks");
     let hint = "snap each click to the nearest visible vertex within 8 pixels, else to an edge of the file's polygons, else to the surface";
-    if toggle.hint(hint).clicked() {
-        actions.push(MeasureAction::Toggle);
-    }
+    toggle.asks(hint, Action::Measure(MeasureAction::Toggle), commands);
     // It has one line, whatever it says, so that nothing below it moves.
     ui.add(Label::new(measuring.next()).truncate())
         .hint("what to do next");
@@ -34,13 +24,10 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                 Some(entry) => format!("{}: add it to the list", text(&entry)),
                 None => measuring.lacks(what).to_owned(),
             };
-            if button.hint(now).clicked() {
-                actions.push(MeasureAction::Add(what));
-            }
+            button.asks(now, Action::Measure(MeasureAction::Add(what)), commands);
         }
     });
-    let has_some = !measuring.list.is_empty();
-    ui.horizontal(|ui| copying(ui, measuring, has_some, commands, &mut actions));
+    ui.horizontal(|ui| copying(ui, measuring, commands));
     // Below all buttons, which therefore do not move as points come and go.
     for (name, at) in [("from", 2), ("to", 1)] {
         let at = measuring.points.len().checked_sub(at);
@@ -49,29 +36,21 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     for (at, entry) in measuring.list.iter().enumerate() {
         ui.horizontal(|ui| {
             let remove = ui.small_button("\u{d7}");
-            named(&remove, &format!("remove measure {}", at + 1));
-            if remove.hint("remove this line").clicked() {
-                actions.push(MeasureAction::Remove(at));
-            }
+            let remove = remove.named(&format!("remove measure {}", at + 1));
+            let action = Action::Measure(MeasureAction::Remove(at));
+            remove.asks("remove this line", action, commands);
             ui.add(Label::new(value_text(text(entry))).wrap())
                 .hint("in world units, with the most that it may be off");
         });
     }
     // Where the side scrolls, its scroll bar covers the last line.
     ui.add_space(10.0);
-    let act = |action| Command::Act(Action::Measure(action));
-    commands.extend(actions.into_iter().map(act));
 }
 
 /// Buttons for the whole list.
-fn copying(
-    ui: &mut Ui,
-    measuring: &Measuring,
-    has_some: bool,
-    commands: &mut Vec<Command>,
-    actions: &mut Vec<MeasureAction>,
-) {
-    let button = |ui: &mut Ui, name: &str, hint: &str| {
+fn copying(ui: &mut Ui, measuring: &Measuring, commands: &mut Vec<Command>) {
+    let has_some = !measuring.list.is_empty();
+    let mut button = |name: &str, hint: &str| {
         let hint = if has_some {
             hint
         } else {
@@ -80,15 +59,14 @@ fn copying(
         let button = ui.add_enabled(has_some, Button::new(name));
         button.hint(hint).clicked()
     };
-    if button(ui, "copy list", "all lines as text, with all digits") {
+    if button("copy list", "all lines as text, with all digits") {
         commands.push(Command::Copy(measuring.text()));
     }
-    if button(ui, "list as JSON", "all lines as JSON, with all digits") {
+    if button("list as JSON", "all lines as JSON, with all digits") {
         commands.extend(json::text(&measuring.list).ok().map(Command::Copy));
     }
-    let hint = "remove all lines; undo brings them back";
-    if button(ui, "clear list", hint) {
-        actions.push(MeasureAction::Clear);
+    if button("clear list", "remove all lines; undo brings them back") {
+        commands.push(Action::Measure(MeasureAction::Clear).into());
     }
 }
 
@@ -96,12 +74,10 @@ fn copying(
 fn point(ui: &mut Ui, name: &str, point: Option<&Snap>) {
     let (label, at) = match point {
         Some(point) => {
+            let DVec3 { x, y, z } = point.point_world;
             let at = match point.vertices.as_deref() {
                 Some([vertex]) => vertex.written.clone(),
-                _ => format!(
-                    "{} {} {}",
-                    point.point_world.x, point.point_world.y, point.point_world.z
-                ),
+                _ => format!("{x} {y} {z}"),
             };
             (point.label(), at)
         }
@@ -109,17 +85,14 @@ fn point(ui: &mut Ui, name: &str, point: Option<&Snap>) {
     };
     ui.add(Label::new(format!("{name} {label}")).truncate())
         .hint("what the last click (to), or the one before it (from), snapped to");
-    ui.add(Label::new(value_text(at)).wrap()).hint(
-        "a vertex as the file writes it; any other point in world coordinates, with all digits",
-    );
+    let hint =
+        "a vertex as the file writes it; any other point in world coordinates, with all digits";
+    ui.add(Label::new(value_text(at)).wrap()).hint(hint);
 }
 
 fn text(entry: &Entry) -> String {
     let Entry { what, of, .. } = entry;
     let Measured { value, error } = entry.measured;
-    let remark = if entry.outdated { "; " } else { "" };
-    format!(
-        "{what} {value} \u{b1} {error:.1e}, {of}{remark}{}",
-        entry.remark()
-    )
+    let (mark, remark) = (if entry.outdated { "; " } else { "" }, entry.remark());
+    format!("{what} {value} \u{b1} {error:.1e}, {of}{mark}{remark}")
 }

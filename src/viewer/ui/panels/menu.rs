@@ -1,14 +1,7 @@
 //! The menu of the right mouse button: what can be done with what is under the cursor.
 
-use super::{
-    hints::{Hint, named},
-    visual_order::visual_order,
-};
-use crate::viewer::{
-    model::{Action, State},
-    ui::command::Command,
-};
-use egui::{Button, Id, PointerButton, Popup, Response, Ui};
+use super::{prelude::*, visual_order::visual_order};
+use egui::{Id, PointerButton, Popup};
 use glam::DVec2;
 
 /// What was under the cursor when the menu was opened.
@@ -27,10 +20,8 @@ pub(super) fn of_picture(
 ) {
     let id = Id::unique("under the cursor");
     // What is under the cursor is noted at the press: while the button is down, nothing counts as hovered.
-    let button = PointerButton::Secondary;
-    let pressed = picture
-        .ctx
-        .input(|input| input.pointer.button_pressed(button));
+    let secondary = PointerButton::Secondary;
+    let pressed = (picture.ctx).input(|input| input.pointer.button_pressed(secondary));
     if let (true, Some(px)) = (pressed && picture.contains_pointer(), px) {
         let object = state.hover();
         let opened = Opened { object, px };
@@ -116,10 +107,8 @@ fn of_nothing(picture: &Response, state: &State, commands: &mut Vec<Command>) {
         }
         lines.show_all(state);
         lines.ui.separator();
-        let (name, hint) = (
-            "Copy the view as a command",
-            "a command line that shows and picks exactly this",
-        );
+        let name = "Copy the view as a command";
+        let hint = "a command line that shows and picks exactly this";
         lines.ask(name, "C", hint, Command::CopyCommandLine);
         let hint = "as a scene file writes it; Ctrl+V pastes it";
         lines.ask("Copy the camera", "Shift+C", hint, Command::CopyCamera);
@@ -146,8 +135,7 @@ impl Lines<'_> {
     /// The same for actions, one after the other.
     fn add(&mut self, name: &str, key: &str, hint: &str, actions: &[Action]) {
         if self.is_clicked(name, key, hint) {
-            self.commands
-                .extend(actions.iter().copied().map(Command::Act));
+            (self.commands).extend(actions.iter().copied().map(Command::Act));
         }
     }
 
@@ -160,7 +148,6 @@ impl Lines<'_> {
 
     fn is_clicked(&mut self, name: &str, key: &str, hint: &str) -> bool {
         let line = self.ui.add(Button::new(name).shortcut_text(key));
-        named(&line, name);
-        line.hint(hint).clicked()
+        line.named(name).hint(hint).clicked()
     }
 }

@@ -2,17 +2,20 @@
 
 use super::{
     banner,
-    hints::{Hint, named},
+    prelude::*,
     shown::{Shown, Underway},
 };
 use crate::viewer::{
-    model::{Action, EmptiedBy, State},
-    ui::{
-        command::Command,
-        notice::{Kind, Notices},
-    },
+    model::EmptiedBy,
+    ui::notice::{Kind, Notices},
 };
-use egui::{Align2, Area, Frame, Id, ProgressBar, Rect, RichText, Ui, vec2};
+use egui::{Area, Context, Frame, Id, Pos2, ProgressBar};
+
+/// A plate over the picture, whose corner or middle is at a point of the window.
+pub(super) fn plate(ctx: &Context, name: &str, at: Pos2, of: Align2, inside: impl FnOnce(&mut Ui)) {
+    let area = Area::new(Id::unique(name)).fixed_pos(at).pivot(of);
+    area.show(ctx, |ui| Frame::popup(ui.style()).show(ui, inside));
+}
 
 /// Messages at the top, progress at the bottom, and a hint where there is nothing to see.
 pub(super) fn show(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mut Vec<Command>) {
@@ -31,36 +34,26 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mut Ve
     }) = &shown.underway
     {
         let at = rect.center_bottom() - vec2(0.0, 40.0);
-        Area::new(Id::unique("progress"))
-            .fixed_pos(at)
-            .pivot(Align2::CENTER_BOTTOM)
-            .show(&ctx, |ui| {
-                Frame::popup(ui.style()).show(ui, |ui| {
-                    ui.horizontal(|ui| {
-                        let bar = ProgressBar::new(fraction.unwrap_or(1.0));
-                        let bar = bar.animate(fraction.is_none());
-                        ui.add(bar.desired_width(220.0).text(*what));
-                        if *can_stop && ui.button("cancel").hint("(Esc)").clicked() {
-                            commands.push(Command::Escape);
-                        }
-                    });
-                });
+        plate(&ctx, "progress", at, Align2::CENTER_BOTTOM, |ui| {
+            ui.horizontal(|ui| {
+                let bar = ProgressBar::new(fraction.unwrap_or(1.0));
+                let bar = bar.animate(fraction.is_none());
+                ui.add(bar.desired_width(220.0).text(*what));
+                if *can_stop {
+                    ui.button("cancel").asks("(Esc)", Command::Escape, commands);
+                }
             });
+        });
     } else if let Some((text, button, asked)) = hint(shown.state) {
-        Area::new(Id::unique("hint"))
-            .fixed_pos(rect.center())
-            .pivot(Align2::CENTER_CENTER)
-            .show(&ctx, |ui| {
-                Frame::popup(ui.style()).show(ui, |ui| {
-                    ui.vertical_centered(|ui| {
-                        ui.label(text).hint("why the picture is empty");
-                        let button = ui.button(button).hint("a way to see something");
-                        if button.clicked() {
-                            commands.extend(asked);
-                        }
-                    });
-                });
+        plate(&ctx, "hint", rect.center(), Align2::CENTER_CENTER, |ui| {
+            ui.vertical_centered(|ui| {
+                ui.label(text).hint("why the picture is empty");
+                let button = ui.button(button).hint("a way to see something");
+                if button.clicked() {
+                    commands.extend(asked);
+                }
             });
+        });
     }
 }
 
@@ -71,8 +64,7 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
     let earlier = notices.len().saturating_sub(SHOWN);
     if earlier > 0 {
         let text = format!("dismiss all ({earlier} earlier)");
-        let dismiss = ui.button(text).hint("remove every message");
-        if dismiss.clicked() {
+        if ui.button(text).hint("remove every message").clicked() {
             return notices.clear();
         }
     }
@@ -80,23 +72,24 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
     for (index, notice) in notices.iter().enumerate().skip(earlier) {
         Frame::popup(ui.style()).show(ui, |ui| {
             ui.horizontal(|ui| {
-                let colour = match notice.kind {
-                    Kind::Done { .. } => ui.visuals().text_color(),
-                    Kind::Warning => ui.visuals().warn_fg_color,
-                    Kind::Error(_) => ui.visuals().error_fg_color,
-                };
-                let dismiss = ui.button("\u{d7}").hint("dismiss");
-                named(&dismiss, "dismiss");
-                if dismiss.clicked() {
+                let dismiss = ui.button("\u{d7}").named("dismiss");
+                if dismiss.hint("dismiss").clicked() {
                     dismissed = Some(index);
                 }
-                let text = RichText::new(&notice.text).color(colour);
-                let hint = match notice.kind {
-                    Kind::Done { .. } => "done: this message goes away by itself",
-                    Kind::Warning => "a warning: the cross dismisses it, and so does Esc",
-                    Kind::Error(_) => "an error: the cross dismisses it, and so does Esc",
+                let visuals = ui.visuals();
+                let (colour, what) = match notice.kind {
+                    Kind::Done { .. } => (visuals.text_color(), "done"),
+                    Kind::Warning => (visuals.warn_fg_color, "a warning"),
+                    Kind::Error(_) => (visuals.error_fg_color, "an error"),
                 };
-                ui.add(egui::Label::new(text).wrap()).hint(hint);
+                let goes = if notice.stays() {
+                    "the cross dismisses it, and so does Esc"
+                } else {
+                    "this message goes away by itself"
+                };
+                let text = RichText::new(&notice.text).color(colour);
+                ui.add(Label::new(text).wrap())
+                    .hint(format!("{what}: {goes}"));
             });
         });
     }
@@ -112,23 +105,19 @@ fn hint(state: &State) -> Option<(&'static str, &'static str, Vec<Command>)> {
         return Some((text, "Open\u{2026} (Ctrl+O)", vec![Command::OpenDialog]));
     }
     if state.scene().visible_bounds().is_empty() {
-        let show = Command::Act(Action::ShowAll);
-        return Some(("Everything is hidden", "Show all (U)", vec![show]));
+        let show = vec![Action::ShowAll.into()];
+        return Some(("Everything is hidden", "Show all (U)", show));
     }
     // The four views show what the camera does not see.
     if !state.stages().is_empty() {
         return None;
     }
     let (by, actions) = state.emptied()?;
+    let by_section = "Nothing in view: the section cuts everything away";
+    let by_planes = "Nothing in view: no object is between near and far";
     let (text, button) = match by {
-        EmptiedBy::Section => (
-            "Nothing in view: the section cuts everything away",
-            "Section off (Z)",
-        ),
-        EmptiedBy::Planes => (
-            "Nothing in view: no object is between near and far",
-            "Fit near and far",
-        ),
+        EmptiedBy::Section => (by_section, "Section off (Z)"),
+        EmptiedBy::Planes => (by_planes, "Fit near and far"),
         EmptiedBy::Pose => ("Nothing in view", "Frame all (A)"),
     };
     let actions = actions.into_iter().chain([Action::Release]);

@@ -44,6 +44,21 @@ mod value_rows;
 mod visual_order;
 mod wings;
 
+/// What most panels name.
+mod prelude {
+    pub(super) use super::hints::Hint;
+    pub(super) use crate::viewer::{
+        model::{Action, State},
+        screen::SceneRect,
+        ui::{command::Command, theme::color32},
+    };
+    pub(super) use egui::{
+        Align, Align2, Button, Color32, FontId, Grid, Label, Layout, Rect, Response, RichText,
+        Sense, Stroke, Ui, Vec2, pos2, vec2,
+    };
+    pub(super) use glam::DVec3;
+}
+
 pub(in crate::viewer) use docks::{Docks, Section};
 pub(super) use field::give_up_refused;
 pub(in crate::viewer) use layout::show;

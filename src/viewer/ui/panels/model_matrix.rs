@@ -3,58 +3,31 @@
 use super::{
     field::{AXES, Field, WIDTH, short},
     gesture::Gesture,
-    hints::Hint,
     matrix_rows::VOLUMES,
+    prelude::*,
 };
-use crate::{
-    geometry::Trs,
-    viewer::{
-        model::{Action, State},
-        ui::command::Command,
-    },
-};
-use egui::{CollapsingHeader, CursorIcon, Grid, Label, Response, Sense, Ui};
-use glam::{DAffine3, DVec3};
+use crate::geometry::Trs;
+use egui::{CollapsingHeader, CursorIcon};
+use glam::DAffine3;
 
-/// A part of the matrix.
-#[derive(Clone, Copy, PartialEq)]
-enum Part {
-    Translation,
-    Rotation,
-    Scale,
-}
-
-impl Part {
-    fn value(self, trs: &Trs) -> DVec3 {
-        *self.of(&mut { *trs })
-    }
-
-    fn of(self, trs: &mut Trs) -> &mut DVec3 {
-        match self {
-            Self::Translation => &mut trs.translation,
-            Self::Rotation => &mut trs.rotation_deg,
-            Self::Scale => &mut trs.scale,
-        }
-    }
-}
-
-const PARTS: [(Part, &str, &str); 3] = [
-    (
-        Part::Translation,
-        "position",
-        "of the object's origin, in world units",
-    ),
-    (
-        Part::Rotation,
+/// The parts of the matrix, each with what it is.
+const PARTS: [[&str; 2]; 3] = [
+    ["position", "of the object's origin, in world units"],
+    [
         "rotation",
         "degrees about the world's x, then y, then z axis",
-    ),
-    (
-        Part::Scale,
+    ],
+    [
         "scale",
         "along the object's own axes; negative mirrors, zero is impossible",
-    ),
+    ],
 ];
+/// The place of the position in [`PARTS`].
+const POSITION: usize = 0;
+
+fn parts(all: &mut Trs) -> [&mut DVec3; 3] {
+    [&mut all.translation, &mut all.rotation_deg, &mut all.scale]
+}
 
 /// Room in points for the longest name in [`PARTS`].
 const NAME: f32 = 50.0;
@@ -73,43 +46,36 @@ pub(super) fn show(ui: &mut Ui, state: &State, object: usize, commands: &mut Vec
 fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &mut Vec<Command>) {
     // A matrix that shears is not a product of these parts; the object can still be moved.
     let trs = Trs::of(model);
-    let parts = trs.unwrap_or(Trs {
+    let all = trs.unwrap_or(Trs {
         translation: model.translation,
         ..Trs::default()
     });
-    let with = |part: Part, axis: usize, number: f64| {
-        let mut next = parts;
-        part.of(&mut next)[axis] = number;
-        let model = match part {
+    let with = |part: usize, axis: usize, number: f64| {
+        let mut next = all;
+        parts(&mut next)[part][axis] = number;
+        let model = if part == POSITION {
             // The rest of the matrix stays the same to the bit.
-            Part::Translation => DAffine3 {
-                translation: next.translation,
-                ..model
-            },
-            _ => next.to_model(),
+            DAffine3::from_mat3_translation(model.matrix3, next.translation)
+        } else {
+            next.to_model()
         };
         Action::Place(object, model)
     };
     let size = state.scene().bounds_of(object).radius();
+    let of = state.scene_revision() ^ (object as u64).rotate_left(32);
     // In a small window the fields share the width beside names and letters.
     let share = (ui.available_width() - NAME) / 3.0;
     let width = (share - LETTER - ui.spacing().item_spacing.x).min(WIDTH - LETTER);
     let (mut asked, mut gesture) = (None, Gesture::default());
     Grid::new("parts").num_columns(4).show(ui, |ui| {
-        for (part, name, hint) in PARTS {
-            if part != Part::Translation && trs.is_none() {
-                continue;
-            }
+        let shown = trs.map_or(POSITION + 1, |_| PARTS.len());
+        for (part, [name, hint]) in PARTS.into_iter().enumerate().take(shown) {
             ui.label(name).hint(hint);
             for (axis, letter) in AXES.into_iter().enumerate() {
-                let value = part.value(&parts)[axis];
+                let value = parts(&mut { all })[part][axis];
                 ui.horizontal_top(|ui| {
                     ui.spacing_mut().item_spacing.x = 2.0;
-                    let step = match part {
-                        Part::Translation => 0.01 * size,
-                        Part::Rotation => 1.0,
-                        Part::Scale => 0.01 * value.abs(),
-                    };
+                    let step = [0.01 * size, 1.0, 0.01 * value.abs()][part];
                     let label = handle(ui, letter, hint);
                     gesture.note(&label);
                     let moved = f64::from(label.drag_delta().x) * step;
@@ -117,15 +83,9 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
                         asked = Some(with(part, axis, value + moved));
                     }
                     let check = |number| state.check(&with(part, axis, number));
-                    let field = Field {
-                        name: &format!("{name} {letter}"),
-                        hint,
-                        of: state.scene_revision() ^ (object as u64).rotate_left(32),
-                        value,
-                        width,
-                        step,
-                    };
-                    if let Some(number) = field.show(ui, check) {
+                    let name = format!("{name} {letter}");
+                    let field = Field::new(&name, hint, of, width, value);
+                    if let Some(number) = field.show(ui, step, check) {
                         asked = Some(with(part, axis, number));
                     }
                 });
@@ -139,12 +99,11 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
     }
     let determinant = model.matrix3.determinant();
     let mirrors = if determinant < 0.0 { ", mirrored" } else { "" };
-    let text = format!(
-        "determinant {}: volumes times {}{mirrors}",
-        short(determinant),
-        short(determinant.abs())
-    );
-    ui.weak(text).hint(VOLUMES);
+    let [value, times] = [determinant, determinant.abs()].map(short);
+    ui.weak(format!(
+        "determinant {value}: volumes times {times}{mirrors}"
+    ))
+    .hint(VOLUMES);
     if state.edited() {
         ui.weak("Edited. Ctrl+S saves it; R reads the files again.")
             .hint("the scene differs from its files");

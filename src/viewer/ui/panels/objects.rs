@@ -1,20 +1,7 @@
 //! The list of objects: visibility and selection.
 
-use super::{
-    docks::GUTTER,
-    elided::elided,
-    hints::{Hint, named},
-    menu,
-    visual_order::visual_order,
-};
-use crate::viewer::{
-    model::{Action, State},
-    ui::command::Command,
-};
-use egui::{
-    Align, Align2, Button, Layout, Role, ScrollArea, Sense, StrokeKind, TextStyle, Ui, UiBuilder,
-    WidgetInfo, pos2, vec2,
-};
+use super::{docks::GUTTER, elided::elided, menu, prelude::*, visual_order::visual_order};
+use egui::{Role, ScrollArea, StrokeKind, TextStyle, UiBuilder, WidgetInfo};
 
 /// What is typed to narrow the list, and the rows that are left.
 #[derive(Default)]
@@ -38,6 +25,12 @@ impl Filter {
         }
     }
 
+    /// How many rows are left.
+    fn count(&self, state: &State) -> usize {
+        let rows = self.rows.as_ref().map(Vec::len);
+        rows.unwrap_or_else(|| state.scene().objects().len())
+    }
+
     /// The object of a row.
     fn object(&self, row: usize) -> usize {
         self.rows.as_ref().map_or(row, |rows| rows[row])
@@ -55,11 +48,7 @@ impl Filter {
     /// last on the way up.
     pub fn next(&mut self, state: &State, from: Option<usize>, down: bool) -> Option<usize> {
         self.apply(state);
-        let count = self
-            .rows
-            .as_ref()
-            .map_or(state.scene().objects().len(), Vec::len);
-        let last = count.checked_sub(1)?;
+        let last = self.count(state).checked_sub(1)?;
         let row = match (from.and_then(|object| self.row(object)), down) {
             (None, true) => 0,
             (None, false) => last,
@@ -80,11 +69,8 @@ pub(super) fn show(
     ui.scope(|ui| {
         ui.set_max_width(ui.available_width() - GUTTER);
         above(ui, state, filter, commands);
-        let search = egui::TextEdit::singleline(&mut filter.text)
-            .hint_text("search")
-            .desired_width(f32::INFINITY);
-        let search = ui.add(search);
-        named(&search, "search");
+        let search = egui::TextEdit::singleline(&mut filter.text).hint_text("search");
+        let search = ui.add(search.desired_width(f32::INFINITY)).named("search");
         search.hint("list only objects whose name contains this");
         ui.separator();
     });
@@ -99,7 +85,7 @@ pub(super) fn show(
         let step = height + ui.spacing().item_spacing.y;
         area = area.vertical_scroll_offset((row * step - 0.4 * ui.available_height()).max(0.0));
     }
-    let count = filter.rows.as_ref().map_or(objects.len(), Vec::len);
+    let count = filter.count(state);
     if count == 0 && !objects.is_empty() {
         let text = format!("No name contains \u{201c}{}\u{201d}.", filter.text);
         ui.weak(text).hint("clear the search to see all objects");
@@ -116,44 +102,27 @@ fn above(ui: &mut Ui, state: &State, filter: &Filter, commands: &mut Vec<Command
     let scene = state.scene();
     let (objects, triangles) = (scene.objects().len(), scene.triangle_count());
     let plural = if objects == 1 { "" } else { "s" };
-    let (text, hint) = match &filter.rows {
-        Some(rows) => (
-            format!("{} of {objects} object{plural}", rows.len()),
-            "whose name contains what is searched for; clear the search to see all objects",
-        ),
-        None => (
-            format!("{objects} object{plural}, {triangles} triangles"),
-            "of all objects, hidden ones too; spheres have no triangles",
-        ),
-    };
-    ui.weak(text).hint(hint);
+    if let Some(rows) = &filter.rows {
+        let hint = "whose name contains what is searched for; clear the search to see all objects";
+        ui.weak(format!("{} of {objects} object{plural}", rows.len()))
+            .hint(hint);
+    } else {
+        let hint = "of all objects, hidden ones too; spheres have no triangles";
+        ui.weak(format!("{objects} object{plural}, {triangles} triangles"))
+            .hint(hint);
+    }
     ui.horizontal_wrapped(|ui| {
-        let selected = state.selected().is_some();
-        for (enabled, name, hint, action) in [
-            (
-                selected,
-                "hide",
-                "hide the selection (Shift+H)",
-                Action::HideSelection,
-            ),
-            (
-                selected,
-                "isolate",
-                "hide all but the selection (I)",
-                Action::Isolate,
-            ),
-            (
-                scene.hidden_count() > 0,
-                "show all",
-                "show what is hidden (U)",
-                Action::ShowAll,
-            ),
-        ] {
+        let mut button = |enabled, name: &str, hint: &str, action: Action| {
             let button = ui.add_enabled(enabled, Button::new(name).small());
-            if button.hint(hint).clicked() {
-                commands.push(Command::Act(action));
-            }
-        }
+            button.asks(hint, action, commands);
+        };
+        let selected = state.selected().is_some();
+        let hint = "hide the selection (Shift+H)";
+        button(selected, "hide", hint, Action::HideSelection);
+        let hint = "hide all but the selection (I)";
+        button(selected, "isolate", hint, Action::Isolate);
+        let (hides, hint) = (scene.hidden_count() > 0, "show what is hidden (U)");
+        button(hides, "show all", hint, Action::ShowAll);
     });
 }
 
@@ -178,7 +147,7 @@ fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
     let tick = ui.scope_builder(inside, |ui| {
         let mut visible = object.visible;
         let tick = ui.checkbox(&mut visible, "");
-        named(&tick, &format!("show {}", object.name));
+        let tick = tick.named(&format!("show {}", object.name));
         if tick.changed() {
             commands.push(Command::Act(Action::SetVisible(index, visible)));
         }
@@ -196,32 +165,22 @@ fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
     let left = rest.left() + ui.spacing().item_spacing.x;
     let text = elided(ui, &object.name, &font, rest.right() - left - 4.0);
     let at = pos2(left, rect.center().y);
-    ui.painter()
-        .text(at, Align2::LEFT_CENTER, text, font, colour);
+    let painter = ui.painter();
+    painter.text(at, Align2::LEFT_CENTER, text, font, colour);
     if name.has_focus() {
-        let line = selection.stroke;
-        ui.painter()
-            .rect_stroke(rest, 3.0, line, StrokeKind::Inside);
+        painter.rect_stroke(rest, 3.0, selection.stroke, StrokeKind::Inside);
     }
     if is_lit {
         commands.push(Command::Act(Action::Light(Some(index))));
     }
-    let triangles = object
-        .shape
-        .triangles()
-        .map(|range| format!(", {} triangles", range.len()));
-    let hint = format!(
-        "{} {}: {}{}",
-        index + 1,
-        visual_order(&object.name),
-        object.shape.kind(),
-        triangles.unwrap_or_default()
-    );
-    let name = name.hint(hint);
+    let triangles = object.shape.triangles();
+    let triangles = triangles.map(|range| format!(", {} triangles", range.len()));
+    let (kind, triangles) = (object.shape.kind(), triangles.unwrap_or_default());
+    let (number, reads) = (index + 1, visual_order(&object.name));
+    let name = name.hint(format!("{number} {reads}: {kind}{triangles}"));
     menu::of_object(&name, state, index, None, commands);
     if name.clicked() {
-        commands.push(Command::Act(Action::Select(
-            (!is_selected).then_some(index),
-        )));
+        let selected = (!is_selected).then_some(index);
+        commands.push(Action::Select(selected).into());
     }
 }

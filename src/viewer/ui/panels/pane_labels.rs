@@ -1,19 +1,14 @@
 //! Writes and draws over one of the four views: the followed point with its ray and pixel, the camera's eye and planes,
 //! axes, corners, and what a row of a matrix does.
 
-use super::{field::short, pane_page::Page};
+use super::{field::short, pane_page::Page, prelude::*};
 use crate::{
     camera::{DepthMapping, View},
     look,
     pick::Sight,
-    viewer::{
-        model::{NDC_DRAWN, Stage, State, Steps},
-        screen::SceneRect,
-        ui::theme::color32,
-    },
+    viewer::model::{NDC_DRAWN, Stage, Steps},
 };
-use egui::{Align2, Color32, Rect, Ui, Vec2, vec2};
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 /// The corners of a view that names keep clear of, with their sizes: its heading, and its cross of axes.
 const CORNERS: [(Align2, Vec2); 2] = [
@@ -59,16 +54,14 @@ impl Page<'_> {
         let (Some(followed), Some(world)) = (state.followed(), state.followed_world()) else {
             return;
         };
-        let steps = Steps::follow(
-            state.view(),
-            &state.scene().objects()[followed.object],
-            followed.point_object,
-        );
+        let object = &state.scene().objects()[followed.object];
+        let steps = Steps::follow(state.view(), object, followed.point_object);
         if let Some(steps) = steps {
             // Uncut: a section decides what is hit, but not where the pixel is.
             let ray = state.view().uncut().ray(steps.px);
+            let near = ray.at(ray.t_min);
             let begin = if self.stage == Stage::Ndc {
-                ray.at(ray.t_min)
+                near
             } else {
                 ray.origin
             };
@@ -76,10 +69,9 @@ impl Page<'_> {
             if let (Some(from), Some(to)) = ends {
                 self.line(from, to, 1.5, colour);
             }
-            let is_in = state.view().viewport.contains(steps.px);
-            if let Some(at) = self
-                .at_stage(ray.at(ray.t_min))
-                .filter(|_| is_in && self.stage != Stage::Object)
+            if state.view().viewport.contains(steps.px)
+                && self.stage != Stage::Object
+                && let Some(at) = self.at_stage(near)
             {
                 self.dot(at, 3.0, colour);
                 if !self.is_small() {
@@ -140,11 +132,25 @@ impl Page<'_> {
         let radius = bounds.radius();
         let is_near = bounds.center().length() <= 3.0 * radius;
         let origin = if is_near { DVec3::ZERO } else { bounds.min };
-        for (i, (axis, name)) in DVec3::AXES.into_iter().zip(["x", "y", "z"]).enumerate() {
-            let to = origin + 0.75 * radius * axis;
-            let colour = color32(look::AXES[i]);
-            self.arrow(origin, to, colour);
-            self.name(to, name, colour, "an axis of the object's own space");
+        let axes = DVec3::AXES.map(|axis| 0.75 * radius * axis);
+        let hint = "an axis of the object's own space";
+        self.axes(origin, axes, Some(["x", "y", "z"]), hint);
+    }
+
+    /// Three axes as arrows from a point, and their names.
+    fn axes(
+        &mut self,
+        from: DVec3,
+        axes: [DVec3; 3],
+        names: Option<[&str; 3]>,
+        hint: &'static str,
+    ) {
+        for (i, axis) in axes.into_iter().enumerate() {
+            let (to, colour) = (from + axis, color32(look::AXES[i]));
+            self.arrow(from, to, colour);
+            if let Some(names) = names {
+                self.name(to, names[i], colour, hint);
+            }
         }
     }
 
@@ -156,44 +162,22 @@ impl Page<'_> {
         let corners = view.frustum_corners();
         let eye = camera.eye();
         self.dot(eye, 3.5, colour);
-        let is_small = self.is_small();
         self.name(eye, "eye", colour, "where the scene's camera stands");
-        let planes = [
-            (
-                corners[1],
-                "near",
-                lens.near,
-                "the near plane: its depth is the panel's near",
-            ),
-            (
-                corners[5],
-                "far",
-                lens.far,
-                "the far plane: its depth is the panel's far",
-            ),
-        ];
-        for (at, name, depth, hint) in planes {
-            self.name(at, format!("{name} {}", short(depth)), colour, hint);
-        }
+        let near = format!("near {}", short(lens.near));
+        let hint = "the near plane: its depth is the panel's near";
+        self.name(corners[1], near, colour, hint);
+        let far = format!("far {}", short(lens.far));
+        let hint = "the far plane: its depth is the panel's far";
+        self.name(corners[5], far, colour, hint);
         let size = 0.2 * self.state.scene().visible_bounds().radius();
         let size = if size > 0.0 { size } else { 0.1 * lens.far };
         let names = match self.stage {
             Stage::View => ["x right", "y up", "z forward = depth"],
             _ => ["R", "U", "F, depth"],
         };
-        let axes = [camera.right(), camera.up(), camera.forward()];
-        for (i, (axis, name)) in axes.into_iter().zip(names).enumerate() {
-            let (to, colour) = (eye + size * axis, color32(look::AXES[i]));
-            self.arrow(eye, to, colour);
-            if !is_small {
-                self.name(
-                    to,
-                    name,
-                    colour,
-                    "an axis of the camera: view space measures along it",
-                );
-            }
-        }
+        let axes = [camera.right(), camera.up(), camera.forward()].map(|axis| size * axis);
+        let hint = "an axis of the camera: view space measures along it";
+        self.axes(eye, axes, (!self.is_small()).then_some(names), hint);
     }
 
     /// The box of NDC: the numbers of its corners, and its axes.
@@ -203,37 +187,19 @@ impl Page<'_> {
             DepthMapping::Standard => ([0, 1], DVec3::ZERO, DVec3::NEG_Z),
         };
         let is_small = self.is_small();
-        for (i, (axis, name)) in [DVec3::X, DVec3::Y, z]
-            .into_iter()
-            .zip(["x", "y", "z = depth"])
-            .enumerate()
-        {
-            let (to, colour) = (origin + 0.5 * axis, color32(look::AXES[i]));
-            self.arrow(origin, to, colour);
-            if !is_small {
-                self.name(to, name, colour, "an axis of NDC, from its origin");
-            }
-        }
+        let names = (!is_small).then_some(["x", "y", "z = depth"]);
+        let axes = [DVec3::X, DVec3::Y, z].map(|axis| 0.5 * axis);
+        self.axes(origin, axes, names, "an axis of NDC, from its origin");
         let colour = color32(look::CAMERA);
-        let corners = NDC_DRAWN.corners();
         for (name, number, z) in [("near", near, 0.0), ("far", far, -1.0)] {
-            let at = DVec3::new(0.0, 1.0, z);
-            self.name(
-                at,
-                format!("{name}: z = {number}"),
-                colour,
-                "what the frustum's plane becomes",
-            );
+            let (at, text) = (DVec3::new(0.0, 1.0, z), format!("{name}: z = {number}"));
+            self.name(at, text, colour, "what the frustum's plane becomes");
         }
-        for at in corners.into_iter().filter(|_| !is_small) {
+        for at in NDC_DRAWN.corners().into_iter().filter(|_| !is_small) {
             let number = if at.z == 0.0 { near } else { far };
             let text = format!("({}, {}, {number})", at.x, at.y);
-            self.name(
-                at,
-                text,
-                colour,
-                "a corner of the box that the frustum becomes",
-            );
+            let hint = "a corner of the box that the frustum becomes";
+            self.name(at, text, colour, hint);
         }
     }
 }

@@ -1,17 +1,8 @@
 //! What is drawn over one of the four views: points of its scene, lines between them, and names where there is room.
 
-use super::hints::Hint;
-use crate::{
-    camera::View,
-    viewer::{
-        model::{Stage, State},
-        screen::SceneRect,
-    },
-};
-use egui::{
-    Align2, Color32, FontId, Label, Painter, Pos2, Rect, RichText, Shape, Stroke, Ui, Vec2, vec2,
-};
-use glam::DVec3;
+use super::prelude::*;
+use crate::{camera::View, viewer::model::Stage};
+use egui::{Painter, Pos2, Shape};
 
 /// Views smaller than this, in points, show only the most important names.
 const SMALL: f32 = 230.0;
@@ -87,8 +78,7 @@ impl Page<'_> {
         if along != Vec2::ZERO {
             let back = to - 8.0 * along;
             let head = vec![to, back + 4.0 * along.rot90(), back - 4.0 * along.rot90()];
-            self.painter()
-                .add(Shape::convex_polygon(head, colour, Stroke::NONE));
+            (self.painter()).add(Shape::convex_polygon(head, colour, Stroke::NONE));
         }
     }
 

@@ -1,26 +1,15 @@
 //! The four views side by side, or one of them large, each with its heading, its mouse actions and its axes.
 
-use super::{
-    axis_cross,
-    hints::{Hint, bounded, named},
-    menu, pane_labels,
-    visual_order::visual_order,
-};
+use super::{axis_cross, menu, pane_labels, prelude::*, visual_order::visual_order};
 use crate::{
     camera::{DepthMapping, View},
     viewer::{
-        model::{Action, Stage, State, Views},
-        screen::SceneRect,
-        ui::{
-            command::Command,
-            mouse::{self, Drag},
-        },
+        model::{Stage, Views},
+        ui::mouse::{self, Drag},
     },
 };
-use egui::{
-    Align, Button, Color32, Label, Layout, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2,
-};
-use glam::{DMat3, DVec3};
+use egui::UiBuilder;
+use glam::DMat3;
 
 /// The gap between two views, in points.
 const GAP: f32 = 2.0;
@@ -47,11 +36,8 @@ pub(super) fn show(
     let mut places = Vec::new();
     let mut hovers = false;
     for (at, &stage) in stages.iter().enumerate() {
-        let rect = if stages.len() == 1 {
-            rect
-        } else {
-            quarter(rect, at)
-        };
+        let is_alone = stages.len() == 1;
+        let rect = if is_alone { rect } else { quarter(rect, at) };
         let Some(place) = SceneRect::new(rect, ui.ctx().pixels_per_point()) else {
             continue;
         };
@@ -96,8 +82,7 @@ fn pane(
     commands: &mut Vec<Command>,
 ) -> bool {
     let (response, actions) = mouse::scene(ui, Some(stage), rect, place, drag);
-    named(&response, &format!("stage {}", stage.name()));
-    bounded(&response);
+    let response = response.named(&format!("stage {}", stage.name())).bounded();
     let px = response.interact_pointer_pos().map(|at| place.to_px(at));
     menu::of_picture(&response, state, px, commands);
     let mut hovers = false;
@@ -154,20 +139,18 @@ fn about(state: &State, stage: Stage) -> (String, &'static str) {
     let lens = state.view().camera.lens();
     match stage {
         Stage::Object => {
-            let object = state
-                .pane_object()
-                .map(|object| &state.scene().objects()[object]);
-            let text = match object {
-                Some(object) if object.placement.mirrors() => {
-                    format!("{}, before M mirrors it", visual_order(&object.name))
-                }
-                Some(object) => format!("{}, before M", visual_order(&object.name)),
-                None => "no object".into(),
+            let hint = "right-handed; depth runs along the ray, which the inverse of M takes to this space";
+            let Some(object) = state.pane_object() else {
+                return ("no object".into(), hint);
             };
-            (
-                text,
-                "right-handed; depth runs along the ray, which the inverse of M takes to this space",
-            )
+            let object = &state.scene().objects()[object];
+            let mirrors = if object.placement.mirrors() {
+                " mirrors it"
+            } else {
+                ""
+            };
+            let name = visual_order(&object.name);
+            (format!("{name}, before M{mirrors}"), hint)
         }
         Stage::World => (
             "depth runs along F; right-handed, after M".into(),
@@ -194,57 +177,45 @@ fn about(state: &State, stage: Stage) -> (String, &'static str) {
 fn heading(ui: &mut Ui, stage: Stage, rect: Rect, state: &State, commands: &mut Vec<Command>) {
     let name = stage.name();
     let strip = Rect::from_min_size(rect.min, vec2(rect.width(), HEADING.min(rect.height())));
-    ui.painter()
-        .with_clip_rect(rect)
-        .rect_filled(strip, 0.0, Color32::from_black_alpha(110));
-    let inside = UiBuilder::new()
-        .max_rect(strip.shrink2(vec2(6.0, 2.0)))
-        .layout(Layout::right_to_left(Align::Min));
+    let painter = ui.painter().with_clip_rect(rect);
+    painter.rect_filled(strip, 0.0, Color32::from_black_alpha(110));
+    let inside = UiBuilder::new().max_rect(strip.shrink2(vec2(6.0, 2.0)));
+    let inside = inside.layout(Layout::right_to_left(Align::Min));
     ui.scope_builder(inside, |ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
-        let is_large = matches!(state.views(), Views::One(_));
-        let mut button = |ui: &mut Ui, icon: &str, does: &str, hint: &str, action| {
-            let icon = RichText::new(icon)
-                .size(12.0)
-                .color(Color32::from_gray(220));
-            let button = ui.add(Button::new(icon).small().frame_when_inactive(false));
-            named(&button, &format!("{does} {name}"));
-            if button.hint(hint).clicked() {
-                commands.push(Command::Act(action));
-            }
+        let text = |text: &str, size, grey| {
+            let text = RichText::new(text).size(size);
+            text.color(Color32::from_gray(grey))
         };
-        let (does, hint) = if is_large {
-            ("four views beside", "all four again (double click)")
-        } else {
-            ("enlarge", "this one alone, large (double click)")
+        let mut button = |icon: &str, does: &str, hint: &str, action: Action| {
+            let button = Button::new(text(icon, 12.0, 220)).small();
+            let button = ui.add(button.frame_when_inactive(false));
+            let button = button.named(&format!("{does} {name}"));
+            button.asks(hint, action, commands);
         };
-        button(
-            ui,
-            if is_large { "\u{229e}" } else { "\u{26f6}" },
-            does,
-            hint,
-            Action::Views(state.views_with_other_size(stage)),
-        );
-        button(
-            ui,
-            "\u{27f3}",
-            "frame",
-            "all of it in view again, as it was at first",
-            Action::ResetView,
-        );
+        let (icon, does, hint) = match state.views() {
+            Views::One(_) => (
+                "\u{229e}",
+                "four views beside",
+                "all four again (double click)",
+            ),
+            _ => (
+                "\u{26f6}",
+                "enlarge",
+                "this one alone, large (double click)",
+            ),
+        };
+        let resize = Action::Views(state.views_with_other_size(stage));
+        button(icon, does, hint, resize);
+        let hint = "all of it in view again, as it was at first";
+        button("\u{27f3}", "frame", hint, Action::ResetView);
         ui.with_layout(Layout::top_down(Align::Min), |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            let (text, hint) = about(state, stage);
-            let title = RichText::new(name)
-                .size(14.0)
-                .strong()
-                .color(Color32::WHITE);
-            ui.add(Label::new(title).selectable(false)).hint(hint);
-            let text = RichText::new(text)
-                .size(11.0)
-                .color(Color32::from_gray(205));
-            ui.add(Label::new(text).selectable(false).truncate())
-                .hint(hint);
+            let (shows, hint) = about(state, stage);
+            let title = Label::new(text(name, 14.0, 255).strong());
+            ui.add(title.selectable(false)).hint(hint);
+            let shows = Label::new(text(&shows, 11.0, 205));
+            ui.add(shows.selectable(false).truncate()).hint(hint);
         });
     });
 }

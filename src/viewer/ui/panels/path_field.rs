@@ -1,8 +1,8 @@
 //! Asks for a path where the desktop shows no file dialog.
 
-use super::hints::{Hint, named};
+use super::prelude::*;
 use crate::viewer::ui::{
-    command::{Command, TypedPath},
+    command::TypedPath,
     path_question::{PathFor, PathQuestion},
 };
 use egui::{Context, Id, Key, Modal, Modifiers, TextEdit};
@@ -20,13 +20,11 @@ pub(super) fn show(ctx: &Context, question: &mut PathQuestion, commands: &mut Ve
         ui.label("This desktop shows no file dialog: it needs an XDG desktop portal, or zenity. Type the path of the file:");
         let id = Id::unique("typed path");
         let edit = TextEdit::singleline(&mut question.text).id(id);
-        let field = ui.add(edit.desired_width(440.0));
-        named(&field, "path");
+        let field = ui.add(edit.desired_width(440.0)).named("path");
         if field.changed() {
             question.edited();
         }
-        let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-        if entered {
+        if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
             answer = Some(TypedPath::Take);
         }
         // Nothing else in the window takes keys.
@@ -34,16 +32,12 @@ pub(super) fn show(ctx: &Context, question: &mut PathQuestion, commands: &mut Ve
             field.request_focus();
         }
         if let Some(said) = &question.said {
-            let said = egui::RichText::new(said).color(ui.visuals().warn_fg_color);
+            let said = RichText::new(said).color(ui.visuals().warn_fg_color);
             ui.label(said).hint("why the path is not taken");
         }
         ui.add_space(8.0);
         ui.horizontal(|ui| {
-            let take = if question.replaces.is_some() {
-                "replace"
-            } else {
-                does
-            };
+            let take = question.replaces.as_ref().map_or(does, |_| "replace");
             if ui.button(take).hint("(Enter)").clicked() {
                 answer = Some(TypedPath::Take);
             }

@@ -2,18 +2,12 @@
 
 use super::{
     elided::elided,
-    hints::Hint,
     in_file, inspect, model_matrix,
+    prelude::*,
     value_rows::{Digits, rows},
 };
-use crate::{
-    pick::Pick,
-    viewer::{
-        model::{PickView, State},
-        ui::command::Command,
-    },
-};
-use egui::{Align, FontId, Label, Layout, RichText, Role, Ui, WidgetInfo};
+use crate::{pick::Pick, viewer::model::PickView};
+use egui::{Role, WidgetInfo};
 
 /// `going_to` is the outcome of the last "go to".
 pub(super) fn show(
@@ -44,10 +38,8 @@ pub(super) fn show(
                 let text = elided(ui, &object.name, &font, ui.available_width());
                 let name = ui.add(Label::new(RichText::new(text).font(font).strong()).extend());
                 name.widget_info(|| WidgetInfo::labeled(Role::Label, true, &object.name));
-                name.hint(format!(
-                    "{}: the selected object, as its file calls it",
-                    object.name
-                ));
+                let hint = "the selected object, as its file calls it";
+                name.hint(format!("{}: {hint}", object.name));
             });
         });
     });
@@ -58,22 +50,11 @@ pub(super) fn show(
     let Some(hit) = state.picked() else {
         let bounds = state.scene().bounds_of(selection.object);
         if !bounds.is_empty() {
-            rows(
-                ui,
-                "bounds",
-                &[
-                    (
-                        "from",
-                        digits.vector(bounds.min),
-                        "the smallest x, y and z of the object in the world",
-                    ),
-                    (
-                        "to",
-                        digits.vector(bounds.max),
-                        "the largest x, y and z of the object in the world",
-                    ),
-                ],
-            );
+            let hint = "the smallest x, y and z of the object in the world";
+            let from = ("from", digits.vector(bounds.min), hint);
+            let hint = "the largest x, y and z of the object in the world";
+            let to = ("to", digits.vector(bounds.max), hint);
+            rows(ui, "bounds", &[from, to]);
         }
         let (text, hint) = if state.followed().is_some_and(|followed| followed.is_picked) {
             (
@@ -92,30 +73,18 @@ pub(super) fn show(
     whose_view(ui, state);
     rows(ui, "record", &record(hit, digits));
     in_file::show(ui, hit);
-    let in_one_place = selection
-        .pick
-        .as_ref()
-        .and_then(|line| line.in_one_place.as_ref());
+    let line = selection.pick.as_ref();
+    let in_one_place = line.and_then(|line| line.in_one_place.as_ref());
     if let Some(all) = in_one_place.filter(|all| hit.may_be_of(all)) {
         ui.label(all.to_string()).hint(
             "They are closer together than drawing can tell apart. The picture may show any of them; the pick's order is exact.",
         );
     }
     ui.horizontal(|ui| {
-        if ui
-            .button("copy JSON")
-            .hint("the pick's full record (J)")
-            .clicked()
-        {
-            commands.push(Command::CopyPick);
-        }
-        if ui
-            .button("copy command")
-            .hint("a command line that repeats this pick, in the view it was made in (C)")
-            .clicked()
-        {
-            commands.push(Command::CopyCommandLine);
-        }
+        let hint = "the pick's full record (J)";
+        (ui.button("copy JSON")).asks(hint, Command::CopyPick, commands);
+        let hint = "a command line that repeats this pick, in the view it was made in (C)";
+        (ui.button("copy command")).asks(hint, Command::CopyCommandLine, commands);
     });
     let header = ui.collapsing("In object space and NDC", |ui| {
         rows(ui, "spaces", &spaces(hit, digits));
@@ -130,103 +99,58 @@ type Row = (&'static str, String, &'static str);
 
 fn record(hit: &Pick, digits: Digits) -> Vec<Row> {
     let mut rows = Vec::new();
+    let mut row = |name, value, hint| rows.push((name, value, hint));
     if let Some(triangle) = hit.triangle {
         let hint = "which of the object's triangles the ray hit, counted from 0";
-        rows.push(("triangle", triangle.to_string(), hint));
+        row("triangle", triangle.to_string(), hint);
     }
     let side = if hit.front { "front" } else { "back" };
-    rows.extend([
-        (
-            "side",
-            side.into(),
-            "front: the ray came from where the surface's normal points; back: from behind",
-        ),
-        (
-            "world",
-            digits.vector(hit.point_world),
-            "the point that was hit: x, y and z in the scene's own coordinates",
-        ),
-        (
-            "  normal",
-            Digits::UNIT.vector(hit.normal_world),
-            "the direction at a right angle to the surface, outward, of length 1",
-        ),
-        (
-            "distance",
-            digits.length(hit.distance),
-            "from the eye to the point, in world units",
-        ),
-        (
-            "depth",
-            digits.length(hit.depth),
-            "how far in front of the eye the point is, measured along the direction of view",
-        ),
-    ]);
+    let hint = "front: the ray came from where the surface's normal points; back: from behind";
+    row("side", side.into(), hint);
+    let hint = "the point that was hit: x, y and z in the scene's own coordinates";
+    row("world", digits.vector(hit.point_world), hint);
+    let hint = "the direction at a right angle to the surface, outward, of length 1";
+    row("  normal", Digits::UNIT.vector(hit.normal_world), hint);
+    let hint = "from the eye to the point, in world units";
+    row("distance", digits.length(hit.distance), hint);
+    let hint = "how far in front of the eye the point is, measured along the direction of view";
+    row("depth", digits.length(hit.depth), hint);
     rows.extend(certainty(hit, digits));
     rows
 }
 
 /// The picked point in the spaces before and after the matrices, and its t.
 fn spaces(hit: &Pick, digits: Digits) -> [Row; 4] {
-    [
-        (
-            "object",
-            digits.vector(hit.point_object),
-            "the same point before the model matrix moved the object: the world's is M times it",
-        ),
-        (
-            "  normal",
-            Digits::UNIT.vector(hit.normal_object),
-            "the surface's outward direction before the model matrix moved the object",
-        ),
-        (
-            "ndc",
-            Digits::UNIT.vector(hit.ndc),
-            "normalised device coordinates, after P and the division by w: x and y run from -1 to 1 over the picture, z is what the depth buffer keeps",
-        ),
-        (
-            "t",
-            digits.length(hit.t),
-            "the ray parameter: the point is the ray's origin plus t times its direction",
-        ),
-    ]
+    let hint = "the same point before the model matrix moved the object: the world's is M times it";
+    let object = ("object", digits.vector(hit.point_object), hint);
+    let hint = "the surface's outward direction before the model matrix moved the object";
+    let normal = ("  normal", Digits::UNIT.vector(hit.normal_object), hint);
+    let hint = "normalised device coordinates, after P and the division by w: x and y run from -1 to 1 over the picture, z is what the depth buffer keeps";
+    let ndc = ("ndc", Digits::UNIT.vector(hit.ndc), hint);
+    let hint = "the ray parameter: the point is the ray's origin plus t times its direction";
+    [object, normal, ndc, ("t", digits.length(hit.t), hint)]
 }
 
 /// How sure the pick is.
 fn certainty(hit: &Pick, digits: Digits) -> [Row; 4] {
     let edge = hit.edge_px.map(|px| format!("{px:.3} px away"));
+    let edge = edge.unwrap_or_else(|| "none in view".into());
+    let hint = "how far the clicked position is from the outline of the surface that was hit, in pixels of the picture";
+    let edge = ("nearest edge", edge, hint);
     let differs = hit.differs_px.map(|px| format!("{px:.1} px away"));
-    let gap = hit.gap.map(|gap| match gap {
-        0.0 => "in the same place".to_owned(),
-        gap => format!("{} deeper", digits.length(gap)),
-    });
-    let decided = if hit.exact {
-        "exact arithmetic"
-    } else {
-        "f64 with error bound"
+    let differs = differs.unwrap_or_else(|| "none within 8 px".into());
+    let hint = "the nearest pixel where a click would pick something else";
+    let differs = ("other answer", differs, hint);
+    let gap = match hit.gap {
+        None => "none".to_owned(),
+        Some(0.0) => "in the same place".to_owned(),
+        Some(gap) => format!("{} deeper", digits.length(gap)),
     };
-    [
-        (
-            "nearest edge",
-            edge.unwrap_or_else(|| "none in view".into()),
-            "how far the clicked position is from the outline of the surface that was hit, in pixels of the picture",
-        ),
-        (
-            "other answer",
-            differs.unwrap_or_else(|| "none within 8 px".into()),
-            "the nearest pixel where a click would pick something else",
-        ),
-        (
-            "next surface",
-            gap.unwrap_or_else(|| "none".into()),
-            "how far behind this one the ray meets the next surface, in world units",
-        ),
-        (
-            "decided by",
-            decided.into(),
-            "whether 64-bit floating-point numbers were enough to be certain, or whether exact arithmetic, which rounds nothing, had to decide",
-        ),
-    ]
+    let hint = "how far behind this one the ray meets the next surface, in world units";
+    let gap = ("next surface", gap, hint);
+    let exact = ["f64 with error bound", "exact arithmetic"][usize::from(hit.exact)];
+    let hint = "whether 64-bit floating-point numbers were enough to be certain, or whether exact arithmetic, which rounds nothing, had to decide";
+    [edge, differs, gap, ("decided by", exact.into(), hint)]
 }
 
 /// Says so if the pick was made in another view than the one on screen.

@@ -5,29 +5,24 @@ use super::{
     docks::MATRIX,
     field::{short_in, value_text},
     gesture::Gesture,
-    hints::{Hint, named},
     matrix_rows::{char_width, columns, determinant, fitted, rows, title},
     plane_slider,
+    prelude::*,
     visual_order::visual_order,
 };
 use crate::{
     camera::View,
     look,
-    viewer::{
-        model::{Action, Matrices, Matrix, Stage, State, Steps, Views},
-        ui::{command::Command, theme::color32},
-    },
+    viewer::model::{Matrices, Matrix, Stage, Steps, Views},
 };
-use egui::{Button, Color32, Label, RichText, Slider, Ui, vec2};
+use egui::Slider;
 use glam::DVec2;
 
 /// The button that closes the panel.
 pub(super) fn close(ui: &mut Ui, commands: &mut Vec<Command>) {
     let cross = ui.add(Button::new("\u{d7}").small().frame_when_inactive(false));
-    named(&cross, "close the matrices");
-    if cross.hint("(P)").clicked() {
-        commands.push(Command::TogglePipeline);
-    }
+    let cross = cross.named("close the matrices");
+    cross.asks("(P)", Command::TogglePipeline, commands);
 }
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
@@ -44,12 +39,11 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         .or(state.selected())
         .map(|object| &scene.objects()[object]);
     let matrices = Matrices::of(view, object);
-    for matrix in [Matrix::Projection, Matrix::View, Matrix::Model] {
-        let (name, entries) = match matrix {
-            Matrix::Projection => ("P", &matrices.projection),
-            Matrix::View => ("V", &matrices.view),
-            Matrix::Model => ("M", &matrices.model),
-        };
+    for (matrix, name, entries) in [
+        (Matrix::Projection, "P", &matrices.projection),
+        (Matrix::View, "V", &matrices.view),
+        (Matrix::Model, "M", &matrices.model),
+    ] {
         let (title, hint) = title(matrix, object);
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 5.0;
@@ -64,19 +58,13 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.separator();
     let (title, values) = match (of_point, followed, state.cursor()) {
         (Some(object), Some(followed), _) => {
-            let title = if followed.is_picked {
-                "The pick"
-            } else {
-                "Under the cursor"
-            };
-            let title = format!("{title}: {}", visual_order(&object.name));
-            match Steps::follow(view, object, followed.point_object) {
-                Some(steps) => (title, self::followed(&steps)),
-                None => (
-                    "The picked point lies behind the eye now".into(),
-                    Values::default(),
-                ),
-            }
+            let what = ["Under the cursor", "The pick"][usize::from(followed.is_picked)];
+            let title = format!("{what}: {}", visual_order(&object.name));
+            let behind = "The picked point lies behind the eye now";
+            Steps::follow(view, object, followed.point_object).map_or_else(
+                || (behind.into(), Values::default()),
+                |steps| (title, self::followed(&steps)),
+            )
         }
         (_, _, Some(cursor)) => ("Under the cursor".into(), background(view, cursor.px)),
         _ => (
@@ -104,20 +92,15 @@ fn views(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         ui.spacing_mut().item_spacing.x = 1.0;
         ui.spacing_mut().button_padding.x = 4.0;
         let stages = Stage::ALL.map(|(stage, name)| (Views::One(stage), name, about(stage)));
+        let hint = "object, world, view and NDC side by side (4)";
         let all = [
             (Views::Picture, "picture", "what the camera sees"),
-            (
-                Views::Four,
-                "four",
-                "object, world, view and NDC side by side (4)",
-            ),
+            (Views::Four, "four", hint),
         ];
         for (views, name, hint) in all.into_iter().chain(stages) {
             let label = ui.selectable_label(state.views() == views, name);
-            named(&label, &format!("show {name}"));
-            if label.hint(hint).clicked() {
-                commands.push(Command::Act(Action::Views(views)));
-            }
+            let label = label.named(&format!("show {name}"));
+            label.asks(hint, Action::Views(views), commands);
         }
     });
 }
@@ -146,8 +129,9 @@ fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         ui.label("fov").hint(LENS);
         let mut fov_deg = controls.fov_deg;
         let slider = Slider::new(&mut fov_deg, FOV_RANGE).show_value(false);
-        let slider = ui.add_enabled(!controls.orthographic, slider);
-        named(&slider, "P's fov");
+        let slider = ui
+            .add_enabled(!controls.orthographic, slider)
+            .named("P's fov");
         gesture.note(&slider);
         if slider.changed() {
             next.fov_deg = fov_deg;
@@ -173,43 +157,15 @@ fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 const ON_LIGHT: Color32 = Color32::from_rgb(150, 84, 0);
 
 /// The followed point's way: name, how it comes from the row before, and what it is.
-const ROWS: [(&str, &str, &str); 8] = [
-    (
-        "object",
-        "in the shape's own coordinates",
-        "the point before any matrix moved the object",
-    ),
-    (
-        "world",
-        "M * object",
-        "where the model matrix puts it in the scene",
-    ),
-    (
-        "view",
-        "V * world",
-        "as seen from the eye: right, up, forward",
-    ),
-    (
-        "clip",
-        "P * view",
-        "four numbers; the next step divides the others by the last, w",
-    ),
-    (
-        "NDC",
-        "clip / w",
-        "normalised device coordinates: from -1 to 1 over the picture; z for the depth buffer",
-    ),
-    (
-        "pixel",
-        "from the top left corner",
-        "where it is in the picture",
-    ),
-    ("ray from", "back again", "where the pixel's ray starts"),
-    (
-        "ray along",
-        "not normalised, so that t is depth",
-        "which way the pixel's ray goes: it leads back to the point",
-    ),
+const ROWS: [&str; 8] = [
+    "object: in the shape's own coordinates: the point before any matrix moved the object",
+    "world: M * object: where the model matrix puts it in the scene",
+    "view: V * world: as seen from the eye: right, up, forward",
+    "clip: P * view: four numbers; the next step divides the others by the last, w",
+    "NDC: clip / w: normalised device coordinates: from -1 to 1 over the picture; z for the depth buffer",
+    "pixel: from the top left corner: where it is in the picture",
+    "ray from: back again: where the pixel's ray starts",
+    "ray along: not normalised, so that t is depth: which way the pixel's ray goes: it leads back to the point",
 ];
 
 /// The numbers of [`ROWS`]; none where there is nothing to follow.
@@ -257,28 +213,25 @@ fn table(ui: &mut Ui, values: &Values) {
     let one = char_width(ui);
     // A wider panel moves no column.
     let spare = (ui.available_width() - MATRIX).max(0.0);
-    for ((name, how, hint), values) in ROWS.into_iter().zip(values) {
+    for (row, values) in ROWS.into_iter().zip(values) {
+        let (name, hint) = row.split_once(": ").expect("a name and what it is");
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = GAP;
             let (_, dot) = ui.allocate_space(vec2(7.0, 7.0));
             if !values.is_empty() {
-                ui.painter()
-                    .circle_filled(dot.center(), 3.0, color32(look::SELECTION));
+                (ui.painter()).circle_filled(dot.center(), 3.0, color32(look::SELECTION));
             }
-            ui.label(value_text(format!("{name:<9}")))
-                .hint(format!("{how}: {hint}"));
+            ui.label(value_text(format!("{name:<9}"))).hint(hint);
             // Four numbers must each be narrower than three. Fewer stand in the columns of three.
-            let count = if values.len() > 3 { 4 } else { 3 };
+            let (count, write): (_, fn(f64, usize) -> String) = match values.len() {
+                4.. => (4, fitted),
+                _ => (3, short_in),
+            };
             let chars = columns(ui.available_width() - spare + GAP, count, GAP, one);
             for value in values {
-                let text = if values.len() > 3 {
-                    fitted(*value, chars)
-                } else {
-                    short_in(*value, chars)
-                };
-                let text = format!("{text:>chars$}");
-                ui.label(value_text(text).color(colour))
-                    .hint(value.to_string());
+                let text = format!("{:>chars$}", write(*value, chars));
+                let label = ui.label(value_text(text).color(colour));
+                label.hint(value.to_string());
             }
         });
     }

@@ -1,8 +1,7 @@
 //! Sliders of near and far: over decades of the scene's size, and finely with Shift.
 
-use super::hints::{Hint, named};
-use crate::viewer::model::State;
-use egui::{Response, Slider, Ui};
+use super::prelude::*;
+use egui::Slider;
 
 /// With Shift, a plane's depth changes by this share for each point that the cursor moves.
 const FINE: f64 = 0.005;
@@ -36,11 +35,8 @@ pub(super) fn show(
 ) -> (Response, Option<f64>) {
     let (least, most) = (1e-6 * size(state), 1e4 * size(state));
     let mut slid = depth;
-    let slider = Slider::new(&mut slid, least..=most)
-        .logarithmic(true)
-        .smart_aim(false)
-        .show_value(false);
-    let slider = ui.add(slider);
+    let slider = Slider::new(&mut slid, least..=most).logarithmic(true);
+    let slider = ui.add(slider.smart_aim(false).show_value(false));
     let (has_shift, by) = ui.input(|input| (input.modifiers.shift, input.pointer.delta().x));
     // A drag that was fine once stays fine until its end. Else the plane would jump to the cursor.
     let is_fine = ui.data_mut(|data| {
@@ -53,8 +49,7 @@ pub(super) fn show(
         slid = (depth * (FINE * f64::from(by)).exp()).clamp(least, most);
         is_slid = by != 0.0;
     }
-    named(&slider, name);
     let hint = format!("{hint}. With Shift it slides finely, by half a percent per point");
-    let slider = hint_at_rest(slider, hint);
+    let slider = hint_at_rest(slider.named(name), hint);
     (slider, is_slid.then_some(slid))
 }

@@ -1,13 +1,11 @@
 //! A chart of the study, drawn by egui: sharp at any scale.
 
+use super::prelude::*;
 use crate::study::chart::{
     outlines,
     picture::{Anchor, Colour, DASH, Mark, Picture},
 };
-use egui::{
-    Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, epaint::TextShape,
-    pos2, vec2,
-};
+use egui::{Painter, Pos2, Shape, epaint::TextShape};
 use std::f32::consts::FRAC_PI_2;
 
 /// Draws a chart as wide as there is room.
@@ -113,9 +111,7 @@ impl Page<'_> {
                     Anchor::Middle => Align2::CENTER_CENTER,
                     Anchor::Right => Align2::RIGHT_CENTER,
                 };
-                let galley = self
-                    .painter
-                    .layout_no_wrap(text.clone(), font, colour(*ink));
+                let galley = (self.painter).layout_no_wrap(text.clone(), font, colour(*ink));
                 let at = self.at(*at);
                 if *upwards {
                     let corner = pos2(at.x - 0.5 * galley.size().y, at.y + 0.5 * galley.size().x);

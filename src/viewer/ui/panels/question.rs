@@ -1,11 +1,8 @@
 //! The one question before edits or measures are dropped.
 
-use super::hints::Hint;
-use crate::viewer::{
-    model::State,
-    ui::command::{Command, Intent, Reply},
-};
-use egui::{Context, Id, Modal, Ui};
+use super::prelude::*;
+use crate::viewer::ui::command::{Intent, Reply};
+use egui::{Context, Id, Modal};
 
 /// Shown in the middle of the window, over everything else.
 pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut Vec<Command>) {
@@ -36,15 +33,12 @@ pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut
         ui.label(text.join(" "));
         ui.add_space(8.0);
         ui.horizontal(|ui| {
-            let mut button = |ui: &mut Ui, text: &str, hint: &str, asked| {
-                if ui.button(text).hint(hint).clicked() {
-                    commands.push(asked);
-                }
+            let mut button = |ui: &mut Ui, text: &str, hint: &str, asked: Command| {
+                ui.button(text).asks(hint, asked, commands);
             };
             if !edited.is_empty() {
                 let hint = "as a scene file, then go on";
-                let save = Command::Reply(Reply::Save);
-                button(ui, "Save first\u{2026}", hint, save);
+                button(ui, "Save first\u{2026}", hint, Command::Reply(Reply::Save));
             }
             if !measured.is_empty() {
                 let lists = measured.iter().map(|scene| scene.measuring().text());
@@ -59,8 +53,8 @@ pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut
             let hint = format!("the {dropped} are lost");
             let go_on = format!("{go_on}, drop the {dropped}");
             button(ui, &go_on, &hint, Command::Reply(Reply::GoOn));
-            let stay = Command::Reply(Reply::Stay);
-            button(ui, "Cancel", "nothing happens (Esc)", stay);
+            let hint = "nothing happens (Esc)";
+            button(ui, "Cancel", hint, Command::Reply(Reply::Stay));
         });
     });
 }

@@ -3,17 +3,10 @@
 use super::{
     field::{AXES, Field, WIDTH},
     gesture::Gesture,
-    hints::{Hint, named},
+    prelude::*,
 };
-use crate::{
-    geometry::Section,
-    viewer::{
-        model::{Action, State},
-        ui::command::Command,
-    },
-};
-use egui::{Grid, Slider, Ui};
-use glam::DVec3;
+use crate::geometry::Section;
+use egui::Slider;
 
 /// Shows nothing in the gallery, which takes no sections.
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
@@ -32,15 +25,12 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let mut is_on = section.is_some();
     let on = ui.checkbox(&mut is_on, "section");
     let hint = "cut the world by a plane: what lies behind it is neither drawn nor picked, and you look into solids (Z)";
-    if on.hint(hint).changed() {
-        commands.push(Command::Act(Action::ToggleSection));
-    }
+    on.asks(hint, Action::ToggleSection, commands);
     // A section is computed only when its button is clicked: along a mesh's face, that takes all of the mesh's
     // triangles.
     let mut button =
         |word: &str, name: &str, hint: &str, can: bool, to: &dyn Fn() -> Option<Action>| {
-            let button = ui.add_enabled(can, egui::Button::new(word).small());
-            named(&button, name);
+            let button = ui.add_enabled(can, Button::new(word).small()).named(name);
             if button.hint(hint).clicked()
                 && let Some(action) = to()
             {
@@ -87,6 +77,7 @@ fn numbers(ui: &mut Ui, state: &State, section: &Section, commands: &mut Vec<Com
     let [least, most] = [f64::min, f64::max].map(|end| along.into_iter().fold(along[0], end));
     let check = |normal: DVec3, offset: f64| Section::new(normal, offset).map(|_| ());
     let (mut next, mut gesture) = (None, Gesture::default());
+    let of = state.scene_revision();
     Grid::new("section").num_columns(4).show(ui, |ui| {
         ui.label("n").hint(NORMAL);
         for (i, axis) in AXES.into_iter().enumerate() {
@@ -95,36 +86,25 @@ fn numbers(ui: &mut Ui, state: &State, section: &Section, commands: &mut Vec<Com
                 normal[i] = number;
                 normal
             };
-            let field = Field {
-                name: &format!("section n {axis}"),
-                hint: NORMAL,
-                of: state.scene_revision(),
-                value: normal[i],
-                width: WIDTH,
-                step: 0.01 * normal.abs().max_element(),
-            };
-            if let Some(number) = field.show(ui, |number| check(with(number), offset)) {
+            let name = format!("section n {axis}");
+            let field = Field::new(&name, NORMAL, of, WIDTH, normal[i]);
+            let step = 0.01 * normal.abs().max_element();
+            let check = |number| check(with(number), offset);
+            if let Some(number) = field.show(ui, step, check) {
                 next = Some((with(number), offset));
             }
         }
         ui.end_row();
         ui.label("c").hint(OFFSET);
-        let field = Field {
-            name: "section c",
-            hint: OFFSET,
-            of: state.scene_revision(),
-            value: offset,
-            width: WIDTH,
-            step: 0.01 * (most - least),
-        };
-        if let Some(number) = field.show(ui, |number| check(normal, number)) {
+        let field = Field::new("section c", OFFSET, of, WIDTH, offset);
+        let step = 0.01 * (most - least);
+        if let Some(number) = field.show(ui, step, |number| check(normal, number)) {
             next = Some((normal, number));
         }
         if least < most {
             let mut slid = offset;
             let slider = ui.add(Slider::new(&mut slid, least..=most).show_value(false));
-            named(&slider, "section c, slid");
-            let slider = slider.hint(OFFSET);
+            let slider = slider.named("section c, slid").hint(OFFSET);
             gesture.note(&slider);
             if slider.changed() && check(normal, slid).is_ok() {
                 next = Some((normal, slid));

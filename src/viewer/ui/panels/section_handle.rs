@@ -1,26 +1,19 @@
 //! The section in the picture: its rim around what is visible, and an arrow along n that drags it.
 
-use super::gesture::Gesture;
+use super::{gesture::Gesture, prelude::*};
 use crate::{
     camera::View,
     geometry::{Aabb, Section, clip_points},
     look,
-    viewer::{
-        model::{Action, State},
-        screen::SceneRect,
-        ui::{
-            command::Command,
-            theme::{color32, rimmed},
-        },
-    },
+    viewer::ui::theme::rimmed,
 };
-use egui::{Color32, CursorIcon, Painter, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
-use glam::DVec3;
+use egui::{CursorIcon, Painter, Pos2, Role, WidgetInfo};
 
 /// Length of the arrow, as a share of the radius of what is visible.
 const LENGTH: f64 = 0.25;
 /// The arrow is at least this long in the picture, in points, so that it can be grabbed.
 const SHORTEST: f32 = 28.0;
+const INSIDE: Color32 = color32(look::INSIDE);
 /// The arrow can be grabbed this far from its head, in points.
 const REACH: f32 = 11.0;
 
@@ -62,9 +55,8 @@ pub(super) fn show(
         ui.set_cursor_icon(CursorIcon::Grab);
     }
     if !response.dragged() {
-        response.on_hover_text(
-            "drag: moves the section along its normal, which points to what is kept",
-        );
+        let hint = "drag: moves the section along its normal, which points to what is kept";
+        response.on_hover_text(hint);
     }
 }
 
@@ -73,7 +65,7 @@ struct Arrow {
     foot: Pos2,
     head: Pos2,
     /// Points in the picture for one world unit along n.
-    per_world: egui::Vec2,
+    per_world: Vec2,
 }
 
 impl Arrow {
@@ -82,8 +74,8 @@ impl Arrow {
         let unit = section.normal().normalize_or_zero();
         let foot = foot(section, bounds);
         let length = LENGTH * bounds.radius();
-        let [from, to] = view.project_segment(foot, foot + length * unit)?;
-        let [foot, head] = [from, to].map(|px| place.to_position(px));
+        let ends = view.project_segment(foot, foot + length * unit)?;
+        let [foot, head] = ends.map(|px| place.to_position(px));
         let along = head - foot;
         #[expect(
             clippy::cast_possible_truncation,
@@ -99,11 +91,7 @@ impl Arrow {
     }
 
     fn draw(&self, painter: &Painter, is_lit: bool) {
-        let colour = if is_lit {
-            Color32::WHITE
-        } else {
-            color32(look::INSIDE)
-        };
+        let colour = if is_lit { Color32::WHITE } else { INSIDE };
         let along = (self.head - self.foot).normalized();
         let aside = vec2(-along.y, along.x);
         for (colour, more) in rimmed(colour) {
@@ -112,11 +100,8 @@ impl Arrow {
             let tip = self.head + 6.0 * along;
             let wing = |side: f32| self.head - 6.0 * along + side * 6.0 * aside;
             let head = vec![tip, wing(1.0), wing(-1.0)];
-            painter.add(egui::Shape::convex_polygon(
-                head,
-                colour,
-                Stroke::new(more, colour),
-            ));
+            let edge = Stroke::new(more, colour);
+            painter.add(egui::Shape::convex_polygon(head, colour, edge));
             painter.circle_filled(self.foot, 3.0 + 0.5 * more, colour);
         }
     }
@@ -138,16 +123,14 @@ fn draw_rim(painter: &Painter, place: SceneRect, view: &View, section: &Section,
     let around = [(-far, -far), (far, -far), (far, far), (-far, far)];
     let mut rim: Vec<DVec3> = around.map(|(x, y)| foot + x * right + y * up).into();
     for axis in DVec3::AXES {
-        let ends = [(axis, bounds.min), (-axis, bounds.max)];
-        for (inwards, at) in ends {
+        for (inwards, at) in [(axis, bounds.min), (-axis, bounds.max)] {
             rim = clip_points(&rim, |p| inwards.dot(p - at));
         }
     }
-    let colour = color32(look::INSIDE);
     for (a, b) in rim.iter().zip(rim.iter().cycle().skip(1)) {
         if let Some(ends) = view.uncut().project_segment(*a, *b) {
             let ends = ends.map(|end| place.to_position(end));
-            painter.line_segment(ends, Stroke::new(1.0, colour));
+            painter.line_segment(ends, Stroke::new(1.0, INSIDE));
         }
     }
 }

@@ -1,8 +1,7 @@
 //! The line at the bottom: times, the adapter, the projection, and what is under the cursor.
 
-use super::{elided::elided, hints::Hint};
-use crate::viewer::model::State;
-use egui::{Align, Layout, TextStyle, Ui, vec2};
+use super::{elided::elided, prelude::*};
+use egui::TextStyle;
 use std::time::Duration;
 
 /// For so long after a picture the line says how long it took, in seconds.
@@ -47,16 +46,13 @@ pub(super) fn show(ui: &mut Ui, state: &State, statistics: &Statistics) {
 fn times(ui: &mut Ui, statistics: &Statistics) {
     let now_s = ui.input(|input| input.time);
     let left_s = |drawn_s: f64| drawn_s + FRESH_S - now_s;
-    let fresh = statistics
-        .frame
-        .filter(|(_, drawn_s)| left_s(*drawn_s) > 0.0);
-    let frame = match fresh {
-        Some((took, drawn_s)) => {
+    let frame = match statistics.frame {
+        Some((took, drawn_s)) if left_s(drawn_s) > 0.0 => {
             let wait = Duration::from_secs_f64(left_s(drawn_s));
             ui.ctx().request_repaint_after(wait);
             format!("{:6.1}", 1e3 * took.as_secs_f64())
         }
-        None => format!("{:>6}", "\u{2013}"),
+        _ => format!("{:>6}", "\u{2013}"),
     };
     ui.weak(format!("frame {frame} ms"))
         .hint("how long the picture of the scene took that was just drawn, in thousandths of a second; a dash at rest");

@@ -76,11 +76,23 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
     // The first pass only finds out how large things are.
     run(Vec::new());
     let shapes = run(events);
+    (texts(&shapes).join("\n"), commands)
+}
+
+/// What the status line shows in a first pass.
+fn status_line(state: &State, statistics: &Statistics, input: RawInput) -> Vec<ClippedShape> {
+    let context = theme::context();
+    let mut output = context.run_ui(input, |ui| status::show(ui, state, statistics));
+    output.textures_delta.clear();
+    output.shapes
+}
+
+fn texts(shapes: &[ClippedShape]) -> Vec<String> {
     let mut texts = Vec::new();
-    for clipped in &shapes {
+    for clipped in shapes {
         collect(&clipped.shape, &mut texts);
     }
-    (texts.join("\n"), commands)
+    texts
 }
 
 fn collect(shape: &Shape, texts: &mut Vec<String>) {
@@ -217,12 +229,8 @@ fn software_is_said_in_the_colour_of_text() {
         software: true,
         ..Statistics::default()
     };
-    let context = theme::context();
-    let mut output = context.run_ui(RawInput::default(), |ui| {
-        status::show(ui, &state, &statistics);
-    });
-    output.textures_delta.clear();
-    let warns = context.global_style().visuals.warn_fg_color;
+    let shapes = status_line(&state, &statistics, RawInput::default());
+    let warns = theme::context().global_style().visuals.warn_fg_color;
     let colour = |shape: &Shape| match shape {
         Shape::Text(text) if text.galley.text() == "software" => {
             let own = text.galley.job.sections[0].format.color;
@@ -230,10 +238,7 @@ fn software_is_said_in_the_colour_of_text() {
         }
         _ => None,
     };
-    let colours = output
-        .shapes
-        .iter()
-        .find_map(|clipped| colour(&clipped.shape));
+    let colours = shapes.iter().find_map(|clipped| colour(&clipped.shape));
     let colours = colours.expect("the word");
     assert!(!colours.contains(&Some(warns)), "{colours:?}");
 }
@@ -251,13 +256,11 @@ fn what_is_under_the_cursor_is_named_in_the_smallest_window() {
         ..Statistics::default()
     };
     let window = Rect::from_min_size(pos2(0.0, 0.0), vec2(640.0, 400.0));
-    let context = theme::context();
     let input = RawInput {
         screen_rect: Some(window),
         ..RawInput::default()
     };
-    let mut output = context.run_ui(input, |ui| status::show(ui, &state, &statistics));
-    output.textures_delta.clear();
+    let shapes = status_line(&state, &statistics, input);
     let name = &state.scene().objects()[hovered].name;
     let is_named = |clipped: &ClippedShape| match &clipped.shape {
         Shape::Text(text) if text.galley.text() == name => {
@@ -266,7 +269,7 @@ fn what_is_under_the_cursor_is_named_in_the_smallest_window() {
         }
         _ => false,
     };
-    assert!(output.shapes.iter().any(is_named), "{name}");
+    assert!(shapes.iter().any(is_named), "{name}");
 }
 
 /// How long a picture took is said for a while, and no longer once nothing moves.
@@ -278,17 +281,11 @@ fn an_old_frame_time_does_not_stay() {
         ..Statistics::default()
     };
     for (now_s, is_said) in [(10.0, true), (12.0, true), (14.0, false), (1e5, false)] {
-        let context = egui::Context::default();
         let input = RawInput {
             time: Some(now_s),
             ..RawInput::default()
         };
-        let mut output = context.run_ui(input, |ui| status::show(ui, &state, &statistics));
-        output.textures_delta.clear();
-        let mut texts = Vec::new();
-        for clipped in &output.shapes {
-            collect(&clipped.shape, &mut texts);
-        }
+        let texts = texts(&status_line(&state, &statistics, input));
         let frame = texts.iter().find(|text| text.starts_with("frame"));
         let frame = frame.expect("the word");
         assert_eq!(frame.contains("4818"), is_said, "{now_s}: {frame}");

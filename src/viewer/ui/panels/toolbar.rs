@@ -3,15 +3,12 @@
 
 use super::{
     docks::{Section, Side},
-    hints::{Hint, named},
+    elided,
+    prelude::*,
     shown::Shown,
     tools::{Does, Tool, groups, open},
 };
-use crate::viewer::ui::command::Command;
-use egui::{
-    Align, AtomExt as _, Atoms, Button, Color32, FontId, Layout, Response, RichText, TextStyle, Ui,
-    vec2,
-};
+use egui::{AtomExt as _, Atoms, TextStyle};
 
 /// How much of a group shows.
 #[derive(Clone, Copy, PartialEq)]
@@ -35,30 +32,22 @@ pub(super) fn show(
     let groups = groups(shown);
     let shows = fit(ui, &groups, ui.available_width() - END);
     ui.horizontal(|ui| {
-        let in_row = groups.iter().zip(&shows);
-        for (at, (group, shows)) in in_row.filter(|(_, how)| **how != Shows::InMenu).enumerate() {
-            if at > 0 {
-                ui.separator();
-            }
-            for tool in group {
-                add(ui, shown, tool, *shows == Shows::Names, commands);
-            }
-        }
-        if shows.contains(&Shows::InMenu) {
-            let more = ui.menu_button(icon("\u{22ef}"), |ui| {
-                let in_menu = groups.iter().zip(&shows);
-                let in_menu = in_menu.filter(|(_, how)| **how == Shows::InMenu);
-                for (at, (group, _)) in in_menu.enumerate() {
-                    if at > 0 {
-                        ui.separator();
-                    }
-                    for tool in group {
-                        add(ui, shown, tool, true, commands);
-                    }
+        let mut add_groups = |ui: &mut Ui, in_menu: bool| {
+            let here = groups.iter().zip(&shows);
+            let here = here.filter(|(_, how)| (**how == Shows::InMenu) == in_menu);
+            for (at, (group, how)) in here.enumerate() {
+                if at > 0 {
+                    ui.separator();
                 }
-            });
-            named(&more.response, "more");
-            more.response.hint("what has no room here");
+                for tool in group {
+                    add(ui, shown, tool, *how != Shows::Icons, commands);
+                }
+            }
+        };
+        add_groups(ui, false);
+        if shows.contains(&Shows::InMenu) {
+            let more = ui.menu_button(icon("\u{22ef}"), |ui| add_groups(ui, true));
+            more.response.named("more").hint("what has no room here");
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             for (side, picture, name) in [
@@ -68,8 +57,7 @@ pub(super) fn show(
                 let has_any = !shown.docks.at(side, sections).is_empty();
                 let on = shown.docks.showing[side as usize];
                 let fold = Button::selectable(on, icon(picture)).frame_when_inactive(true);
-                let fold = ui.add_enabled(has_any, fold);
-                named(&fold, name);
+                let fold = ui.add_enabled(has_any, fold).named(name);
                 let hint =
                     "show or fold the panels at this side; the picture keeps half of the window";
                 if fold.hint(hint).clicked() {
@@ -89,13 +77,7 @@ fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> Vec<Shows> {
     let font = TextStyle::Button.resolve(ui.style());
     let width = |group: &[Tool], named: bool| -> f32 {
         let tool = |tool: &Tool| {
-            let name = || {
-                let text = tool.name.to_owned();
-                let galley = ui
-                    .painter()
-                    .layout_no_wrap(text, font.clone(), Color32::WHITE);
-                galley.size().x + spacing.icon_spacing
-            };
+            let name = || elided::width(ui, tool.name.to_owned(), &font) + spacing.icon_spacing;
             padding + gap + ICON + if named { name() } else { 0.0 }
         };
         group.iter().map(tool).sum::<f32>() + 6.0 + gap
@@ -110,9 +92,10 @@ fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> Vec<Shows> {
         if total <= room {
             break;
         }
-        total -= match how {
-            Shows::InMenu => bare[at],
-            _ => named[at] - bare[at],
+        total -= if how == Shows::InMenu {
+            bare[at]
+        } else {
+            named[at] - bare[at]
         };
         shows[at] = how;
     }
@@ -134,10 +117,10 @@ fn add(ui: &mut Ui, shown: &Shown, tool: &Tool, with_name: bool, commands: &mut 
         }
         atoms
     };
-    let response: Response = match &tool.does {
+    let response = match &tool.does {
         Does::Open(menu) => {
-            let button = ui.menu_button(atoms(with_name), |ui| open(ui, shown, *menu, commands));
-            button.response
+            let inside = |ui: &mut Ui| open(ui, shown, *menu, commands);
+            ui.menu_button(atoms(with_name), inside).response
         }
         Does::Ask(command) => {
             let button = match tool.is_on {
@@ -151,11 +134,10 @@ fn add(ui: &mut Ui, shown: &Shown, tool: &Tool, with_name: bool, commands: &mut 
             response
         }
     };
-    named(&response, tool.called);
-    let hint = if with_name {
-        tool.hint.clone()
+    let response = response.named(tool.called);
+    if with_name {
+        response.hint(&tool.hint);
     } else {
-        format!("{}: {}", tool.name, tool.hint)
-    };
-    response.hint(hint);
+        response.hint(format!("{}: {}", tool.name, tool.hint));
+    }
 }

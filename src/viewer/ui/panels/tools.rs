@@ -1,17 +1,7 @@
 //! What the toolbar offers, in groups, and its menus.
 
-use super::{
-    exhibit,
-    hints::{Hint, named},
-    shown::Shown,
-};
-use crate::viewer::{
-    jobs::Checking,
-    model::{Action, Overlay, State},
-    ui::command::Command,
-};
-use egui::{Button, Ui};
-use glam::DVec3;
+use super::{exhibit, prelude::*, shown::Shown};
+use crate::viewer::{jobs::Checking, model::Overlay};
 use std::path::PathBuf;
 
 /// A button of the toolbar.
@@ -51,10 +41,12 @@ pub(super) enum Menu {
 impl Tool {
     /// The same tool as a switch that is on or off.
     fn switched(self, on: bool) -> Self {
-        Self {
-            is_on: Some(on),
-            ..self
-        }
+        let is_on = Some(on);
+        Self { is_on, ..self }
+    }
+
+    fn enabled(self, enabled: bool) -> Self {
+        Self { enabled, ..self }
     }
 }
 
@@ -71,18 +63,24 @@ fn tool(icon: &'static str, name: &'static str, hint: impl Into<String>, does: D
 }
 
 /// A button that asks for a command.
-fn ask(icon: &'static str, name: &'static str, hint: impl Into<String>, command: Command) -> Tool {
-    tool(icon, name, hint, Does::Ask(command))
+fn ask(
+    icon: &'static str,
+    name: &'static str,
+    hint: impl Into<String>,
+    command: impl Into<Command>,
+) -> Tool {
+    tool(icon, name, hint, Does::Ask(command.into()))
 }
 
-fn act(icon: &'static str, name: &'static str, hint: &str, action: Action) -> Tool {
-    ask(icon, name, hint, Command::Act(action))
+/// A button that opens a menu.
+fn menu(icon: &'static str, name: &'static str, hint: &str, which: Menu) -> Tool {
+    tool(icon, name, hint, Does::Open(which))
 }
 
 /// All tools, by group.
-pub(super) fn groups(shown: &Shown) -> Vec<Vec<Tool>> {
+pub(super) fn groups(shown: &Shown) -> [Vec<Tool>; 5] {
     let state = shown.state;
-    vec![
+    [
         files(),
         steps(state),
         looking(),
@@ -92,32 +90,15 @@ pub(super) fn groups(shown: &Shown) -> Vec<Vec<Tool>> {
 }
 
 fn files() -> Vec<Tool> {
-    vec![
-        ask(
-            "\u{1f4c2}",
-            "Open\u{2026}",
-            "OBJ and scene files (Ctrl+O); or drop them on the window",
-            Command::OpenDialog,
-        ),
-        tool(
-            "\u{1f553}",
-            "Recent",
-            "scenes that were opened before",
-            Does::Open(Menu::Recent),
-        ),
-        ask(
-            "\u{1f4be}",
-            "Save\u{2026}",
-            "as a scene file (Ctrl+S)",
-            Command::SaveDialog,
-        ),
-        ask(
-            "\u{27f3}",
-            "Reload",
-            "read the files again (R)",
-            Command::Reload,
-        ),
-    ]
+    let hint = "OBJ and scene files (Ctrl+O); or drop them on the window";
+    let open = ask("\u{1f4c2}", "Open\u{2026}", hint, Command::OpenDialog);
+    let hint = "scenes that were opened before";
+    let recent = menu("\u{1f553}", "Recent", hint, Menu::Recent);
+    let hint = "as a scene file (Ctrl+S)";
+    let save = ask("\u{1f4be}", "Save\u{2026}", hint, Command::SaveDialog);
+    let hint = "read the files again (R)";
+    let reload = ask("\u{27f3}", "Reload", hint, Command::Reload);
+    vec![open, recent, save, reload]
 }
 
 fn steps(state: &State) -> Vec<Tool> {
@@ -125,10 +106,7 @@ fn steps(state: &State) -> Vec<Tool> {
         let step = state.next_step(back);
         let action = if back { Action::Undo } else { Action::Redo };
         let hint = format!("{} ({key})", step.unwrap_or("nothing"));
-        Tool {
-            enabled: step.is_some(),
-            ..ask(icon, name, hint, Command::Act(action))
-        }
+        ask(icon, name, hint, action).enabled(step.is_some())
     };
     vec![
         step("\u{21a9}", "Undo", true, "Ctrl+Z"),
@@ -137,108 +115,56 @@ fn steps(state: &State) -> Vec<Tool> {
 }
 
 fn looking() -> Vec<Tool> {
-    vec![
-        act(
-            "\u{26f6}",
-            "Frame all",
-            "move the camera until all of the scene is in view (A)",
-            Action::FrameAll,
-        ),
-        act(
-            "\u{1f3af}",
-            "Frame selection",
-            "move the camera until the selected object fills the view (F)",
-            Action::FrameSelection,
-        ),
-        tool(
-            "\u{1f3a5}",
-            "Views",
-            "look along an axis of the world",
-            Does::Open(Menu::Views),
-        ),
-        act(
-            "\u{1f3e0}",
-            "Reset",
-            "the view that the scene opened with (Enter)",
-            Action::ResetView,
-        ),
-    ]
+    let hint = "move the camera until all of the scene is in view (A)";
+    let all = ask("\u{26f6}", "Frame all", hint, Action::FrameAll);
+    let hint = "move the camera until the selected object fills the view (F)";
+    let selection = ask("\u{1f3af}", "Frame selection", hint, Action::FrameSelection);
+    let hint = "look along an axis of the world";
+    let views = menu("\u{1f3a5}", "Views", hint, Menu::Views);
+    let hint = "the view that the scene opened with (Enter)";
+    let reset = ask("\u{1f3e0}", "Reset", hint, Action::ResetView);
+    vec![all, selection, views, reset]
 }
 
 fn showing(state: &State) -> Vec<Tool> {
-    let freeze = act(
-        "\u{2744}",
-        "Freeze",
-        "leave a copy of this camera in the scene, with the pick's ray, and look at it from elsewhere (T)",
-        Action::ToggleFreeze,
-    );
+    let hint = "with axes: x red, y green, z blue (G)";
+    let grid = ask("\u{25a6}", "Grid", hint, Action::ToggleGrid);
+    let hint = "leave a copy of this camera in the scene, with the pick's ray, and look at it from elsewhere (T)";
+    let freeze = ask("\u{2744}", "Freeze", hint, Action::ToggleFreeze);
+    let freeze = freeze.switched(state.frozen().is_some());
+    let hint = "lines over the scene: triangles, normals, boxes";
     vec![
-        act(
-            "\u{25a6}",
-            "Grid",
-            "with axes: x red, y green, z blue (G)",
-            Action::ToggleGrid,
-        )
-        .switched(state.grid()),
-        Tool {
-            enabled: state.stages().is_empty(),
-            ..freeze.switched(state.frozen().is_some())
-        },
-        tool(
-            "\u{25f0}",
-            "Overlays",
-            "lines over the scene: triangles, normals, boxes",
-            Does::Open(Menu::Overlays),
-        ),
+        grid.switched(state.grid()),
+        freeze.enabled(state.stages().is_empty()),
+        menu("\u{25f0}", "Overlays", hint, Menu::Overlays),
     ]
 }
 
 fn learning(shown: &Shown) -> Vec<Tool> {
-    let matrices = ask(
-        "\u{25a4}",
-        "Matrices",
-        "the matrices P, V and M, and the pick on its way through them (P)",
-        Command::TogglePipeline,
-    );
-    vec![
-        ask(
-            "\u{229e}",
-            "Four views",
-            "object, world, view and NDC side by side, all live (4)",
-            Command::ToggleFour,
-        )
-        .switched(!shown.state.stages().is_empty()),
+    let hint = "object, world, view and NDC side by side, all live (4)";
+    let four = ask("\u{229e}", "Four views", hint, Command::ToggleFour);
+    let hint = "the matrices P, V and M, and the pick on its way through them (P)";
+    let matrices = ask("\u{25a4}", "Matrices", hint, Command::TogglePipeline);
+    let matrices = Tool {
         // The panel's heading is called "Matrices".
-        Tool {
-            called: "Matrices panel",
-            ..matrices.switched(shown.floating.pipeline)
-        },
-        ask(
-            "\u{2714}",
-            "Compare",
-            "compare each pixel as drawn with what a click there picks (V)",
-            Command::ToggleCheck,
-        )
-        .switched(!matches!(shown.checking, Checking::Off)),
-        tool(
-            "\u{1f5bc}",
-            "Gallery",
-            "scenes on which known methods break (E: the next, Shift+E: the one before)",
-            Does::Open(Menu::Gallery),
-        ),
-        ask(
-            "\u{2600}",
-            "Look",
-            format!("dark or light panels; now: {}", shown.look.about()),
-            Command::NextLook,
-        ),
-        ask(
-            "\u{2753}",
-            "Help",
-            "keys and mouse (H)",
-            Command::ToggleHelp,
-        )
-        .switched(shown.floating.help),
+        called: "Matrices panel",
+        ..matrices
+    };
+    let hint = "compare each pixel as drawn with what a click there picks (V)";
+    let compare = ask("\u{2714}", "Compare", hint, Command::ToggleCheck);
+    let hint = "scenes on which known methods break (E: the next, Shift+E: the one before)";
+    let gallery = menu("\u{1f5bc}", "Gallery", hint, Menu::Gallery);
+    let hint = format!("dark or light panels; now: {}", shown.look.about());
+    let look = ask("\u{2600}", "Look", hint, Command::NextLook);
+    let hint = "keys and mouse (H)";
+    let help = ask("\u{2753}", "Help", hint, Command::ToggleHelp);
+    vec![
+        four.switched(!shown.state.stages().is_empty()),
+        matrices.switched(shown.floating.pipeline),
+        compare.switched(!matches!(shown.checking, Checking::Off)),
+        gallery,
+        look,
+        help.switched(shown.floating.help),
     ]
 }
 
@@ -265,18 +191,12 @@ fn recent(ui: &mut Ui, recent: &[Vec<PathBuf>], commands: &mut Vec<Command>) {
             .hint("files that you open are offered here");
     }
     for paths in recent {
-        let names: Vec<_> = (paths.iter().filter_map(|path| path.file_name()))
-            .map(|name| name.to_string_lossy())
-            .collect();
-        let whole: Vec<_> = paths
-            .iter()
-            .map(|path| path.display().to_string())
-            .collect();
-        if ui
-            .button(names.join(" + "))
-            .hint(whole.join("\n"))
-            .clicked()
-        {
+        let names = paths.iter().filter_map(|path| path.file_name());
+        let names: Vec<_> = names.map(|name| name.to_string_lossy()).collect();
+        let whole = paths.iter().map(|path| path.display().to_string());
+        let whole: Vec<_> = whole.collect();
+        let open = ui.button(names.join(" + "));
+        if open.hint(whole.join("\n")).clicked() {
             commands.push(Command::Open(paths.clone()));
         }
     }
@@ -292,12 +212,9 @@ fn views(ui: &mut Ui, commands: &mut Vec<Command>) {
         ("Bottom", "Ctrl+7", DVec3::NEG_Y),
         ("Corner", "9", DVec3::ONE),
     ] {
-        let button = ui.add(Button::new(name).shortcut_text(key));
-        named(&button, name);
+        let button = ui.add(Button::new(name).shortcut_text(key)).named(name);
         let hint = "look at the scene from there";
-        if button.hint(hint).clicked() {
-            commands.push(Command::Act(Action::LookFrom(to_eye)));
-        }
+        button.asks(hint, Action::LookFrom(to_eye), commands);
     }
 }
 
@@ -308,12 +225,12 @@ fn tree_level(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         let shown = level.map_or("off".to_owned(), |level| level.to_string());
         let hint = "boxes of the meshes' search trees (BVH); small meshes have none; level 0 is the box around a mesh";
         ui.label(format!("tree level: {shown}")).hint(hint);
-        for (name, deeper, hint) in [("\u{2212}", false, "(Shift+K)"), ("+", true, "(K)")] {
-            let button = ui.small_button(name).hint(hint);
-            named(&button, if deeper { "one level down" } else { "one level up" });
-            if button.clicked() {
-                commands.push(Command::Act(Action::TreeLevel { deeper }));
-            }
+        for (icon, deeper, name, hint) in [
+            ("\u{2212}", false, "one level up", "(Shift+K)"),
+            ("+", true, "one level down", "(K)"),
+        ] {
+            let button = ui.small_button(icon).named(name);
+            button.asks(hint, Action::TreeLevel { deeper }, commands);
         }
     });
 }
@@ -322,8 +239,6 @@ fn tree_level(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 pub(super) fn overlay(ui: &mut Ui, state: &State, which: Overlay, commands: &mut Vec<Command>) {
     let [name, key, hint] = which.about();
     let mut shows = state.overlays().shows(which);
-    let hint = format!("{hint} ({key})");
-    if ui.checkbox(&mut shows, name).hint(hint).changed() {
-        commands.push(Command::Act(Action::Toggle(which)));
-    }
+    let toggle = ui.checkbox(&mut shows, name);
+    toggle.asks(format!("{hint} ({key})"), Action::Toggle(which), commands);
 }

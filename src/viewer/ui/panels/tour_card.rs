@@ -1,17 +1,11 @@
 //! The tour's step, in a strip below picture and panels, and the offer of the tour to a new user.
 
-use super::hints::{Hint, named};
-use crate::viewer::{
-    model::State,
-    ui::{
-        command::{Command, TourMove},
-        tour::{Step, Tour},
-    },
+use super::{messages::plate, prelude::*};
+use crate::viewer::ui::{
+    command::TourMove,
+    tour::{Step, Tour},
 };
-use egui::{
-    Align, Align2, Area, Button, Color32, Frame, Id, Layout, Panel, Rect, RichText, ScrollArea,
-    TextStyle, Ui, Vec2, vec2,
-};
+use egui::{Frame, Panel, ScrollArea, TextStyle};
 
 /// The gaps between the offer and the picture's corner, in points. The grid's step stands below the offer.
 const MARGIN: Vec2 = vec2(12.0, 28.0);
@@ -63,11 +57,11 @@ fn height(ui: &Ui, step: &Step, state: &State, width: f32) -> f32 {
 }
 
 fn text(ui: &mut Ui, step: &Step, state: &State) {
-    ui.label(RichText::new(step.task).strong())
-        .hint("what to do now: the window notices when it is done");
+    let hint = "what to do now: the window notices when it is done";
+    ui.strong(step.task).hint(hint);
     if let Some(now) = step.now(state) {
-        ui.label(RichText::new(now).strong().italics())
-            .hint("with the view in this window now");
+        let now = RichText::new(now).strong().italics();
+        ui.label(now).hint("with the view in this window now");
     }
     ui.label(step.why).hint("why");
 }
@@ -76,73 +70,52 @@ fn text(ui: &mut Ui, step: &Step, state: &State) {
 fn bar(ui: &mut Ui, tour: Tour, state: &State, commands: &mut Vec<Command>) {
     let (number, chapter, _) = tour.step();
     let (count, behind) = tour.progress();
-    let mut asked = None;
-    let mut go = |ui: &mut Ui, enabled: bool, text: RichText, hint: &str, to| {
-        let button = ui.add_enabled(enabled, Button::new(text)).hint(hint);
-        if button.clicked() {
-            asked = Some(to);
-        }
-        button
-    };
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        let end = go(
-            ui,
-            true,
-            "\u{d7}".into(),
-            "end the tour: Help begins it again",
-            TourMove::End,
-        );
-        named(&end, "end the tour");
+        let end = ui.button("\u{d7}").named("end the tour");
+        let hint = "end the tour: Help begins it again";
+        end.asks(hint, Command::Tour(TourMove::End), commands);
         let next = match (tour.is_done, behind + 1 == count) {
             (false, _) => RichText::new("skip"),
             (true, false) => RichText::new("next").strong(),
             (true, true) => RichText::new("finish").strong(),
         };
-        go(ui, true, next, "to the next step", TourMove::Next);
-        let (back, hint) = ("back".into(), "to the step before");
-        go(ui, behind > 0, back, hint, TourMove::Back);
+        let (next, hint) = (ui.button(next), "to the next step");
+        next.asks(hint, Command::Tour(TourMove::Next), commands);
+        let back = ui.add_enabled(behind > 0, Button::new("back"));
+        let hint = "to the step before";
+        back.asks(hint, Command::Tour(TourMove::Back), commands);
         if tour.is_done {
             let done = RichText::new(TICK).color(ui.visuals().hyperlink_color);
-            named(&ui.label(done.size(18.0)).hint("done"), "step done");
+            ui.label(done.size(18.0)).named("step done").hint("done");
         }
         if !state.is_demo() && state.showing().is_none() {
-            let demo = ui.button("open the demo");
-            if demo.hint("the tour's steps are about the demo").clicked() {
-                commands.push(Command::Open(Vec::new()));
-            }
+            let hint = "the tour's steps are about the demo";
+            ui.button("open the demo")
+                .asks(hint, Command::Open(Vec::new()), commands);
         }
         ui.weak(format!("step {} of {count}", behind + 1))
             .hint("counted over all chapters");
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
             let title = RichText::new(format!("{number}  {}", chapter.title)).strong();
-            ui.add(egui::Label::new(title).truncate())
+            ui.add(Label::new(title).truncate())
                 .hint("the tour's chapter");
         });
     });
-    commands.extend(asked.map(Command::Tour));
 }
 
 /// Offers the tour, in the lower right corner of the picture.
 pub(super) fn offer(ui: &Ui, rect: Rect, commands: &mut Vec<Command>) {
-    Area::new(Id::unique("tour offer"))
-        .fixed_pos(rect.right_bottom() - MARGIN)
-        .pivot(Align2::RIGHT_BOTTOM)
-        .show(ui.ctx(), |ui| {
-            Frame::popup(ui.style()).show(ui, |ui| {
-                ui.horizontal(|ui| {
-                    ui.label("New here?")
-                        .hint("this is shown until you have answered");
-                    if ui.button("Take the tour").hint(ABOUT).clicked() {
-                        commands.push(Command::Tour(TourMove::Begin));
-                    }
-                    let no = ui.button("\u{d7}").hint("no: Help offers it again");
-                    named(&no, "no tour");
-                    if no.clicked() {
-                        commands.push(Command::Tour(TourMove::End));
-                    }
-                });
-            });
+    let at = rect.right_bottom() - MARGIN;
+    plate(ui.ctx(), "tour offer", at, Align2::RIGHT_BOTTOM, |ui| {
+        ui.horizontal(|ui| {
+            let hint = "this is shown until you have answered";
+            ui.label("New here?").hint(hint);
+            let yes = ui.button("Take the tour");
+            yes.asks(ABOUT, Command::Tour(TourMove::Begin), commands);
+            let (no, hint) = (ui.button("\u{d7}"), "no: Help offers it again");
+            (no.named("no tour")).asks(hint, Command::Tour(TourMove::End), commands);
         });
+    });
 }
 
 /// What the tour is.

@@ -1,9 +1,8 @@
 //! Tables with a name and a value in each row, and how their numbers are written.
 
-use super::{field::value_text, hints::Hint, matrix_rows::char_width};
+use super::{elided::width, field::value_text, matrix_rows::char_width, prelude::*};
 use crate::geometry::Aabb;
-use egui::{Color32, Grid, Label, TextStyle, Ui};
-use glam::DVec3;
+use egui::TextStyle;
 
 /// Decimal places of numbers that have no unit.
 pub(super) const PLACES: usize = 6;
@@ -48,10 +47,8 @@ impl Digits {
     /// Components side by side.
     pub fn vector(self, v: DVec3) -> String {
         let Self { places, width } = self;
-        let components = v
-            .to_array()
-            .map(|component| format!("{component:>width$.places$}"));
-        components.join(" ")
+        let component = |value| format!("{value:>width$.places$}");
+        v.to_array().map(component).join(" ")
     }
 }
 
@@ -62,22 +59,15 @@ fn stacked(value: &str) -> String {
         return value.to_owned();
     }
     let width = numbers.iter().map(|number| number.len()).max().unwrap_or(0);
-    let lines: Vec<_> = numbers
-        .iter()
-        .map(|number| format!("{number:>width$}"))
-        .collect();
-    lines.join("\n")
+    let lines = numbers.iter().map(|number| format!("{number:>width$}"));
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 /// A table of names, values and what they mean. The components of a vector stand one below the other where they have no
 /// room side by side.
 pub(super) fn rows(ui: &mut Ui, salt: &str, rows: &[(&str, String, &str)]) {
     let font = TextStyle::Body.resolve(ui.style());
-    let width = |name: &str| {
-        let galley = (ui.painter()).layout_no_wrap(name.to_owned(), font.clone(), Color32::WHITE);
-        galley.size().x
-    };
-    let names = rows.iter().map(|(name, ..)| width(name));
+    let names = (rows.iter()).map(|(name, ..)| width(ui, (*name).to_owned(), &font));
     // A column of a grid is at least as wide as a button.
     let names = names.fold(ui.spacing().interact_size.x, f32::max);
     let room = ui.available_width() - names - ui.spacing().item_spacing.x;

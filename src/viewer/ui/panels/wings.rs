@@ -3,16 +3,11 @@
 use super::{
     camera,
     docks::{Docks, FIELDS, GUTTER, Section, Side, TO_BORDER, TO_PICTURE},
-    exhibit,
-    hints::{Hint, bounded, named},
-    measure, objects, pick, pipeline,
+    exhibit, measure, objects, pick, pipeline,
+    prelude::*,
     shown::Shown,
 };
-use crate::viewer::ui::command::Command;
-use egui::{
-    Align, Button, CursorIcon, Frame, Layout, Panel, Rangef, Rect, RichText, ScrollArea, Sense,
-    Stroke, Ui, style::ScrollStyle,
-};
+use egui::{CursorIcon, Frame, Panel, Rangef, ScrollArea, style::ScrollStyle};
 
 /// Width of the strip that is dragged, in points: the panel's margin to the picture.
 const EDGE: f32 = TO_PICTURE as f32;
@@ -28,27 +23,22 @@ pub(super) fn show(
     shown: &mut Shown,
     commands: &mut Vec<Command>,
 ) -> Option<Rect> {
-    let panel = match side {
-        Side::Left => Panel::left("left side"),
-        Side::Right => Panel::right("right side"),
+    let (panel, left, right) = match side {
+        Side::Left => (Panel::left("left side"), TO_BORDER, TO_PICTURE),
+        Side::Right => (Panel::right("right side"), TO_PICTURE, TO_BORDER),
     };
     let here = shown.docks.at(side, sections);
     let mut frame = Frame::side_top_panel(ui.style());
-    let (left, right) = match side {
-        Side::Left => (TO_BORDER, TO_PICTURE),
-        Side::Right => (TO_PICTURE, TO_BORDER),
-    };
     (frame.inner_margin.left, frame.inner_margin.right) = (left, right);
     let panel = panel.exact_size(width?).resizable(false).frame(frame);
-    let response = panel
-        .show(ui, |ui| wing(ui, &here, shown, commands))
-        .response;
+    let panel = panel.show(ui, |ui| wing(ui, &here, shown, commands));
     // All of it is the panel's: every pixel of the picture can be picked.
+    let rect = panel.response.rect;
     let across = match side {
-        Side::Left => Rangef::new(response.rect.right() - EDGE, response.rect.right()),
-        Side::Right => Rangef::new(response.rect.left(), response.rect.left() + EDGE),
+        Side::Left => Rangef::new(rect.right() - EDGE, rect.right()),
+        Side::Right => Rangef::new(rect.left(), rect.left() + EDGE),
     };
-    Some(Rect::from_x_y_ranges(across, response.rect.y_range()))
+    Some(Rect::from_x_y_ranges(across, rect.y_range()))
 }
 
 /// A side's panels. All headings are in view: an open panel is as high as what it holds, but leaves the panels below it
@@ -64,30 +54,28 @@ fn wing(ui: &mut Ui, here: &[Section], shown: &mut Shown, commands: &mut Vec<Com
         ..ScrollStyle::floating()
     };
     let room = ui.available_height();
-    ScrollArea::vertical()
-        .id_salt("side")
-        .auto_shrink(false)
-        .show(ui, |ui| {
-            let height = room.max(least_height(here, shown.docks));
-            ui.set_max_height(height);
-            let bottom = ui.cursor().top() + height;
-            let width = ui.available_width() - GUTTER;
-            for (at, section) in here.iter().copied().enumerate() {
-                let heading = ui.scope(|ui| {
-                    ui.set_max_width(width);
-                    if at > 0 {
-                        ui.separator();
-                    }
-                    header(ui, section, shown, commands)
-                });
-                if heading.inner {
-                    let below = least_height(&here[at + 1..], shown.docks);
-                    let room = bottom - ui.cursor().top() - below;
-                    let height = room.max(section.least_height());
-                    body(ui, section, width, height, shown, commands);
+    let area = ScrollArea::vertical().id_salt("side").auto_shrink(false);
+    area.show(ui, |ui| {
+        let height = room.max(least_height(here, shown.docks));
+        ui.set_max_height(height);
+        let bottom = ui.cursor().top() + height;
+        let width = ui.available_width() - GUTTER;
+        for (at, section) in here.iter().copied().enumerate() {
+            let heading = ui.scope(|ui| {
+                ui.set_max_width(width);
+                if at > 0 {
+                    ui.separator();
                 }
+                header(ui, section, shown, commands)
+            });
+            if heading.inner {
+                let below = least_height(&here[at + 1..], shown.docks);
+                let room = bottom - ui.cursor().top() - below;
+                let height = room.max(section.least_height());
+                body(ui, section, [width, height], shown, commands);
             }
-        });
+        }
+    });
 }
 
 /// The least height of panels, one below the other, in points.
@@ -103,8 +91,7 @@ fn least_height(sections: &[Section], docks: &Docks) -> f32 {
 fn body(
     ui: &mut Ui,
     section: Section,
-    width: f32,
-    height: f32,
+    [width, height]: [f32; 2],
     shown: &mut Shown,
     commands: &mut Vec<Command>,
 ) {
@@ -115,16 +102,14 @@ fn body(
         });
         return;
     }
-    let least = width.max(FIELDS);
-    ScrollArea::both()
+    let area = ScrollArea::both()
         .id_salt(section.name())
-        .auto_shrink([false, true])
-        .min_scrolled_height(0.0)
-        .max_height(height)
-        .show(ui, |ui| {
-            ui.set_max_width(least);
-            contents(ui, section, shown, commands);
-        });
+        .max_height(height);
+    let area = area.auto_shrink([false, true]).min_scrolled_height(0.0);
+    area.show(ui, |ui| {
+        ui.set_max_width(width.max(FIELDS));
+        contents(ui, section, shown, commands);
+    });
 }
 
 /// A panel's heading: it folds the panel and moves it to the other side. Returns whether the panel is open.
@@ -141,7 +126,7 @@ fn header(ui: &mut Ui, section: Section, shown: &mut Shown, commands: &mut Vec<C
                 Side::Right => ("\u{2b05}", "to the left"),
             };
             let over = ui.add(Button::new(other.0).small().frame_when_inactive(false));
-            named(&over, &format!("move {} {}", section.name(), other.1));
+            let over = over.named(&format!("move {} {}", section.name(), other.1));
             let hint = "move this panel to the other side of the picture";
             if over.hint(hint).clicked() {
                 shown.docks[section].side = place.side.other();
@@ -154,16 +139,14 @@ fn header(ui: &mut Ui, section: Section, shown: &mut Shown, commands: &mut Vec<C
                 pipeline::close(ui, commands);
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let mark = if place.folded { "\u{23f5}" } else { "\u{23f7}" };
+                let (mark, hint) = if place.folded {
+                    ("\u{23f5}", "show this panel")
+                } else {
+                    ("\u{23f7}", "fold this panel")
+                };
                 let text = RichText::new(format!("{mark} {title}")).heading();
                 let heading = ui.add(Button::new(text).frame(false).truncate());
-                named(&heading, section.name());
-                let hint = if place.folded {
-                    "show this panel"
-                } else {
-                    "fold this panel"
-                };
-                if heading.hint(hint).clicked() {
+                if heading.named(section.name()).hint(hint).clicked() {
                     shown.docks[section].folded = !place.folded;
                 }
             });
@@ -195,18 +178,13 @@ pub(super) fn edge(ui: &mut Ui, side: Side, rect: Rect, shown: &mut Shown) {
     // Tab skips it: from the keyboard, the toolbar folds sides.
     let id = ui.scope_id().with(("edge", side as usize));
     let response = ui.interact(rect, id, Sense::DRAG);
-    let name = match side {
-        Side::Left => "edge of the left side",
-        Side::Right => "edge of the right side",
+    let (name, x) = match side {
+        Side::Left => ("edge of the left side", rect.right()),
+        Side::Right => ("edge of the right side", rect.left()),
     };
-    named(&response, name);
-    bounded(&response);
+    let response = response.named(name).bounded();
     if response.hovered() || response.dragged() {
         let line = Stroke::new(2.0, ui.visuals().selection.bg_fill);
-        let x = match side {
-            Side::Left => rect.right(),
-            Side::Right => rect.left(),
-        };
         ui.painter().vline(x, rect.y_range(), line);
     }
     let response = response.on_hover_cursor(CursorIcon::ResizeHorizontal);

@@ -49,6 +49,10 @@ impl JustDone<'_> {
         self.state.scene().objects().get(pick.id - 1)
     }
 
+    pub(super) fn has_picked(&self, name: &str) -> bool {
+        self.picked().is_some_and(|object| object.name == name)
+    }
+
     /// Whether near is set beyond all of an object, but leaves some of the scene in view.
     pub(super) fn near_is_past(&self, name: &str) -> bool {
         let (scene, view) = (self.state.scene(), self.state.view());
