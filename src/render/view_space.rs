@@ -68,8 +68,7 @@ impl ViewSpace {
         let camera = &self.view.camera;
         let model = placement.model();
         let point: Vector<DoubleDouble> = Vector::from(origin) + point_vertex_space.into();
-        let columns = model.matrix3.to_cols_array_2d();
-        let column = |i: usize| Vector::<DoubleDouble>::from(DVec3::from_array(columns[i]));
+        let column = |i: usize| Vector::<DoubleDouble>::from(model.matrix3.col(i));
         let turned = column(0) * point.x + column(1) * point.y + column(2) * point.z;
         let eye_to_origin = Vector::from(model.translation) - camera.eye().into();
         let Vector { x, y, z } = self.to_view.times(turned + eye_to_origin);
