@@ -58,6 +58,15 @@ impl Aabb {
         Self { min: -max, max }
     }
 
+    /// The box grown by `room` on each side.
+    #[must_use]
+    pub fn grown(self, room: DVec3) -> Self {
+        Self {
+            min: self.min - room,
+            max: self.max + room,
+        }
+    }
+
     /// Whether it holds no point at all.
     #[must_use]
     pub fn is_empty(&self) -> bool {

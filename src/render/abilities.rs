@@ -106,9 +106,8 @@ fn check_each(
         (drawn_into, what)
     });
     let all = flags_needed.into_iter().chain(formats_needed);
-    let lacking: Vec<_> = all
-        .filter_map(|(has, what)| (!has).then_some(what))
-        .collect();
+    let lacking = all.filter_map(|(has, what)| (!has).then_some(what));
+    let lacking: Vec<_> = lacking.collect();
     if lacking.is_empty() {
         return Ok(());
     }
@@ -182,23 +181,16 @@ mod tests {
             .chain(FORMATS.map(|(_, what)| what))
             .collect();
         let formats = FORMATS.map(|(format, _)| format);
-        assert_eq!(
-            said(DownlevelFlags::all(), &formats),
-            line(&every_word.join(", "))
-        );
+        let all = DownlevelFlags::all();
+        assert_eq!(said(all, &formats), line(&every_word.join(", ")));
     }
 
     /// What makes drawing better or faster is not required.
     #[test]
     fn an_adapter_with_what_drawing_requires_is_taken() {
         let required = FLAGS.map(|(flag, _)| flag).into_iter().collect();
-        assert_eq!(said(DownlevelFlags::all() - required, &[]), None);
-        assert_eq!(
-            said(
-                DownlevelFlags::all() - required,
-                &[TextureFormat::Rgba32Float]
-            ),
-            None
-        );
+        let others = DownlevelFlags::all() - required;
+        assert_eq!(said(others, &[]), None);
+        assert_eq!(said(others, &[TextureFormat::Rgba32Float]), None);
     }
 }

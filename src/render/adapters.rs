@@ -73,9 +73,9 @@ pub fn adapters() -> Vec<AdapterFound> {
 fn can(gpu: &Gpu) -> AdapterCan {
     let limits = gpu.device.limits();
     AdapterCan {
-        numbers: gpu.numbers(),
+        numbers: gpu.numbers,
         rasteriser: gpu.rasteriser(),
-        smooth_samples: gpu.smooth_samples(),
+        smooth_samples: gpu.smooth_samples,
         draws_wireframes: gpu.draws_wireframes(),
         max_side_px: limits.max_texture_dimension_2d,
         max_buffer_bytes: limits.max_buffer_size,

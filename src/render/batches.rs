@@ -14,46 +14,33 @@ use std::ops::Range;
 /// What one call draws, with one instance or many.
 #[derive(Clone, Debug)]
 pub(super) struct Kind {
-    pub shape: DrawnShape,
+    /// `None` for spheres.
+    pub buffers: Option<MeshBuffers>,
+    /// The triangles of each instance; none of spheres.
+    pub triangles: Range<u32>,
     /// Whether the model matrices mirror; not used for spheres.
     pub mirrors: bool,
 }
 
-/// What a draw call draws.
-#[derive(Clone, Debug)]
-pub(super) enum DrawnShape {
-    Triangles {
-        buffers: MeshBuffers,
-        triangles: Range<u32>,
-    },
-    Spheres,
-}
-
-impl DrawnShape {
-    /// The shape with only these triangles, if it has any.
-    pub fn only(&self, these: Range<u32>) -> Self {
-        match self {
-            Self::Triangles { buffers, .. } => Self::Triangles {
-                buffers: buffers.clone(),
-                triangles: these,
-            },
-            Self::Spheres => Self::Spheres,
-        }
-    }
-
+impl Kind {
     /// The end of the triangles that one call can draw from `first` on.
     pub fn end_of_call(&self, first: u32) -> u32 {
-        match self {
-            Self::Triangles { buffers, triangles } => buffers.end_of_call(first).min(triangles.end),
-            Self::Spheres => 0,
-        }
+        let buffers = self.buffers.as_ref();
+        buffers.map_or(0, |buffers| {
+            buffers.end_of_call(first).min(self.triangles.end)
+        })
     }
 
-    /// The triangles of each instance; none of spheres.
-    pub fn triangles(&self) -> Range<u32> {
-        match self {
-            Self::Triangles { triangles, .. } => triangles.clone(),
-            Self::Spheres => 0..0,
+    /// Draws some triangles, or spheres, of some instances by one call.
+    pub fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        triangles: &Range<u32>,
+        instances: Range<u32>,
+    ) {
+        match &self.buffers {
+            Some(buffers) => buffers.draw(pass, triangles, instances),
+            None => pass.draw(0..4, instances),
         }
     }
 }
@@ -120,19 +107,8 @@ impl Batch {
             }
             Own::Sphere { .. } => DVec3::ONE,
         };
-        let columns = [
-            model.matrix3.x_axis,
-            model.matrix3.y_axis,
-            model.matrix3.z_axis,
-        ];
-        let turned = columns[0].abs() * largest.x
-            + columns[1].abs() * largest.y
-            + columns[2].abs() * largest.z;
-        let room = 16.0 * f64::EPSILON * (turned + model.translation.abs());
-        Aabb {
-            min: bounds_world.min - room,
-            max: bounds_world.max + room,
-        }
+        let turned = model.matrix3.abs() * largest;
+        bounds_world.grown(16.0 * f64::EPSILON * (turned + model.translation.abs()))
     }
 }
 

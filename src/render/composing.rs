@@ -1,7 +1,7 @@
 //! Composes the GPU tables' rows for a view, share by share: one row for each batch that the view may show.
 
 use super::{
-    batches::{Batch, DrawnShape, Kind, Row},
+    batches::{Batch, Kind, Row},
     draw_order::{Order, index},
     frustum::Frustum,
     shader_structs,
@@ -61,8 +61,7 @@ impl ToDraw {
         (batch.placement, batch.twins) = (placement, None);
         batch.bounds_world = batch.with_room(bounds_world);
         let kind = &self.kinds[batch.kind as usize];
-        let is_sphere = matches!(kind.shape, DrawnShape::Spheres);
-        let stays = is_sphere || kind.mirrors == placement.mirrors();
+        let stays = kind.buffers.is_none() || kind.mirrors == placement.mirrors();
         if !stays {
             // The batch gets a kind of its own, which costs a draw call.
             let mirrored = Kind {
@@ -115,8 +114,7 @@ fn find_twins(batches: &mut [Batch]) -> usize {
 /// Instances of one kind, in consecutive rows of its table.
 #[derive(Clone, Debug)]
 pub(super) struct Draw {
-    pub shape: DrawnShape,
-    pub mirrors: bool,
+    pub kind: Kind,
     pub instances: Range<u32>,
 }
 
@@ -132,8 +130,8 @@ pub(super) struct Share {
 
 /// Composes rows for a view.
 pub(super) struct Composer {
-    space: ViewSpace,
-    frustum: Frustum,
+    pub space: ViewSpace,
+    pub frustum: Frustum,
     /// The next block.
     block: usize,
     /// How many rows each table has so far.
@@ -205,25 +203,11 @@ impl Composer {
         self.row_of[number as usize] = row;
         match share.draws.last_mut() {
             Some(draw) if *last_kind == Some(batch.kind) => draw.instances.end = row + 1,
-            _ => {
-                let Kind { shape, mirrors } = all.kinds[batch.kind as usize].clone();
-                share.draws.push(Draw {
-                    shape,
-                    mirrors,
-                    instances: row..row + 1,
-                });
-            }
+            _ => share.draws.push(Draw {
+                kind: all.kinds[batch.kind as usize].clone(),
+                instances: row..row + 1,
+            }),
         }
         *last_kind = Some(batch.kind);
-    }
-
-    /// Whether the picture may show anything within a box.
-    pub fn may_show(&self, bounds_world: &Aabb) -> bool {
-        self.frustum.may_hold(bounds_world)
-    }
-
-    /// A batch's row.
-    pub fn row(&self, batch: &Batch) -> Row {
-        batch.seen_in(&self.space)
     }
 }

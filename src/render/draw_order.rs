@@ -6,7 +6,8 @@
 //! `sightline verify` calls such pixels *depth*.
 
 use super::batches::Batch;
-use crate::{geometry::Aabb, scene::Scene};
+use crate::scene::Scene;
+use glam::DVec3;
 use std::ops::Range;
 
 /// The order of batches.
@@ -110,12 +111,8 @@ fn touches(scene: &Scene, batches: &[Batch], batch: u32, run: &Range<u32>) -> bo
     let Batch {
         kind, bounds_world, ..
     } = batches[batch as usize];
-    let Aabb { min, max } = bounds_world;
-    let room = 1e-3 * (max - min).max_element();
-    let bounds = Aabb {
-        min: min - room,
-        max: max + room,
-    };
+    let room = 1e-3 * (bounds_world.max - bounds_world.min).max_element();
+    let bounds = bounds_world.grown(DVec3::splat(room));
     scene.meets_batch(&bounds, |other| {
         run.contains(&index(other)) && batches[other].kind != kind
     })

@@ -1,9 +1,9 @@
 //! Draws a picture at once, or in pieces with other frames in between.
 
 use super::{
-    Renderer, Wireframe,
+    Onto, Renderer, Wireframe,
     composing::Draw,
-    gpu::{Gpu, GpuError},
+    gpu::GpuError,
     lines::{self, Line},
     pipelines::{BATCHES, Drawn, Pass},
     raster::begin,
@@ -11,7 +11,7 @@ use super::{
     scene_buffers::SceneBuffers,
     seen::Tables,
     slices::{Piece, Slice},
-    steps::{LINE, Parts, Step, Steps},
+    steps::{LINE, Parts, Steps},
     targets::Targets,
     without_depth,
 };
@@ -33,7 +33,8 @@ pub struct Drawing {
     band: u32,
     lines: Vec<Line>,
     selection: Option<(usize, Option<Draw>)>,
-    done: u64,
+    /// How much of its work is done; see [`Piece`].
+    pub done: u64,
 }
 
 impl Drawing {
@@ -87,18 +88,12 @@ impl Drawing {
         self.selection.is_some()
     }
 
-    /// How much of its work is done; see [`Piece`].
-    #[must_use]
-    pub fn done(&self) -> u64 {
-        self.done
-    }
-
     /// All of its work if the whole scene is in view, not counting edges of triangles.
     #[must_use]
     pub fn whole(&self, scene: &SceneBuffers) -> Piece {
         let each = match &self.selection {
             Some((_, alone)) => alone.as_ref().map_or_else(Piece::default, Piece::of),
-            None => scene.whole(),
+            None => scene.whole,
         };
         let lines = LINE * self.lines.len() as u64;
         let passes = self.passes.iter();
@@ -146,14 +141,11 @@ impl Renderer {
     /// When `targets` have another size than the view, or other samples than this renderer.
     pub fn draw(
         &mut self,
-        gpu: &Gpu,
-        scene: &SceneBuffers,
-        targets: &Targets,
-        view: &View,
+        (scene, targets, view): Onto<'_>,
         lines: &[Line],
     ) -> Result<(), GpuError> {
-        let mut drawing = Drawing::of_scene(targets.samples(), view, lines.to_vec());
-        while !self.advance(gpu, scene, targets, &mut drawing, Piece::WHOLE)? {}
+        let mut drawing = Drawing::of_scene(targets.samples, view, lines.to_vec());
+        while !self.advance(scene, targets, &mut drawing, Piece::WHOLE)? {}
         Ok(())
     }
 
@@ -166,7 +158,6 @@ impl Renderer {
     /// When `targets` have another size than the view, or other samples than this renderer.
     pub fn advance(
         &mut self,
-        gpu: &Gpu,
         scene: &SceneBuffers,
         targets: &Targets,
         drawing: &mut Drawing,
@@ -177,11 +168,11 @@ impl Renderer {
             return Ok(true);
         };
         let view = drawing.view;
+        let gpu = &self.gpu;
         let begins = drawing.steps.is_at_start();
         let has_colours = pass.has_colours();
-        let wireframe = self
-            .wireframe
-            .filter(|_| gpu.draws_wireframes() && has_colours);
+        let has_edges = has_colours && gpu.draws_wireframes();
+        let wireframe = self.wireframe.filter(|_| has_edges);
         if begins {
             // Another drawing may have overwritten the extra row.
             if let Some((object, alone)) = &mut drawing.selection {
@@ -216,23 +207,22 @@ impl Renderer {
         };
         let is_first = begins && drawing.band == 0;
         let is_last = step.ends && drawing.band + 1 == drawing.bands;
-        self.write_frame(gpu, &view);
-        let tables = scene.tables();
+        self.write_frame(&view);
+        let tables = &scene.tables;
         // Smooth colours carry no numbers of triangles.
         let numbered: &[Slice] = match pass {
             Pass::ColourAndIds | Pass::Ids => &step.surfaces,
             Pass::Colour | Pass::Mask => &[],
         };
         begin_at(tables, draws, numbered, |slice, _| slice.triangles.start);
-        let bindings = self.bind(gpu, scene);
+        let bindings = self.bind(scene, &tables.spheres);
         let vertices = lines::vertices(&view, &drawing.lines[step.lines.clone()]);
         let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
         let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
-        let mut encoder = gpu.encoder();
-        {
+        gpu.submit(|encoder| {
             let mut render_pass = match pass {
-                Pass::Mask => without_depth::begin(&mut encoder, &targets.mask_view, is_first),
-                _ => begin(gpu, &mut encoder, targets, &view, pass, [is_first, is_last]),
+                Pass::Mask => without_depth::begin(encoder, &targets.mask_view, is_first),
+                _ => begin(gpu, encoder, targets, &view, pass, [is_first, is_last]),
             };
             render_pass.set_bind_group(0, &bindings, &[]);
             render_pass.set_vertex_buffer(BATCHES, tables.triangles.slice(..));
@@ -251,45 +241,24 @@ impl Renderer {
             let rows = drawing.rows();
             let (width, height) = (view.viewport.width(), rows.end - rows.start);
             render_pass.set_scissor_rect(0, rows.start, width, height);
-            self.draw_step(gpu, &mut render_pass, pass, &view, &parts, &step);
+            (self.pipelines).draw_step(gpu, &mut render_pass, pass, &view, &parts, &step);
             if !line_ends.is_empty() {
                 render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Lines, &view));
                 render_pass.set_vertex_buffer(0, line_buffer.slice(..));
                 render_pass.draw(line_ends, 0..1);
             }
-        }
-        if is_last && pass == Pass::Colour && !gpu.resolves() {
-            let resolve = self.resolve.get_or_init(|| Resolve::new(gpu));
-            resolve.encode(gpu, &mut encoder, targets);
-        }
-        gpu.submit([encoder.finish()]);
-        begin_at(tables, draws, numbered, |_, draw| {
-            draw.shape.triangles().start
+            drop(render_pass);
+            if is_last && pass == Pass::Colour && !gpu.resolves() {
+                let resolve = self.resolve.get_or_init(|| Resolve::new(gpu));
+                resolve.encode(gpu, encoder, targets);
+            }
         });
+        begin_at(tables, draws, numbered, |_, draw| draw.kind.triangles.start);
         drawing.drew(step.work(), step.ends, is_last);
         if is_last && let Some((object, _)) = drawing.selection {
-            self.draw_outline(gpu, scene, targets, &view, object);
+            self.draw_outline((scene, targets, &view), object);
         }
         Ok(drawing.passes.is_empty())
-    }
-
-    /// Draws the surfaces and edges of a step.
-    fn draw_step(
-        &mut self,
-        gpu: &Gpu,
-        render_pass: &mut wgpu::RenderPass<'_>,
-        pass: Pass,
-        view: &View,
-        parts: &Parts<'_>,
-        step: &Step,
-    ) {
-        for slice in &step.surfaces {
-            self.draw_slice(gpu, render_pass, pass, view, parts.surfaces, slice);
-        }
-        for slice in &step.edges {
-            let draw = &parts.edged[slice.draw];
-            self.draw_edges(gpu, render_pass, pass, view, draw, slice);
-        }
     }
 }
 
@@ -303,8 +272,7 @@ fn begin_at(
 ) {
     for slice in slices {
         let draw = &draws[slice.draw];
-        let all = draw.shape.triangles();
-        if slice.triangles != all {
+        if slice.triangles != draw.kind.triangles {
             tables.begin_at(slice.instances.start, triangle(slice, draw));
         }
     }

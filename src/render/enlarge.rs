@@ -6,6 +6,7 @@ use super::{
     gpu::{Gpu, GpuError},
     readback,
     targets::Targets,
+    without_depth,
 };
 
 impl Targets {
@@ -15,12 +16,12 @@ impl Targets {
     /// # Errors
     /// When memory runs out or the device is lost.
     pub(super) fn enlarge(&self, gpu: &Gpu, onto: &Destination<'_>) -> Result<(), GpuError> {
-        let size = [self.viewport().width(), self.viewport().height()];
+        let size = [self.viewport.width(), self.viewport.height()];
         let Some([x, y, width, height]) = onto.within([0, 0, size[0], size[1]]) else {
             return Ok(());
         };
         let stored = reordered(onto.texture.format());
-        let pixels = readback::read(gpu, &self.colour, [0, 0], size, stored)?;
+        let pixels = readback::read(gpu, self.colour_view.texture(), [0, 0], size, stored)?;
         let (times, row) = (onto.coarseness as usize, width as usize);
         let mut enlarged = vec![[0; 4]; row * height as usize];
         let bands = enlarged.chunks_mut(row * times);
@@ -34,21 +35,14 @@ impl Targets {
             }
         }
         gpu.queue.write_texture(
-            wgpu::TexelCopyTextureInfo {
-                origin: wgpu::Origin3d { x, y, z: 0 },
-                ..onto.texture.as_image_copy()
-            },
+            without_depth::at(onto.texture, [x, y]),
             bytemuck::cast_slice(&enlarged),
             wgpu::TexelCopyBufferLayout {
                 offset: 0,
                 bytes_per_row: Some(4 * width),
                 rows_per_image: None,
             },
-            wgpu::Extent3d {
-                width,
-                height,
-                depth_or_array_layers: 1,
-            },
+            without_depth::extent([width, height]),
         );
         Ok(())
     }
@@ -82,7 +76,7 @@ mod tests {
         let view = View::new(camera.expect("it is framed"), size);
         let targets = Targets::new(&gpu, size, 1).expect("it fits");
         let mut renderer = Renderer::new(&gpu, 1);
-        (renderer.draw(&gpu, &buffers, &targets, &view, &[])).expect("it fits");
+        (renderer.draw((&buffers, &targets, &view), &[])).expect("it fits");
         let coarse = targets.read_colours(&gpu).expect("it is read");
         let colours = |picture: &[[u8; 3]]| {
             let mut all = picture.to_vec();
@@ -104,7 +98,7 @@ mod tests {
                 coarseness: TIMES,
             };
             let marks = Marks::default();
-            (renderer.composite(&gpu, &buffers, &targets, &view, &marks, &onto)).expect("it fits");
+            (renderer.composite((&buffers, &targets, &view), &marks, &onto)).expect("it fits");
             let stored = |[first, second, third, _]: [u8; 4]| [first, second, third];
             let pixels = readback::read(&gpu, &texture, [0, 0], size, stored).expect("it is read");
             let picture = Image::new(page, pixels);

@@ -1,6 +1,9 @@
 //! A graphics device: what it can do, its memory, and its errors.
 
-use super::{abilities::Numbers, rasteriser::Rasteriser};
+use super::{
+    abilities::{self, Numbers, Restraint},
+    rasteriser::Rasteriser,
+};
 use crate::{
     camera::Viewport,
     geometry::shares::{GoOn, share},
@@ -30,8 +33,11 @@ pub struct Gpu {
     submitting: Arc<Mutex<()>>,
     /// How many triangles of meshes were uploaded.
     triangles: Arc<AtomicU64>,
-    pub(super) numbers: Numbers,
-    smooth_samples: u32,
+    /// How ids name triangles.
+    pub numbers: Numbers,
+    /// Samples per pixel of a picture with smooth edges: [`SMOOTH_SAMPLES`](super::SMOOTH_SAMPLES), or 1 where the
+    /// adapter does not multisample.
+    pub smooth_samples: u32,
     pub(super) rasteriser: Rasteriser,
 }
 
@@ -47,14 +53,29 @@ impl Gpu {
     /// A device whose rasteriser counts as the common one until it is measured.
     pub(super) fn unmeasured(
         adapter: wgpu::Adapter,
-        (device, queue): (wgpu::Device, wgpu::Queue),
-        numbers: Numbers,
-        smooth_samples: u32,
-    ) -> Self {
+        restraint: &Restraint,
+    ) -> Result<Self, GpuError> {
+        abilities::check(&adapter)?;
+        let info = adapter.get_info();
+        let numbers = restraint.numbers_of(&adapter);
+        let index = match numbers {
+            Numbers::Primitives => wgpu::Features::PRIMITIVE_INDEX,
+            Numbers::Corners | Numbers::Objects => wgpu::Features::empty(),
+        };
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("sightline"),
+            required_features: index | (adapter.features() & wgpu::Features::POLYGON_MODE_LINE),
+            // All that the adapter has: the user decides how large meshes and pictures are.
+            required_limits: (restraint.limits.clone()).unwrap_or_else(|| adapter.limits()),
+            ..Default::default()
+        };
+        let made = pollster::block_on(adapter.request_device(&descriptor));
+        let (device, queue) = made.map_err(|error| refused(&info, &error))?;
         let reports = Arc::default();
         report_to(&reports, &device);
-        Self {
-            info: adapter.get_info(),
+        Ok(Self {
+            info,
+            smooth_samples: restraint.samples_of(&adapter),
             adapter,
             device,
             queue,
@@ -62,9 +83,8 @@ impl Gpu {
             submitting: Arc::default(),
             triangles: Arc::default(),
             numbers,
-            smooth_samples,
             rasteriser: Rasteriser::COMMON,
-        }
+        })
     }
 
     /// What the adapter calls itself.
@@ -77,19 +97,6 @@ impl Gpu {
     #[must_use]
     pub fn is_software(&self) -> bool {
         self.info.device_type == wgpu::DeviceType::Cpu
-    }
-
-    /// How ids name triangles.
-    #[must_use]
-    pub fn numbers(&self) -> Numbers {
-        self.numbers
-    }
-
-    /// Samples per pixel of a picture with smooth edges: [`SMOOTH_SAMPLES`](super::SMOOTH_SAMPLES), or 1 where the
-    /// adapter does not multisample.
-    #[must_use]
-    pub fn smooth_samples(&self) -> u32 {
-        self.smooth_samples
     }
 
     /// Whether render passes resolve samples at their end. On software adapters a shader does it instead
@@ -193,7 +200,7 @@ impl Gpu {
         for piece in bytes.chunks(PIECE_BYTES) {
             go_on(share(piece.len(), bytes.len()))?;
             if at > 0 {
-                self.submit([]);
+                self.alone(|| self.queue.submit([]));
             }
             self.queue.write_buffer(&buffer, at, piece);
             at += piece.len() as u64;
@@ -212,23 +219,18 @@ impl Gpu {
         self.triangles.load(Ordering::Relaxed)
     }
 
-    /// An encoder for commands that are submitted together.
-    pub(crate) fn encoder(&self) -> wgpu::CommandEncoder {
-        self.device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default())
-    }
-
-    /// Submits commands. Threads do so in turn.
-    pub(crate) fn submit<const N: usize>(&self, commands: [wgpu::CommandBuffer; N]) {
-        self.alone(|| self.queue.submit(commands));
+    /// Submits the commands that `record` records. Threads do so in turn.
+    pub(crate) fn submit(&self, record: impl FnOnce(&mut wgpu::CommandEncoder)) {
+        let descriptor = wgpu::CommandEncoderDescriptor::default();
+        let mut encoder = self.device.create_command_encoder(&descriptor);
+        record(&mut encoder);
+        self.alone(|| self.queue.submit([encoder.finish()]));
     }
 
     /// Runs `act` while no other thread submits.
     pub(crate) fn alone<T>(&self, act: impl FnOnce() -> T) -> T {
-        let _turn = self
-            .submitting
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
+        let turn = self.submitting.lock();
+        let _turn = turn.unwrap_or_else(PoisonError::into_inner);
         act()
     }
 
@@ -278,11 +280,16 @@ impl Gpu {
         }
     }
 
-    pub(super) fn failed(&self, error: &impl std::fmt::Display) -> GpuError {
-        GpuError::Device {
-            adapter: self.info.name.clone(),
-            reason: one_line(error),
-        }
+    /// The error of a driver that says this.
+    pub(crate) fn failed(&self, error: &impl std::fmt::Display) -> GpuError {
+        refused(&self.info, error)
+    }
+}
+
+fn refused(adapter: &wgpu::AdapterInfo, error: &impl std::fmt::Display) -> GpuError {
+    GpuError::Device {
+        adapter: adapter.name.clone(),
+        reason: one_line(error),
     }
 }
 
@@ -301,7 +308,7 @@ fn report_to(reports: &Arc<Reports>, device: &wgpu::Device) {
 }
 
 /// An error as text of one line.
-pub(super) fn one_line(error: &impl std::fmt::Display) -> String {
+fn one_line(error: &impl std::fmt::Display) -> String {
     let text = error.to_string();
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -18,12 +18,19 @@ pub struct Line {
     pub colour: Srgb,
 }
 
+impl Line {
+    /// A line from one end to the other.
+    #[must_use]
+    pub const fn new(from: DVec3, to: DVec3, colour: Srgb) -> Self {
+        Self { from, to, colour }
+    }
+}
+
 /// The ends of all lines in view space, computed relative to the eye in `f64`.
 pub(super) fn vertices(view: &View, lines: &[Line]) -> Vec<LineVertex> {
     let (origin, unit) = (depth_origin(view), view_unit(view));
-    let ends = lines
-        .iter()
-        .flat_map(|line| [(line.from, line.colour), (line.to, line.colour)]);
+    let ends = |line: &Line| [(line.from, line.colour), (line.to, line.colour)];
+    let ends = lines.iter().flat_map(ends);
     ends.map(|(end_world, colour)| LineVertex {
         position: {
             let at = view.camera.to_view(end_world);

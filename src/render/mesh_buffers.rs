@@ -58,7 +58,7 @@ impl MeshBuffers {
         go_on: &GoOn<E>,
     ) -> Result<Self, E> {
         let count = |triangles: usize| u32::try_from(triangles).unwrap_or(u32::MAX);
-        let is_indexed = gpu.numbers() != Numbers::Corners;
+        let is_indexed = gpu.numbers != Numbers::Corners;
         let most = gpu.device.limits().max_buffer_size;
         let fits = is_indexed && size_of_val(vertices).max(size_of_val(triangles)) as u64 <= most;
         // This many fit even if no two triangles share a vertex.

@@ -17,10 +17,9 @@ pub struct MeshStore(Arc<HashMap<usize, (Weak<Mesh>, MeshBuffers)>>);
 impl MeshStore {
     /// The buffers of a mesh; `None` if it is not uploaded yet.
     pub(super) fn known(&self, mesh: &Arc<Mesh>) -> Option<&MeshBuffers> {
-        // A new mesh may have the address of one that was dropped.
-        let is_it = |of: &Weak<Mesh>| of.upgrade().is_some_and(|of| Arc::ptr_eq(&of, mesh));
         let (of, buffers) = self.0.get(&Arc::as_ptr(mesh).addr())?;
-        is_it(of).then_some(buffers)
+        // A new mesh may have the address of one that was dropped.
+        Arc::ptr_eq(&of.upgrade()?, mesh).then_some(buffers)
     }
 
     /// The buffers of a mesh, uploaded if there are none, for as long as `go_on` lets it.

@@ -92,10 +92,7 @@ pub const SMOOTH_SAMPLES: u32 = 4;
 
 /// How much a software adapter draws at once. It keeps transformed triangles until they are drawn: half a gigabyte for
 /// 10 million. Waiting for pieces of this size costs no time.
-const SOFTWARE_PIECE: Piece = Piece {
-    work: 1 << 18,
-    ..Piece::WHOLE
-};
+const SOFTWARE_PIECE: Piece = Piece::of_work(1 << 18);
 
 /// The pipelines of one device, for one number of colour samples.
 #[derive(Debug)]
@@ -111,7 +108,11 @@ pub struct Renderer {
     /// Made at first use.
     resolve: OnceCell<resolve::Resolve>,
     frame: wgpu::Buffer,
+    gpu: Gpu,
 }
+
+/// What is drawn, what it is drawn onto, and the view through which it is seen.
+pub type Onto<'a> = (&'a SceneBuffers, &'a Targets, &'a View);
 
 impl Renderer {
     /// A renderer for targets with 1 or [`SMOOTH_SAMPLES`] colour samples per pixel. It compiles shaders at first use.
@@ -124,6 +125,7 @@ impl Renderer {
             post: None,
             resolve: OnceCell::new(),
             frame: uniform_buffer::<shader_structs::Frame>(gpu, "frame"),
+            gpu: gpu.clone(),
         }
     }
 }
@@ -138,20 +140,17 @@ pub fn render(
     view: &View,
     selection: Option<usize>,
 ) -> Result<(Image<Id>, Image<Rgb>), GpuError> {
-    let drawing = Drawing::of_scene(gpu.smooth_samples(), view, Vec::new());
-    let DrawnAlone {
-        targets,
-        buffers,
-        mut renderer,
-    } = draw_alone(gpu, scene, view, drawing)?;
+    let drawing = Drawing::of_scene(gpu.smooth_samples, view, Vec::new());
+    let (targets, buffers, mut renderer) = draw_alone(gpu, scene, view, drawing)?;
+    let onto = (&buffers, &targets, view);
     if let Some(object) = selection {
-        renderer.draw_selection(gpu, &buffers, &targets, view, object)?;
+        renderer.draw_selection(onto, object)?;
     }
     let marks = Marks {
         selection,
         hover: None,
     };
-    let picture = renderer.composite_to_image(gpu, &buffers, &targets, view, &marks)?;
+    let picture = renderer.composite_to_image(onto, &marks)?;
     Ok((targets.read_ids(gpu)?, picture))
 }
 
@@ -160,46 +159,34 @@ pub fn render(
 /// # Errors
 /// As [`render`].
 pub fn picture(gpu: &Gpu, scene: &Scene, view: &View) -> Result<Image<Rgb>, GpuError> {
-    let drawing = match gpu.smooth_samples() {
+    let drawing = match gpu.smooth_samples {
         1 => Drawing::of_scene(1, view, Vec::new()),
         _ => Drawing::of_smooth_colours(view, Vec::new(), 1),
     };
     // Without marks, the picture is the colours as drawn.
-    draw_alone(gpu, scene, view, drawing)?
-        .targets
-        .read_colours(gpu)
+    let (targets, ..) = draw_alone(gpu, scene, view, drawing)?;
+    targets.read_colours(gpu)
 }
 
-/// A picture that was drawn, and what drew it.
-struct DrawnAlone {
-    targets: Targets,
-    buffers: SceneBuffers,
-    renderer: Renderer,
-}
-
-/// Draws into new targets.
+/// Draws into new targets. Returns these, and what drew them.
 fn draw_alone(
     gpu: &Gpu,
     scene: &Scene,
     view: &View,
     mut drawing: Drawing,
-) -> Result<DrawnAlone, GpuError> {
-    let targets = Targets::new(gpu, view.viewport, gpu.smooth_samples())?;
+) -> Result<(Targets, SceneBuffers, Renderer), GpuError> {
+    let targets = Targets::new(gpu, view.viewport, gpu.smooth_samples)?;
     let buffers = SceneBuffers::upload(gpu, scene)?;
-    let mut renderer = Renderer::new(gpu, gpu.smooth_samples());
+    let mut renderer = Renderer::new(gpu, gpu.smooth_samples);
     let piece = if gpu.is_software() {
         SOFTWARE_PIECE
     } else {
         Piece::WHOLE
     };
-    while !renderer.advance(gpu, &buffers, &targets, &mut drawing, piece)? {
+    while !renderer.advance(&buffers, &targets, &mut drawing, piece)? {
         gpu.wait()?;
     }
-    Ok(DrawnAlone {
-        targets,
-        buffers,
-        renderer,
-    })
+    Ok((targets, buffers, renderer))
 }
 
 fn uniform_buffer<T>(gpu: &Gpu, label: &'static str) -> wgpu::Buffer {

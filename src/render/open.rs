@@ -1,8 +1,8 @@
 //! Opens the graphics device, with or without a window, and measures what it can do.
 
 use super::{
-    abilities::{self, Numbers, Restraint},
-    gpu::{Gpu, GpuError, one_line},
+    abilities::{Numbers, Restraint},
+    gpu::{Gpu, GpuError},
     probe::probe,
     rasteriser::Rasteriser,
 };
@@ -28,7 +28,7 @@ impl Gpu {
             numbers: Numbers::Objects,
             ..Restraint::default()
         };
-        let mut gpu = Self::unmeasured_of(adapter, &restraint)?;
+        let mut gpu = Self::unmeasured(adapter, &restraint)?;
         gpu.rasteriser.names_triangles = false;
         Ok(gpu)
     }
@@ -69,7 +69,7 @@ impl Gpu {
 
     /// A device of an adapter.
     pub(super) fn of(adapter: wgpu::Adapter, restraint: &Restraint) -> Result<Self, GpuError> {
-        let mut gpu = Self::unmeasured_of(adapter, restraint)?;
+        let mut gpu = Self::unmeasured(adapter, restraint)?;
         let start = Instant::now();
         gpu.probe()?;
         log::info!(
@@ -80,35 +80,6 @@ impl Gpu {
             start.elapsed()
         );
         Ok(gpu)
-    }
-
-    /// [`Self::of`] before the rasteriser is measured.
-    fn unmeasured_of(adapter: wgpu::Adapter, restraint: &Restraint) -> Result<Self, GpuError> {
-        abilities::check(&adapter)?;
-        let info = adapter.get_info();
-        let numbers = restraint.numbers_of(&adapter);
-        let index = match numbers {
-            Numbers::Primitives => wgpu::Features::PRIMITIVE_INDEX,
-            Numbers::Corners | Numbers::Objects => wgpu::Features::empty(),
-        };
-        // All that the adapter has: the user decides how large meshes and pictures are.
-        let limits = (restraint.limits.clone()).unwrap_or_else(|| adapter.limits());
-        let descriptor = wgpu::DeviceDescriptor {
-            label: Some("sightline"),
-            required_features: index | (adapter.features() & wgpu::Features::POLYGON_MODE_LINE),
-            required_limits: limits,
-            ..Default::default()
-        };
-        let (device, queue) =
-            pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| {
-                GpuError::Device {
-                    adapter: info.name.clone(),
-                    reason: one_line(&error),
-                }
-            })?;
-        let samples = restraint.samples_of(&adapter);
-        let made = (device, queue);
-        Ok(Self::unmeasured(adapter, made, numbers, samples))
     }
 
     /// Measures the rasteriser. A numbering of triangles that does not work is replaced by the next one.

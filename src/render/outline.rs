@@ -2,11 +2,11 @@
 //! draw the scene again.
 
 use super::{
-    Renderer, bindings,
+    Onto, Renderer, bindings,
     drawing::Drawing,
     formats::MARKS,
     gpu::{Gpu, GpuError},
-    scene_buffers::{Place, SceneBuffers},
+    scene_buffers::Place,
     shader_structs,
     shaders::shader_module,
     slices::Piece,
@@ -47,11 +47,9 @@ impl Destination<'_> {
     pub(super) fn within(&self, rect: [u32; 4]) -> Option<[u32; 4]> {
         let [left, top, width, height] = rect.map(|px| px * self.coarseness);
         let extent = |axis: usize, first: u32, count: u32, texture: u32| {
-            let room = self.room_px[axis].min(texture.saturating_sub(self.origin_px[axis]));
-            (
-                self.origin_px[axis] + first,
-                count.min(room.saturating_sub(first)),
-            )
+            let origin = self.origin_px[axis];
+            let room = self.room_px[axis].min(texture.saturating_sub(origin));
+            (origin + first, count.min(room.saturating_sub(first)))
         };
         let (x, width) = extent(0, left, width, self.texture.width());
         let (y, height) = extent(1, top, height, self.texture.height());
@@ -66,7 +64,7 @@ pub(super) struct PostPasses {
     bind_group_layout: wgpu::BindGroupLayout,
     layout: wgpu::PipelineLayout,
     uniform: wgpu::Buffer,
-    made: HashMap<(&'static str, wgpu::TextureFormat), wgpu::RenderPipeline>,
+    pub(super) made: HashMap<(&'static str, wgpu::TextureFormat), wgpu::RenderPipeline>,
 }
 
 impl Renderer {
@@ -80,27 +78,17 @@ impl Renderer {
     /// When `targets` have another size than the view, or other samples than this renderer.
     pub fn draw_selection(
         &mut self,
-        gpu: &Gpu,
-        scene: &SceneBuffers,
-        targets: &Targets,
-        view: &View,
+        (scene, targets, view): Onto<'_>,
         selection: usize,
     ) -> Result<(), GpuError> {
         let mut drawing = Drawing::of_selection(scene, view, selection);
-        while !self.advance(gpu, scene, targets, &mut drawing, Piece::WHOLE)? {}
+        while !self.advance(scene, targets, &mut drawing, Piece::WHOLE)? {}
         Ok(())
     }
 
     /// Draws the outline about the mask of an object.
-    pub(super) fn draw_outline(
-        &mut self,
-        gpu: &Gpu,
-        scene: &SceneBuffers,
-        targets: &Targets,
-        view: &View,
-        selection: usize,
-    ) {
-        let outline_px = self.outline_px();
+    pub(super) fn draw_outline(&mut self, (scene, targets, view): Onto<'_>, selection: usize) {
+        let (gpu, outline_px) = (&self.gpu, self.outline_px());
         let uniform = shader_structs::Composite {
             outline_px,
             ..uniform(&Marks::default(), [0, 0], 1)
@@ -109,10 +97,9 @@ impl Renderer {
         post.write(gpu, &uniform);
         let marks = post.bind(gpu, targets, &targets.values_view, &targets.mask_view);
         let pipeline = post.pipeline(gpu, "outline", MARKS);
-        let mut encoder = gpu.encoder();
         let place = scene.shown(selection);
-        {
-            let mut pass = without_depth::begin(&mut encoder, &targets.outline_view, true);
+        gpu.submit(|encoder| {
+            let mut pass = without_depth::begin(encoder, &targets.outline_view, true);
             let rect = place.and_then(|place| screen_rect(place, view, outline_px));
             if let Some([x, y, width, height]) = rect {
                 pass.set_scissor_rect(x, y, width, height);
@@ -120,8 +107,7 @@ impl Renderer {
                 pass.set_bind_group(0, &marks, &[]);
                 pass.draw(0..3, 0..1);
             }
-        }
-        gpu.submit([encoder.finish()]);
+        });
     }
 
     /// Puts the picture with its marks into a destination: the only pass that a mouse move needs.
@@ -130,32 +116,18 @@ impl Renderer {
     /// When a coarse picture cannot be read: memory runs out, or the device is lost.
     pub fn composite(
         &mut self,
-        gpu: &Gpu,
-        scene: &SceneBuffers,
-        targets: &Targets,
-        view: &View,
+        (scene, targets, view): Onto<'_>,
         marks: &Marks,
         destination: &Destination<'_>,
     ) -> Result<(), GpuError> {
-        let Destination {
-            texture,
-            origin_px,
-            coarseness,
-            ..
-        } = *destination;
-        let outline_px = self.outline_px();
+        let (texture, coarseness) = (destination.texture, destination.coarseness);
+        let (gpu, outline_px) = (&self.gpu, self.outline_px());
         let post = (self.post).get_or_insert_with(|| PostPasses::new(gpu));
-        post.write(gpu, &uniform(marks, origin_px, coarseness));
-        let viewport = targets.viewport();
-        let box_of = |object: Option<usize>| {
-            let place = scene.shown(object?)?;
-            screen_rect(place, view, outline_px)
-        };
-        let marked = [
-            ("hover", box_of(marks.hover)),
-            ("selection", box_of(marks.selection)),
-        ];
-        let marked = marked.map(|(entry, rect)| (entry, rect.unwrap_or_default()));
+        post.write(gpu, &uniform(marks, destination.origin_px, coarseness));
+        let viewport = targets.viewport;
+        let box_of = |object: Option<usize>| screen_rect(scene.shown(object?)?, view, outline_px);
+        let marked = [("hover", marks.hover), ("selection", marks.selection)];
+        let marked = marked.map(|(entry, object)| (entry, box_of(object).unwrap_or_default()));
         let srgb = texture.format().add_srgb_suffix();
         let whole: &[_] = if coarseness == 1 {
             &[("copy", [0, 0, viewport.width(), viewport.height()])]
@@ -167,38 +139,34 @@ impl Renderer {
             (srgb.remove_srgb_suffix(), &targets.values_view, whole),
             (srgb, &targets.colour_view, &marked),
         ];
-        let mut encoder = gpu.encoder();
-        for (format, picture, rects) in passes {
-            let shown = |&(entry, rect): &_| Some((entry, destination.within(rect)?));
-            let shown: Vec<_> = rects.iter().filter_map(shown).collect();
-            if shown.is_empty() {
-                continue;
+        gpu.submit(|encoder| {
+            for (format, picture, rects) in passes {
+                let shown = |&(entry, rect): &_| Some((entry, destination.within(rect)?));
+                let shown: Vec<_> = rects.iter().filter_map(shown).collect();
+                if shown.is_empty() {
+                    continue;
+                }
+                let view = texture.create_view(&wgpu::TextureViewDescriptor {
+                    format: Some(format),
+                    ..Default::default()
+                });
+                let bind_group = post.bind(gpu, targets, picture, &targets.outline_view);
+                let mut pass = without_depth::begin(encoder, &view, false);
+                pass.set_bind_group(0, &bind_group, &[]);
+                for (entry, [x, y, width, height]) in shown {
+                    pass.set_scissor_rect(x, y, width, height);
+                    pass.set_pipeline(&post.pipeline(gpu, entry, format));
+                    pass.draw(0..3, 0..1);
+                }
             }
-            let view = texture.create_view(&wgpu::TextureViewDescriptor {
-                format: Some(format),
-                ..Default::default()
-            });
-            let bind_group = post.bind(gpu, targets, picture, &targets.outline_view);
-            let mut pass = without_depth::begin(&mut encoder, &view, false);
-            pass.set_bind_group(0, &bind_group, &[]);
-            for (entry, [x, y, width, height]) in shown {
-                pass.set_scissor_rect(x, y, width, height);
-                pass.set_pipeline(&post.pipeline(gpu, entry, format));
-                pass.draw(0..3, 0..1);
-            }
-        }
-        gpu.submit([encoder.finish()]);
+        });
         Ok(())
     }
 
     /// Makes one pipeline that pictures of a view and their marks need on textures of a format, if any is missing.
     /// Returns whether one was. A pipeline that is not made ahead is made at first use, and a frame waits for it.
-    pub(crate) fn make_ahead(
-        &mut self,
-        gpu: &Gpu,
-        view: &View,
-        format: wgpu::TextureFormat,
-    ) -> bool {
+    pub(crate) fn make_ahead(&mut self, view: &View, format: wgpu::TextureFormat) -> bool {
+        let gpu = &self.gpu;
         let post = (self.post).get_or_insert_with(|| PostPasses::new(gpu));
         let srgb = format.add_srgb_suffix();
         let mut passes = [
@@ -213,11 +181,6 @@ impl Renderer {
             post.pipeline(gpu, entry, format);
         }
         missing.is_some() || self.pipelines.make_ahead(gpu, view)
-    }
-
-    #[cfg(test)]
-    pub(super) fn made_for_marks(&self) -> usize {
-        self.post.as_ref().map_or(0, |post| post.made.len())
     }
 
     /// Half the outline's width in pixels: at least 1, since a thinner one would vanish from a coarse picture.
@@ -253,8 +216,8 @@ impl PostPasses {
     }
 
     fn write(&self, gpu: &Gpu, uniform: &shader_structs::Composite) {
-        gpu.queue
-            .write_buffer(&self.uniform, 0, bytemuck::bytes_of(uniform));
+        let bytes = bytemuck::bytes_of(uniform);
+        gpu.queue.write_buffer(&self.uniform, 0, bytes);
     }
 
     fn bind(

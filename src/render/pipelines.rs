@@ -14,7 +14,7 @@ use crate::{
     geometry::Sides,
 };
 use std::{collections::HashMap, mem::offset_of};
-use wgpu::{VertexAttribute, VertexFormat};
+use wgpu::{CompareFunction, Face, PrimitiveTopology, VertexAttribute, VertexFormat};
 
 /// What a pass writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -63,7 +63,8 @@ pub(super) struct Pipelines {
     pub bind_group_layout: wgpu::BindGroupLayout,
     layout: wgpu::PipelineLayout,
     modules: HashMap<&'static str, wgpu::ShaderModule>,
-    samples: u32,
+    /// Samples of [`Pass::Colour`].
+    pub samples: u32,
     made: HashMap<Key, wgpu::RenderPipeline>,
 }
 
@@ -148,11 +149,6 @@ impl Pipelines {
         }
     }
 
-    /// Samples of [`Pass::Colour`].
-    pub fn samples(&self) -> u32 {
-        self.samples
-    }
-
     pub fn get(
         &mut self,
         gpu: &Gpu,
@@ -183,12 +179,10 @@ impl Pipelines {
             _ => &[Pass::ColourAndIds, Pass::Colour, Pass::Ids, Pass::Mask],
         };
         let mut all = passes.iter().flat_map(|&pass| {
-            let others: &[_] = if pass.has_colours() {
-                &[Drawn::Background, Drawn::Lines]
-            } else {
-                &[]
-            };
-            let drawn = surfaces.clone().chain(others.iter().copied());
+            let others = [Drawn::Background, Drawn::Lines].into_iter();
+            let drawn = surfaces
+                .clone()
+                .chain(others.filter(move |_| pass.has_colours()));
             drawn.map(move |drawn| (pass, drawn))
         });
         let missing = all.find(|&(pass, drawn)| !self.made.contains_key(&key(pass, drawn, view)));
@@ -199,22 +193,19 @@ impl Pipelines {
     }
 
     fn make(&mut self, gpu: &Gpu, (pass, drawn, depth, is_cut): Key) -> wgpu::RenderPipeline {
-        let surface_entry = match (pass, is_cut) {
-            (Pass::ColourAndIds, false) => "colour_and_id",
-            (Pass::ColourAndIds, true) => "colour_and_id_cut",
-            (Pass::Colour, false) => "colour",
-            (Pass::Colour, true) => "colour_cut",
-            (Pass::Ids, false) => "id",
-            (Pass::Ids, true) => "id_cut",
-            (Pass::Mask, false) => "mask",
-            (Pass::Mask, true) => "mask_cut",
+        let (uncut, cut) = match pass {
+            Pass::ColourAndIds => ("colour_and_id", "colour_and_id_cut"),
+            Pass::Colour => ("colour", "colour_cut"),
+            Pass::Ids => ("id", "id_cut"),
+            Pass::Mask => ("mask", "mask_cut"),
         };
+        let surface_entry = if is_cut { cut } else { uncut };
         let triangle_vertex = match surface_entry {
             "colour" => "colour_vertex",
             _ => "vertex",
         };
         let edge_entry = if is_cut { "edge_cut" } else { "edge" };
-        let mesh = match gpu.numbers() {
+        let mesh = match gpu.numbers {
             Numbers::Primitives => "mesh by primitive",
             Numbers::Corners | Numbers::Objects => "mesh by corner",
         };
@@ -234,15 +225,12 @@ impl Pipelines {
             Drawn::Spheres | Drawn::Background | Drawn::Depths => &[],
         };
         let on_surfaces = matches!(drawn, Drawn::Triangles { .. } | Drawn::Spheres);
+        let (all, none) = (wgpu::ColorWrites::ALL, wgpu::ColorWrites::empty());
         let write = |format, writes| {
             Some(wgpu::ColorTargetState {
                 format,
                 blend: None,
-                write_mask: if writes {
-                    wgpu::ColorWrites::ALL
-                } else {
-                    wgpu::ColorWrites::empty()
-                },
+                write_mask: if writes { all } else { none },
             })
         };
         let targets = match pass {
@@ -255,10 +243,9 @@ impl Pipelines {
             Pass::Ids => vec![write(IDS, true)],
             Pass::Mask => vec![write(MARKS, true)],
         };
-        let samples = if pass == Pass::Colour {
-            self.samples
-        } else {
-            1
+        let samples = match pass {
+            Pass::Colour => self.samples,
+            _ => 1,
         };
         gpu.device
             .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
@@ -298,31 +285,22 @@ fn key(pass: Pass, drawn: Drawn, view: &View) -> Key {
 /// winding is reversed, and the other side is culled. (That view space is left-handed does not matter: its x runs right
 /// and its y up, as in NDC.)
 fn primitive(drawn: Drawn) -> wgpu::PrimitiveState {
+    let culled = |mirrors| if mirrors { Face::Front } else { Face::Back };
     let (topology, cull_mode) = match drawn {
-        Drawn::Triangles { culled_mirrored } => (
-            wgpu::PrimitiveTopology::TriangleList,
-            culled_mirrored.map(|mirrors| {
-                if mirrors {
-                    wgpu::Face::Front
-                } else {
-                    wgpu::Face::Back
-                }
-            }),
-        ),
-        Drawn::Spheres => (wgpu::PrimitiveTopology::TriangleStrip, None),
-        Drawn::Lines => (wgpu::PrimitiveTopology::LineList, None),
-        Drawn::Edges | Drawn::Background | Drawn::Depths => {
-            (wgpu::PrimitiveTopology::TriangleList, None)
+        Drawn::Triangles { culled_mirrored } => {
+            (PrimitiveTopology::TriangleList, culled_mirrored.map(culled))
         }
+        Drawn::Spheres => (PrimitiveTopology::TriangleStrip, None),
+        Drawn::Lines => (PrimitiveTopology::LineList, None),
+        Drawn::Edges | Drawn::Background | Drawn::Depths => (PrimitiveTopology::TriangleList, None),
     };
     wgpu::PrimitiveState {
         topology,
         front_face: wgpu::FrontFace::Ccw,
         cull_mode,
-        polygon_mode: if drawn == Drawn::Edges {
-            wgpu::PolygonMode::Line
-        } else {
-            wgpu::PolygonMode::Fill
+        polygon_mode: match drawn {
+            Drawn::Edges => wgpu::PolygonMode::Line,
+            _ => wgpu::PolygonMode::Fill,
         },
         ..Default::default()
     }
@@ -331,42 +309,34 @@ fn primitive(drawn: Drawn) -> wgpu::PrimitiveState {
 /// The comparison is strict: at equal depth the surface drawn first stays, which is that of the lower object or
 /// triangle. The background is as deep as where nothing is, and shows only there.
 fn depth_state(drawn: Drawn, depth: DepthMapping) -> wgpu::DepthStencilState {
-    let nearer = match depth {
-        DepthMapping::Reversed => wgpu::CompareFunction::Greater,
-        DepthMapping::Standard => wgpu::CompareFunction::Less,
+    let (nearer, as_near, step_nearer) = match depth {
+        DepthMapping::Reversed => (
+            CompareFunction::Greater,
+            CompareFunction::GreaterEqual,
+            1_i8,
+        ),
+        DepthMapping::Standard => (CompareFunction::Less, CompareFunction::LessEqual, -1),
     };
-    let as_near = match depth {
-        DepthMapping::Reversed => wgpu::CompareFunction::GreaterEqual,
-        DepthMapping::Standard => wgpu::CompareFunction::LessEqual,
+    // An edge is as deep as its faces, but is rasterised at other points of them. A depth bias of 1.5 pixels' slope and
+    // 4 units brings it in front of them.
+    let towards_the_eye = wgpu::DepthBiasState {
+        constant: 4 * i32::from(step_nearer),
+        slope_scale: 1.5 * f32::from(step_nearer),
+        clamp: 0.0,
     };
     wgpu::DepthStencilState {
         format: DEPTH,
         depth_write_enabled: Some(drawn != Drawn::Background),
         depth_compare: Some(match drawn {
             Drawn::Background => as_near,
-            Drawn::Depths => wgpu::CompareFunction::Always,
+            Drawn::Depths => CompareFunction::Always,
             _ => nearer,
         }),
         stencil: wgpu::StencilState::default(),
-        bias: if drawn == Drawn::Edges {
-            towards_the_eye(depth)
-        } else {
-            wgpu::DepthBiasState::default()
+        bias: match drawn {
+            Drawn::Edges => towards_the_eye,
+            _ => wgpu::DepthBiasState::default(),
         },
-    }
-}
-
-/// An edge is as deep as its faces, but is rasterised at other points of them. A depth bias of 1.5 pixels' slope and 4
-/// units brings it in front of them.
-fn towards_the_eye(depth: DepthMapping) -> wgpu::DepthBiasState {
-    let nearer = match depth {
-        DepthMapping::Reversed => 1,
-        DepthMapping::Standard => -1,
-    };
-    wgpu::DepthBiasState {
-        constant: 4 * nearer,
-        slope_scale: if nearer > 0 { 1.5 } else { -1.5 },
-        clamp: 0.0,
     }
 }
 
@@ -399,29 +369,25 @@ mod tests {
         let size = Viewport::new(64, 64).expect("a size");
         let camera = CameraChoice::default().resolve(&scene.bounds(), size);
         let view = View::new(camera.expect("it is framed"), size);
-        for samples in [1, gpu.smooth_samples()] {
+        for samples in [1, gpu.smooth_samples] {
             for sides in [Sides::Both, Sides::Front] {
                 let view = View { sides, ..view };
                 let mut renderer = Renderer::new(&gpu, samples);
                 let mut count = 0;
-                while renderer.make_ahead(&gpu, &view, format) {
+                while renderer.make_ahead(&view, format) {
                     count += 1;
                 }
-                let line = Line {
-                    from: DVec3::ZERO,
-                    to: DVec3::X,
-                    colour: Srgb::NEUTRAL,
-                };
+                let line = Line::new(DVec3::ZERO, DVec3::X, Srgb::NEUTRAL);
                 let targets = Targets::new(&gpu, view.viewport, samples).expect("it fits");
                 for samples in [1, samples] {
                     let mut drawing = Drawing::of_scene(samples, &view, vec![line]);
                     while !renderer
-                        .advance(&gpu, &buffers, &targets, &mut drawing, Piece::WHOLE)
+                        .advance(&buffers, &targets, &mut drawing, Piece::WHOLE)
                         .expect("it fits")
                     {}
                 }
                 for object in 0..2 {
-                    (renderer.draw_selection(&gpu, &buffers, &targets, &view, object))
+                    (renderer.draw_selection((&buffers, &targets, &view), object))
                         .expect("it fits");
                     let marks = Marks {
                         selection: Some(object),
@@ -433,10 +399,11 @@ mod tests {
                         room_px: [64, 64],
                         coarseness: 1,
                     };
-                    (renderer.composite(&gpu, &buffers, &targets, &view, &marks, &onto))
+                    (renderer.composite((&buffers, &targets, &view), &marks, &onto))
                         .expect("it works");
                 }
-                let made = renderer.pipelines.made.len() + renderer.made_for_marks();
+                let for_marks = renderer.post.as_ref().map_or(0, |post| post.made.len());
+                let made = renderer.pipelines.made.len() + for_marks;
                 assert_eq!(made, count, "{samples} {sides:?}");
                 assert!(count > 8);
             }

@@ -1,18 +1,13 @@
 //! Puts pixels that were found by other means than drawing, such as rays, into a picture's targets.
 
 use super::{
-    Renderer, bindings,
+    Onto, Renderer,
     gpu::{Gpu, GpuError},
     lines::{self, Line},
     pipelines::{Drawn, Pass},
     raster::begin,
-    scene_buffers::SceneBuffers,
-    targets::Targets,
 };
-use crate::{
-    camera::View,
-    image::{Image, Pixel},
-};
+use crate::image::{Image, Pixel};
 use bytemuck::Pod;
 use wgpu::BufferUsages;
 
@@ -25,37 +20,32 @@ impl Renderer {
     ///
     /// # Panics
     /// When `targets` or `pixels` have another size than the view, or `targets` other samples than this renderer.
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "those of draw and draw_selection"
-    )]
     pub fn take_pixels(
         &mut self,
-        gpu: &Gpu,
-        scene: &SceneBuffers,
-        targets: &Targets,
-        view: &View,
+        onto: Onto<'_>,
         pixels: &Image<Pixel>,
         lines: &[Line],
         selection: Option<usize>,
     ) -> Result<(), GpuError> {
+        let (_, targets, view) = onto;
+        let gpu = &self.gpu;
         self.check(targets, view);
         assert_eq!(pixels.size(), view.viewport, "pixels fit the view");
-        write(gpu, &targets.colour, pixels, |pixel| {
+        write(gpu, targets.colour_view.texture(), pixels, |pixel| {
             let [r, g, b] = pixel.colour;
             [r, g, b, u8::MAX]
         });
-        write(gpu, &targets.ids, pixels, |pixel| {
+        write(gpu, targets.ids_view.texture(), pixels, |pixel| {
             [pixel.id.object, pixel.id.triangle]
         });
         if !lines.is_empty() {
-            self.draw_lines(gpu, scene, targets, view, pixels, lines)?;
+            self.draw_lines(onto, pixels, lines)?;
         }
         if let Some(object) = selection {
-            write(gpu, targets.mask_view.texture(), pixels, |pixel| {
+            write(&self.gpu, targets.mask_view.texture(), pixels, |pixel| {
                 u8::MAX * u8::from(pixel.is_selected)
             });
-            self.draw_outline(gpu, scene, targets, view, object);
+            self.draw_outline(onto, object);
         }
         Ok(())
     }
@@ -64,57 +54,44 @@ impl Renderer {
     ///
     /// # Panics
     /// When `targets` or `mask` have another size than the view, or `targets` other samples than this renderer.
-    pub fn take_mask(
-        &mut self,
-        gpu: &Gpu,
-        scene: &SceneBuffers,
-        targets: &Targets,
-        view: &View,
-        mask: &Image<bool>,
-        selection: usize,
-    ) {
+    pub fn take_mask(&mut self, onto: Onto<'_>, mask: &Image<bool>, selection: usize) {
+        let (_, targets, view) = onto;
         self.check(targets, view);
         assert_eq!(mask.size(), view.viewport, "the mask fits the view");
-        write(gpu, targets.mask_view.texture(), mask, |is_selected| {
+        let texture = targets.mask_view.texture();
+        write(&self.gpu, texture, mask, |is_selected| {
             u8::MAX * u8::from(*is_selected)
         });
-        self.draw_outline(gpu, scene, targets, view, selection);
+        self.draw_outline(onto, selection);
     }
 
     /// Draws lines where no pixel is in front of them.
     fn draw_lines(
         &mut self,
-        gpu: &Gpu,
-        scene: &SceneBuffers,
-        targets: &Targets,
-        view: &View,
+        (scene, targets, view): Onto<'_>,
         pixels: &Image<Pixel>,
         lines: &[Line],
     ) -> Result<(), GpuError> {
+        let gpu = &self.gpu;
         let depths: Vec<f32> = pixels.pixels().iter().map(|pixel| pixel.depth).collect();
         let depths = gpu.buffer("depths", BufferUsages::STORAGE, &depths)?;
         let vertices = lines::vertices(view, lines);
         let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
         let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
-        self.write_frame(gpu, view);
-        let buffers = [&self.frame, &scene.objects, &depths];
-        let resources = buffers.map(wgpu::Buffer::as_entire_binding);
-        let layout = &self.pipelines.bind_group_layout;
-        let bind_group = bindings::bind(gpu, "pixels", layout, resources);
+        self.write_frame(view);
+        let bind_group = self.bind(scene, &depths);
         let pass = Pass::ColourAndIds;
         let [depths, lines] =
             [Drawn::Depths, Drawn::Lines].map(|drawn| self.pipelines.get(gpu, pass, drawn, view));
-        let mut encoder = gpu.encoder();
-        {
-            let mut pass = begin(gpu, &mut encoder, targets, view, pass, [false, true]);
+        gpu.submit(|encoder| {
+            let mut pass = begin(gpu, encoder, targets, view, pass, [false, true]);
             pass.set_bind_group(0, &bind_group, &[]);
             pass.set_pipeline(&depths);
             pass.draw(0..3, 0..1);
             pass.set_pipeline(&lines);
             pass.set_vertex_buffer(0, line_buffer.slice(..));
             pass.draw(line_ends, 0..1);
-        }
-        gpu.submit([encoder.finish()]);
+        });
         Ok(())
     }
 }
@@ -127,17 +104,12 @@ fn write<P: Copy, T: Pod>(
     value: impl Fn(&P) -> T,
 ) {
     let values: Vec<T> = pixels.pixels().iter().map(value).collect();
-    let bytes: &[u8] = bytemuck::cast_slice(&values);
-    gpu.queue.write_texture(
-        texture.as_image_copy(),
-        bytes,
-        wgpu::TexelCopyBufferLayout {
-            offset: 0,
-            bytes_per_row: u32::try_from(bytes.len())
-                .ok()
-                .map(|all| all / pixels.size().height()),
-            rows_per_image: None,
-        },
-        texture.size(),
-    );
+    let row = u32::try_from(size_of::<T>()).ok();
+    let layout = wgpu::TexelCopyBufferLayout {
+        offset: 0,
+        bytes_per_row: row.map(|pixel| pixel * pixels.size().width()),
+        rows_per_image: None,
+    };
+    let (onto, bytes) = (texture.as_image_copy(), bytemuck::cast_slice(&values));
+    (gpu.queue).write_texture(onto, bytes, layout, texture.size());
 }

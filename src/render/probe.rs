@@ -21,7 +21,7 @@ const SIZE: [u32; 2] = [16, 8];
 /// sides of their centres, one then covers its pixel, whatever the rule for centres on edges. A rasteriser that
 /// truncates moves sides twice as far; it is measured as having one bit less.
 pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
-    let name = match gpu.numbers() {
+    let name = match gpu.numbers {
         Numbers::Primitives => "probe by primitive",
         Numbers::Corners | Numbers::Objects => "probe by corner",
     };
@@ -30,13 +30,11 @@ pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
     let usage = wgpu::TextureUsages::COPY_SRC;
     let texture = without_depth::texture(gpu, "probe", SIZE, IDS, 1, usage, &[]);
     let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-    let mut encoder = gpu.encoder();
-    {
-        let mut pass = without_depth::begin(&mut encoder, &view, true);
+    gpu.submit(|encoder| {
+        let mut pass = without_depth::begin(encoder, &view, true);
         pass.set_pipeline(&pipeline);
         pass.draw(0..4 * LANES * 3, 0..1);
-    }
-    gpu.submit([encoder.finish()]);
+    });
     let pixels = read(gpu, &texture, [0, 0], SIZE, |id: [u32; 2]| id)?;
     Ok(found(&pixels))
 }
@@ -45,11 +43,8 @@ pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
 fn found(pixels: &[[u32; 2]]) -> Rasteriser {
     // The pixel of a group's lane that is this far along it; the missed one is at 0.
     let at = |group: u32, lane: u32, along: u32| {
-        let along = if group.is_multiple_of(2) {
-            along
-        } else {
-            7 - along
-        };
+        let is_forward = group.is_multiple_of(2);
+        let along = if is_forward { along } else { 7 - along };
         let [x, y] = if group < 2 {
             [along, lane]
         } else {
@@ -79,25 +74,14 @@ mod tests {
         for triangle in 0..4 * LANES {
             let (group, lane) = (triangle / LANES, triangle % LANES);
             let past = 0.5 + 0.375 * 0.5_f64.powi(i32::try_from(lane).expect("few") + 1);
-            let at = if group.is_multiple_of(2) {
-                past
-            } else {
-                8.0 - past
-            };
+            let is_forward = group.is_multiple_of(2);
+            let at = if is_forward { past } else { 8.0 - past };
             let at = round(at / step) * step;
             for along in 0..4 {
-                let px = if group.is_multiple_of(2) {
-                    along
-                } else {
-                    7 - along
-                };
+                let px = if is_forward { along } else { 7 - along };
                 let centre = f64::from(px) + 0.5;
                 // Top and left sides belong to a triangle.
-                let is_in = if group.is_multiple_of(2) {
-                    at <= centre
-                } else {
-                    centre < at
-                };
+                let is_in = (at <= centre) == is_forward;
                 let [x, y] = if group < 2 {
                     [px, lane]
                 } else {
@@ -119,10 +103,7 @@ mod tests {
             assert_eq!(found(f64::round_ties_even), bits.min(LANES));
             // Truncation moves sides twice as far.
             let cut = found(f64::floor);
-            assert!(
-                cut == bits.saturating_sub(1).clamp(1, LANES),
-                "{bits}: {cut}"
-            );
+            assert_eq!(cut, bits.saturating_sub(1).clamp(1, LANES), "{bits}");
         }
     }
 

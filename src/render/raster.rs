@@ -1,15 +1,12 @@
 //! Draws the scene's colours and ids: the render passes, and the draw calls in them.
 
 use super::{
-    Renderer,
-    batches::DrawnShape,
-    bindings,
-    composing::Draw,
+    Renderer, bindings,
     gpu::Gpu,
-    pipelines::{Drawn, Pass},
+    pipelines::{Drawn, Pass, Pipelines},
     scene_buffers::SceneBuffers,
     shader_structs::Frame,
-    slices::Slice,
+    steps::{Parts, Step},
     targets::Targets,
     transform,
 };
@@ -17,6 +14,7 @@ use crate::{
     camera::{DepthMapping, View},
     geometry::Sides,
 };
+use wgpu::StoreOp::{Discard, Store};
 
 /// The objects whose triangles' edges are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,66 +27,52 @@ pub enum Wireframe {
 
 impl Renderer {
     pub(super) fn check(&self, targets: &Targets, view: &View) {
-        assert_eq!(targets.viewport(), view.viewport, "targets fit the view");
-        assert_eq!(
-            targets.samples(),
-            self.pipelines.samples(),
-            "targets fit the renderer"
-        );
+        assert_eq!(targets.viewport, view.viewport, "targets fit the view");
+        let samples = self.pipelines.samples;
+        assert_eq!(targets.samples, samples, "targets fit the renderer");
     }
 
     /// Writes the numbers that all of a frame shares to the GPU.
-    pub(super) fn write_frame(&self, gpu: &Gpu, view: &View) {
+    pub(super) fn write_frame(&self, view: &View) {
         let frame: Frame = transform::frame(view);
-        gpu.queue
-            .write_buffer(&self.frame, 0, bytemuck::bytes_of(&frame));
+        let bytes = bytemuck::bytes_of(&frame);
+        self.gpu.queue.write_buffer(&self.frame, 0, bytes);
     }
 
-    /// The bind group of frame, objects and spheres.
-    pub(super) fn bind(&self, gpu: &Gpu, scene: &SceneBuffers) -> wgpu::BindGroup {
-        let buffers = [&self.frame, &scene.objects, &scene.tables().spheres];
-        let resources = buffers.map(wgpu::Buffer::as_entire_binding);
-        bindings::bind(gpu, "scene", &self.pipelines.bind_group_layout, resources)
+    /// The bind group of frame, objects and a table: spheres, or pixels' depths.
+    pub(super) fn bind(&self, scene: &SceneBuffers, table: &wgpu::Buffer) -> wgpu::BindGroup {
+        let resources = [&self.frame, &scene.objects, table].map(wgpu::Buffer::as_entire_binding);
+        let layout = &self.pipelines.bind_group_layout;
+        bindings::bind(&self.gpu, "scene", layout, resources)
     }
+}
 
-    /// Draws the edges of some triangles of some instances where their faces are seen.
-    pub(super) fn draw_edges(
+impl Pipelines {
+    /// Draws the surfaces of a step, and edges of triangles where their faces are seen.
+    pub(super) fn draw_step(
         &mut self,
         gpu: &Gpu,
         pass: &mut wgpu::RenderPass<'_>,
         writes: Pass,
         view: &View,
-        draw: &Draw,
-        slice: &Slice,
+        parts: &Parts<'_>,
+        step: &Step,
     ) {
-        if let DrawnShape::Triangles { buffers, .. } = &draw.shape {
-            pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Edges, view));
-            buffers.draw(pass, &slice.triangles, slice.instances.clone());
+        for slice in &step.surfaces {
+            let kind = &parts.surfaces[slice.draw].kind;
+            let culled_mirrored = (view.sides == Sides::Front).then_some(kind.mirrors);
+            let drawn = match kind.buffers {
+                Some(_) => Drawn::Triangles { culled_mirrored },
+                None => Drawn::Spheres,
+            };
+            pass.set_pipeline(&self.get(gpu, writes, drawn, view));
+            kind.draw(pass, &slice.triangles, slice.instances.clone());
         }
-    }
-
-    /// Draws some triangles, or spheres, of some instances of a draw.
-    pub(super) fn draw_slice(
-        &mut self,
-        gpu: &Gpu,
-        pass: &mut wgpu::RenderPass<'_>,
-        writes: Pass,
-        view: &View,
-        draws: &[Draw],
-        slice: &Slice,
-    ) {
-        let draw = &draws[slice.draw];
-        let instances = slice.instances.clone();
-        match &draw.shape {
-            DrawnShape::Triangles { buffers, .. } => {
-                let culled_mirrored = (view.sides == Sides::Front).then_some(draw.mirrors);
-                let drawn = Drawn::Triangles { culled_mirrored };
-                pass.set_pipeline(&self.pipelines.get(gpu, writes, drawn, view));
-                buffers.draw(pass, &slice.triangles, instances);
-            }
-            DrawnShape::Spheres => {
-                pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Spheres, view));
-                pass.draw(0..4, instances);
+        for slice in &step.edges {
+            let kind = &parts.edged[slice.draw].kind;
+            if kind.buffers.is_some() {
+                pass.set_pipeline(&self.get(gpu, writes, Drawn::Edges, view));
+                kind.draw(pass, &slice.triangles, slice.instances.clone());
             }
         }
     }
@@ -104,6 +88,7 @@ pub(super) fn begin<'a>(
     writes: Pass,
     [is_first, is_last]: [bool; 2],
 ) -> wgpu::RenderPass<'a> {
+    let stored_if = |is_of_use| if is_of_use { Store } else { Discard };
     let attach = |view, resolve_target: Option<_>| {
         let resolve_target = resolve_target.filter(|_| is_last && gpu.resolves());
         Some(wgpu::RenderPassColorAttachment {
@@ -117,24 +102,16 @@ pub(super) fn begin<'a>(
                     wgpu::LoadOp::Load
                 },
                 // Samples are of no use once they are resolved.
-                store: if resolve_target.is_some() {
-                    wgpu::StoreOp::Discard
-                } else {
-                    wgpu::StoreOp::Store
-                },
+                store: stored_if(resolve_target.is_none()),
             },
         })
     };
+    let [colour, ids] = [&targets.colour_view, &targets.ids_view];
     let (colours, depth_view) = match (&targets.multisampled, writes) {
-        (Some([colour, depth]), Pass::Colour) => {
-            (vec![attach(colour, Some(&targets.colour_view))], depth)
-        }
-        (_, Pass::Ids) => (vec![attach(&targets.ids_view, None)], &targets.depth_view),
+        (Some([samples, depth]), Pass::Colour) => (vec![attach(samples, Some(colour))], depth),
+        (_, Pass::Ids) => (vec![attach(ids, None)], &targets.depth_view),
         _ => (
-            vec![
-                attach(&targets.colour_view, None),
-                attach(&targets.ids_view, None),
-            ],
+            vec![attach(colour, None), attach(ids, None)],
             &targets.depth_view,
         ),
     };
@@ -149,11 +126,7 @@ pub(super) fn begin<'a>(
                     DepthMapping::Reversed => wgpu::LoadOp::Clear(0.0),
                     DepthMapping::Standard => wgpu::LoadOp::Clear(1.0),
                 },
-                store: if is_last {
-                    wgpu::StoreOp::Discard
-                } else {
-                    wgpu::StoreOp::Store
-                },
+                store: stored_if(!is_last),
             }),
             stencil_ops: None,
         }),

@@ -1,17 +1,17 @@
 //! Reads textures back as pictures on the CPU, among them the finished picture without a window.
 
 use super::{
-    Destination, Marks, Renderer, SceneBuffers,
+    Destination, Marks, Onto, Renderer,
     formats::{COLOUR, COLOUR_VALUES, reordered},
     gpu::{Gpu, GpuError},
     targets::Targets,
     without_depth,
 };
 use crate::{
-    camera::{View, Viewport},
+    camera::Viewport,
     image::{Id, Image, Rgb},
 };
-use std::{ops::Range, sync::mpsc};
+use std::sync::mpsc;
 
 /// Bytes that are read at a time, unless a row is more.
 const BAND_BYTES: u64 = 1 << 26;
@@ -22,7 +22,7 @@ impl Targets {
     /// # Errors
     /// When memory runs out or the device is lost.
     pub fn read_colours(&self, gpu: &Gpu) -> Result<Image<Rgb>, GpuError> {
-        read_rgb(gpu, &self.colour, self.viewport())
+        read_rgb(gpu, self.colour_view.texture(), self.viewport)
     }
 
     /// The object and triangle that each pixel shows.
@@ -30,14 +30,9 @@ impl Targets {
     /// # Errors
     /// When memory runs out or the device is lost.
     pub fn read_ids(&self, gpu: &Gpu) -> Result<Image<Id>, GpuError> {
-        let pixels = read(
-            gpu,
-            &self.ids,
-            [0, 0],
-            [self.viewport().width(), self.viewport().height()],
-            id,
-        )?;
-        Ok(Image::new(self.viewport(), pixels))
+        let size = [self.viewport.width(), self.viewport.height()];
+        let pixels = read(gpu, self.ids_view.texture(), [0, 0], size, id)?;
+        Ok(Image::new(self.viewport, pixels))
     }
 
     /// The object and triangle that one pixel of the picture shows; `None` outside the picture.
@@ -45,11 +40,11 @@ impl Targets {
     /// # Errors
     /// When memory runs out or the device is lost.
     pub fn read_id(&self, gpu: &Gpu, at_px: [u32; 2]) -> Result<Option<Id>, GpuError> {
-        let size = [self.viewport().width(), self.viewport().height()];
+        let size = [self.viewport.width(), self.viewport.height()];
         if at_px[0] >= size[0] || at_px[1] >= size[1] {
             return Ok(None);
         }
-        let pixels = read(gpu, &self.ids, at_px, [1, 1], id)?;
+        let pixels = read(gpu, self.ids_view.texture(), at_px, [1, 1], id)?;
         Ok(pixels.into_iter().next())
     }
 }
@@ -61,33 +56,24 @@ impl Renderer {
     /// When memory runs out or the device is lost.
     pub fn composite_to_image(
         &mut self,
-        gpu: &Gpu,
-        scene: &SceneBuffers,
-        targets: &Targets,
-        view: &View,
+        onto: Onto<'_>,
         marks: &Marks,
     ) -> Result<Image<Rgb>, GpuError> {
-        self.composite_at(gpu, scene, targets, view, marks, targets.viewport(), [0, 0])
+        self.composite_at(onto, marks, onto.1.viewport, [0, 0])
     }
 
     /// The finished picture as a window of this size, larger or smaller, would show it.
     ///
     /// # Errors
     /// When memory runs out or the device is lost.
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "those of composite, and the window"
-    )]
     pub fn composite_at(
         &mut self,
-        gpu: &Gpu,
-        scene: &SceneBuffers,
-        targets: &Targets,
-        view: &View,
+        onto: Onto<'_>,
         marks: &Marks,
         window: Viewport,
         origin_px: [u32; 2],
     ) -> Result<Image<Rgb>, GpuError> {
+        let gpu = &self.gpu;
         gpu.check_picture(window)?;
         let size = [window.width(), window.height()];
         let (usage, values) = (wgpu::TextureUsages::COPY_SRC, [COLOUR_VALUES]);
@@ -100,8 +86,8 @@ impl Renderer {
             room_px: size,
             coarseness: 1,
         };
-        self.composite(gpu, scene, targets, view, marks, &destination)?;
-        read_rgb(gpu, &texture, window)
+        self.composite(onto, marks, &destination)?;
+        read_rgb(&self.gpu, &texture, window)
     }
 }
 
@@ -151,8 +137,17 @@ pub(super) fn read<T: bytemuck::Pod, P>(
         .map_err(|_| gpu.out_of_memory())?;
     for top in (first..first + height).step_by(rows as usize) {
         let height = rows.min(first + height - top);
-        let area = [left..left + width, top..top + height];
-        copy(gpu, texture, area, &buffer, padded);
+        let from = without_depth::at(texture, [left, top]);
+        let to = wgpu::TexelCopyBufferInfo {
+            buffer: &buffer,
+            layout: wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: u32::try_from(padded).ok(),
+                rows_per_image: None,
+            },
+        };
+        let size = without_depth::extent([width, height]);
+        gpu.submit(|encoder| encoder.copy_texture_to_buffer(from, to, size));
         let band = ..padded * u64::from(height);
         let (sender, receiver) = mpsc::channel();
         buffer.map_async(wgpu::MapMode::Read, band, move |mapped| {
@@ -162,9 +157,8 @@ pub(super) fn read<T: bytemuck::Pod, P>(
         gpu.wait()?;
         let mapped = receiver.recv().map_err(|error| gpu.failed(&error))?;
         mapped.map_err(|error| gpu.failed(&error))?;
-        let bytes = buffer
-            .get_mapped_range(band)
-            .map_err(|error| gpu.failed(&error))?;
+        let bytes = buffer.get_mapped_range(band);
+        let bytes = bytes.map_err(|error| gpu.failed(&error))?;
         for line in bytes.chunks_exact(bytes.len() / height as usize) {
             let values = line[..row].chunks_exact(size_of::<T>());
             pixels.extend(values.map(|bytes| pixel(bytemuck::pod_read_unaligned(bytes))));
@@ -173,39 +167,4 @@ pub(super) fn read<T: bytemuck::Pod, P>(
         buffer.unmap();
     }
     Ok(pixels)
-}
-
-/// Copies some columns and rows of a texture to the start of a buffer, `padded` bytes a row.
-fn copy(
-    gpu: &Gpu,
-    texture: &wgpu::Texture,
-    [columns, rows]: [Range<u32>; 2],
-    buffer: &wgpu::Buffer,
-    padded: u64,
-) {
-    let mut encoder = gpu.encoder();
-    encoder.copy_texture_to_buffer(
-        wgpu::TexelCopyTextureInfo {
-            origin: wgpu::Origin3d {
-                x: columns.start,
-                y: rows.start,
-                z: 0,
-            },
-            ..texture.as_image_copy()
-        },
-        wgpu::TexelCopyBufferInfo {
-            buffer,
-            layout: wgpu::TexelCopyBufferLayout {
-                offset: 0,
-                bytes_per_row: u32::try_from(padded).ok(),
-                rows_per_image: None,
-            },
-        },
-        wgpu::Extent3d {
-            width: columns.end - columns.start,
-            height: rows.end - rows.start,
-            depth_or_array_layers: 1,
-        },
-    );
-    gpu.submit([encoder.finish()]);
 }

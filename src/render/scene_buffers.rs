@@ -2,7 +2,7 @@
 
 use super::{
     abilities::Numbers,
-    batches::{Batch, DrawnShape, Kind, Own, TriangleBatch},
+    batches::{Batch, Kind, Own, TriangleBatch},
     composing::{Draw, ToDraw},
     draw_order::index,
     gpu::{Gpu, GpuError},
@@ -41,9 +41,12 @@ const SHARE: usize = 1 << 14;
 pub struct SceneBuffers {
     all: Arc<RwLock<ToDraw>>,
     seen: RefCell<Seen>,
-    tables: Tables,
-    whole: Piece,
-    is_little: bool,
+    /// The tables of what is seen of it.
+    pub(super) tables: Tables,
+    /// The work of drawing it once, with all of it in view.
+    pub whole: Piece,
+    /// Whether it is small enough for a view's rows to be composed at once.
+    pub is_little: bool,
     /// [`ObjectState`] of each object.
     pub(super) objects: wgpu::Buffer,
     /// Where each object is drawn.
@@ -102,14 +105,12 @@ impl SceneBuffers {
         go_on: &GoOn<E>,
     ) -> Result<Self, E> {
         let triangles_of = |mesh: &Mesh| mesh.data().triangles.len();
-        let new = scene
-            .meshes()
-            .iter()
-            .filter(|mesh| meshes.known(mesh).is_none());
+        let of_scene = scene.meshes().iter();
+        let new = of_scene.filter(|mesh| meshes.known(mesh).is_none());
         let objects = scene.objects().len();
         let all = objects + new.map(|mesh| triangles_of(mesh)).sum::<usize>();
         let (cube, square) = (MeshBuffers::cube(gpu)?, MeshBuffers::square(gpu)?);
-        let names_triangles = gpu.numbers() != Numbers::Objects;
+        let names_triangles = gpu.numbers != Numbers::Objects;
         let states: Vec<ObjectState> = scene.objects().iter().map(object_state).collect();
         let (mut kinds, mut known) = (Vec::new(), HashMap::new());
         let mut batches = Vec::with_capacity(scene.batches().len());
@@ -147,25 +148,19 @@ impl SceneBuffers {
                         Some(meshes.buffers(gpu, mesh, &|share| go_on(part * share))?)
                     }
                 };
-                let triangles = triangles.clone();
-                let shape = buffers.map_or(DrawnShape::Spheres, |buffers| DrawnShape::Triangles {
+                kinds.push(Kind {
                     buffers,
-                    triangles,
+                    triangles: triangles.clone(),
+                    mirrors,
                 });
-                kinds.push(Kind { shape, mirrors });
                 *known.entry(key).or_insert(index(kinds.len() - 1))
             };
             rows[usize::from(is_sphere)] += 1;
             whole.work += work(&triangles);
             whole.instances += 1;
             let number = index(batches.len());
-            batches.push(drawn_batch(
-                scene,
-                batch,
-                kind,
-                triangles.start,
-                names_triangles,
-            ));
+            let drawn = drawn_batch(scene, batch, kind, triangles.start, names_triangles);
+            batches.push(drawn);
             for object in batch.clone() {
                 let shape = &scene.objects()[object].shape;
                 places.push(Place {
@@ -254,18 +249,6 @@ impl SceneBuffers {
         self.changes += changed.len() as u64;
     }
 
-    /// The work of drawing it once, with all of it in view.
-    #[must_use]
-    pub fn whole(&self) -> Piece {
-        self.whole
-    }
-
-    /// Whether it is small enough for a view's rows to be composed at once.
-    #[must_use]
-    pub fn is_little(&self) -> bool {
-        self.is_little
-    }
-
     /// What a view shows of it, as far as that is composed. With `waits` it waits for all draws, else for more than the
     /// `known` ones, if they come soon.
     pub(super) fn seen_in(&self, view: &View, known: usize, waits: bool) -> RefMut<'_, Seen> {
@@ -273,11 +256,6 @@ impl SceneBuffers {
         seen.prepare(&self.all, view);
         seen.take(known, waits);
         seen
-    }
-
-    /// The tables of what is seen of it.
-    pub(super) fn tables(&self) -> &Tables {
-        &self.tables
     }
 
     /// Where an object is; `None` while it is hidden.
@@ -293,10 +271,12 @@ impl SceneBuffers {
         let batch = &all.batches[place.batch as usize];
         let row = batch.seen_in(&ViewSpace::new(view));
         let row = self.tables.write_alone(&row);
-        let Kind { shape, mirrors } = &all.kinds[batch.kind as usize];
+        let kind = Kind {
+            triangles: place.triangles.clone(),
+            ..all.kinds[batch.kind as usize].clone()
+        };
         Some(Draw {
-            shape: shape.only(place.triangles.clone()),
-            mirrors: *mirrors,
+            kind,
             instances: row..row + 1,
         })
     }

@@ -43,39 +43,21 @@ impl Tables {
     /// # Errors
     /// When they do not fit.
     pub fn new(gpu: &Gpu, [triangles, spheres]: [u32; 2]) -> Result<Self, GpuError> {
-        fn table<T: Pod + Zeroable>(
-            gpu: &Gpu,
-            what: &'static str,
-            usage: BufferUsages,
-            rows: u32,
-        ) -> Result<wgpu::Buffer, GpuError> {
-            let empty = vec![T::zeroed(); rows as usize + 1];
-            gpu.buffer(what, usage, &empty)
-        }
+        let rows = vec![shader_structs::Batch::zeroed(); triangles as usize + 1];
+        let matrices = gpu.buffer("model matrices", BufferUsages::VERTEX, &rows)?;
+        drop(rows);
+        let rows = vec![shader_structs::Sphere::zeroed(); spheres as usize + 1];
         Ok(Self {
             gpu: gpu.clone(),
-            triangles: table::<shader_structs::Batch>(
-                gpu,
-                "model matrices",
-                BufferUsages::VERTEX,
-                triangles,
-            )?,
-            spheres: table::<shader_structs::Sphere>(
-                gpu,
-                "spheres",
-                BufferUsages::STORAGE,
-                spheres,
-            )?,
+            triangles: matrices,
+            spheres: gpu.buffer("spheres", BufferUsages::STORAGE, &rows)?,
             alone: [triangles, spheres],
         })
     }
 
     /// Writes the extra row, for an object drawn by itself; returns its number.
     pub fn write_alone(&self, row: &Row) -> u32 {
-        let at = match row {
-            Row::Triangles(_) => self.alone[0],
-            Row::Sphere(_) => self.alone[1],
-        };
+        let at = self.alone[usize::from(matches!(row, Row::Sphere(_)))];
         self.write(at, row);
         at
     }
@@ -194,11 +176,8 @@ impl Seen {
     /// they come soon.
     pub fn take(&mut self, known: usize, waits: bool) {
         while let State::UnderWay(news) = &self.state {
-            let patience = if self.draws.len() > known {
-                Duration::ZERO
-            } else {
-                PATIENCE
-            };
+            let has_more = self.draws.len() > known;
+            let patience = if has_more { Duration::ZERO } else { PATIENCE };
             let next = if waits {
                 news.recv().map_err(|_| RecvTimeoutError::Disconnected)
             } else {
@@ -223,13 +202,11 @@ impl Seen {
 
     /// The row of a batch; `None` if the view does not show it, or rows are still being composed.
     pub fn row_of(&self, batch: u32) -> Option<u32> {
-        match &self.state {
-            State::Whole(composer) => {
-                let row = composer.row_of.get(batch as usize).copied();
-                row.filter(|row| *row != u32::MAX)
-            }
-            _ => None,
-        }
+        let State::Whole(composer) = &self.state else {
+            return None;
+        };
+        let row = composer.row_of.get(batch as usize).copied();
+        row.filter(|row| *row != u32::MAX)
     }
 
     /// Updates the row of a batch that changed, but not in its kind or its place in the order.
@@ -238,8 +215,10 @@ impl Seen {
             return self.forget();
         };
         match self.row_of(number) {
-            Some(row) => self.tables.write(row, &composer.row(batch)),
-            None if batch.shown > 0 && composer.may_show(&batch.bounds_world) => self.forget(),
+            Some(row) => self.tables.write(row, &batch.seen_in(&composer.space)),
+            None if batch.shown > 0 && composer.frustum.may_hold(&batch.bounds_world) => {
+                self.forget();
+            }
             None => {}
         }
     }

@@ -2,76 +2,35 @@
 
 use super::gpu::Gpu;
 
+/// The text of files in `shaders/`, one after the other.
+macro_rules! wgsl {
+    ($($name:literal),*) => {
+        concat!($(include_str!(concat!("../../shaders/", $name, ".wgsl"))),*)
+    };
+}
+
+/// Allows a shader to number triangles by the adapter's index.
+macro_rules! indexed {
+    ($($name:literal),*) => { concat!("enable primitive_index;\n", wgsl!($($name),*)) };
+}
+
 /// WGSL of each shader by name. Shared parts come first.
 pub const SHADERS: [(&str, &str); 9] = [
     (
         "mesh by primitive",
-        concat!(
-            "enable primitive_index;\n",
-            include_str!("../../shaders/head.wgsl"),
-            include_str!("../../shaders/mesh.wgsl"),
-            include_str!("../../shaders/mesh_by_primitive.wgsl")
-        ),
+        indexed!("head", "mesh", "mesh_by_primitive"),
     ),
-    (
-        "mesh by corner",
-        concat!(
-            include_str!("../../shaders/head.wgsl"),
-            include_str!("../../shaders/mesh.wgsl"),
-            include_str!("../../shaders/mesh_by_corner.wgsl")
-        ),
-    ),
-    (
-        "sphere",
-        concat!(
-            include_str!("../../shaders/head.wgsl"),
-            include_str!("../../shaders/sphere.wgsl")
-        ),
-    ),
-    (
-        "overlay",
-        concat!(
-            include_str!("../../shaders/head.wgsl"),
-            include_str!("../../shaders/cover.wgsl"),
-            include_str!("../../shaders/overlay.wgsl")
-        ),
-    ),
-    (
-        "composite",
-        concat!(
-            include_str!("../../shaders/cover.wgsl"),
-            include_str!("../../shaders/composite.wgsl")
-        ),
-    ),
-    (
-        "resolve",
-        concat!(
-            include_str!("../../shaders/cover.wgsl"),
-            include_str!("../../shaders/resolve.wgsl")
-        ),
-    ),
-    (
-        "panels",
-        concat!(
-            include_str!("../../shaders/cover.wgsl"),
-            include_str!("../../shaders/panels.wgsl")
-        ),
-    ),
+    ("mesh by corner", wgsl!("head", "mesh", "mesh_by_corner")),
+    ("sphere", wgsl!("head", "sphere")),
+    ("overlay", wgsl!("head", "cover", "overlay")),
+    ("composite", wgsl!("cover", "composite")),
+    ("resolve", wgsl!("cover", "resolve")),
+    ("panels", wgsl!("cover", "panels")),
     (
         "probe by primitive",
-        concat!(
-            "enable primitive_index;\n",
-            include_str!("../../shaders/probe.wgsl"),
-            include_str!("../../shaders/probe_by_primitive.wgsl")
-        ),
+        indexed!("probe", "probe_by_primitive"),
     ),
-    (
-        "probe by corner",
-        concat!(
-            include_str!("../../shaders/probe.wgsl"),
-            include_str!("../../shaders/probe_by_corner.wgsl")
-        ),
-    ),
+    ("probe by corner", wgsl!("probe", "probe_by_corner")),
 ];
 
 /// The parameter that makes a fragment shader run once per sample.
@@ -81,11 +40,10 @@ const EACH_SAMPLE: &str = ", @builtin(sample_index) sample: u32";
 pub(crate) fn shader_module(gpu: &Gpu, name: &str) -> wgpu::ShaderModule {
     let found = SHADERS.iter().find(|(other, _)| *other == name);
     let source = found.map_or("", |(_, text)| text);
-    let source = if gpu.smooth_samples() > 1 {
-        source.into()
-    } else {
+    let source = match gpu.smooth_samples {
         // An adapter without multisampling refuses this parameter.
-        source.replace(EACH_SAMPLE, "").into()
+        1 => source.replace(EACH_SAMPLE, "").into(),
+        _ => source.into(),
     };
     gpu.device
         .create_shader_module(wgpu::ShaderModuleDescriptor {

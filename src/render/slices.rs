@@ -22,11 +22,20 @@ impl Piece {
         instances: u32::MAX,
     };
 
+    /// So much work, of any number of instances.
+    #[must_use]
+    pub const fn of_work(work: u64) -> Self {
+        Self {
+            work,
+            ..Self::WHOLE
+        }
+    }
+
     /// All the work of a draw.
     pub(super) fn of(draw: &Draw) -> Self {
         let instances = draw.instances.end - draw.instances.start;
         Self {
-            work: work(&draw.shape.triangles()) * u64::from(instances),
+            work: work(&draw.kind.triangles) * u64::from(instances),
             instances,
         }
     }
@@ -58,7 +67,8 @@ impl Slice {
 /// A position in a list of draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Cursor {
-    draw: usize,
+    /// The draw that comes next.
+    pub draw: usize,
     /// Among the draw's instances.
     instance: u32,
     /// Among the instance's triangles.
@@ -69,11 +79,6 @@ impl Cursor {
     /// Whether nothing is left.
     pub fn is_at_end(&self, draws: &[Draw]) -> bool {
         self.draw == draws.len()
-    }
-
-    /// The draw that comes next.
-    pub fn draw(&self) -> usize {
-        self.draw
     }
 
     /// The next slices, in order, that fit into what is left of a piece. If `is_first`, the piece is empty so far: then
@@ -91,13 +96,13 @@ impl Cursor {
     /// The next slice of a draw; `None` if too little of the piece is left, unless it is the first. A piece has at most
     /// one partial slice of a row, since the row stores the triangle that it begins with.
     fn slice(&mut self, draw: &Draw, left: &mut Piece, is_first: bool) -> Option<Slice> {
-        let (index, all) = (self.draw, draw.shape.triangles());
+        let (index, all) = (self.draw, &draw.kind.triangles);
         let first = draw.instances.start + self.instance;
-        let each = work(&all);
+        let each = work(all);
         let fit = u32::try_from(left.work / each).unwrap_or(u32::MAX);
         let fit = fit.min(left.instances).min(draw.instances.end - first);
         let begin = all.start + self.triangle;
-        let end = draw.shape.end_of_call(begin);
+        let end = draw.kind.end_of_call(begin);
         let (triangles, count) = if self.triangle == 0 && fit > 0 && end == all.end {
             (all.clone(), fit)
         } else if is_first || (self.triangle == 0 && fit > 0) {

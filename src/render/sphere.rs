@@ -92,6 +92,7 @@ fn row<N: Number>(
     // -|o x d|^2 takes the place of (o.d)^2 - o.o d.d (Lagrange's identity): o x d is linear in w before it is squared.
     let [dx, dy] =
         [0, 1].map(|i| 2.0 * (r2 * direction_step * d.dot([right, down][i]) - moment.dot(turn[i])));
+    let square = r2 * direction_step * direction_step;
     let normals = normal_to_view(view, placement);
     let to_view = |v: DVec3| (normals * v).as_vec3().to_array();
     Row {
@@ -102,13 +103,7 @@ fn row<N: Number>(
         a: quadratic(1.0, ax, ay, direction_step * direction_step, 0.0),
         b: quadratic(-n.dot(d), bx, by, -origin_step * direction_step, 0.0),
         c: quadratic(outside, cx, cy, origin_step * origin_step, 0.0),
-        discriminant: quadratic(
-            r2 - moment.dot(moment),
-            dx,
-            dy,
-            r2 * direction_step * direction_step,
-            1.0,
-        ),
+        discriminant: quadratic(r2 - moment.dot(moment), dx, dy, square, 1.0),
         normal: to_view(n),
         origin_step: to_f32(origin_step),
         normal_per_root: to_view(d),
@@ -139,10 +134,8 @@ pub(crate) fn nearest_to_centre<N: Number>(ray: &RayDifferential<N>) -> (N, f64)
     let (o, d) = (ray.origin, ray.direction);
     let depth = -o.dot(d) / d.dot(d);
     let distance = (o + d * depth).rounded().length();
-    (
-        depth,
-        (distance - Sphere::RADIUS) * (distance + Sphere::RADIUS),
-    )
+    let outside = (distance - Sphere::RADIUS) * (distance + Sphere::RADIUS);
+    (depth, outside)
 }
 
 /// The pixel centre in the rectangle nearest to the sphere's centre.
@@ -261,18 +254,12 @@ pub fn rounding(sphere: &Row, unit: f64, px: DVec2) -> Rounding {
         let [constant, x, y] = q.linear.map(f64::from);
         let [xx, xy, yy] = q.square.map(f64::from);
         let monomials = [1.0, at.x, at.y, at.x * at.x, at.x * at.y, at.y * at.y];
-        let terms = [constant, x, y, xx, xy, yy];
-        let terms: Vec<f64> = terms
-            .into_iter()
-            .zip(monomials)
-            .map(|(a, b)| a * b)
-            .collect();
-        let size: f64 = terms.iter().map(|term| term.abs()).sum();
+        let coefficients = [constant, x, y, xx, xy, yy];
+        let terms: [f64; 6] = std::array::from_fn(|i| coefficients[i] * monomials[i]);
+        let size: f64 = terms.map(f64::abs).iter().sum();
         let lost: f64 = monomials.map(f64::abs).iter().sum();
-        (
-            terms.iter().sum::<f64>(),
-            10.0 * U * size + UNDERFLOW * lost,
-        )
+        let value: f64 = terms.iter().sum();
+        (value, 10.0 * U * size + UNDERFLOW * lost)
     };
     let (a, wrong_a) = polynomial(&sphere.a);
     let (b, wrong_b) = polynomial(&sphere.b);

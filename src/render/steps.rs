@@ -54,7 +54,7 @@ impl Steps {
 
     /// How many of the draws of surfaces are finished.
     pub fn begun(&self) -> usize {
-        self.surfaces.draw()
+        self.surfaces.draw
     }
 
     /// The next step. It fits into the piece, but is not empty if anything is left. `None` while the next surfaces are

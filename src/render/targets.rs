@@ -11,10 +11,10 @@ use wgpu::TextureUsages;
 /// Colours, ids and selection of one picture. Made anew when the picture's size changes.
 #[derive(Debug)]
 pub struct Targets {
-    viewport: Viewport,
-    samples: u32,
-    pub(super) colour: wgpu::Texture,
-    pub(super) ids: wgpu::Texture,
+    /// Width and height.
+    pub viewport: Viewport,
+    /// Colour samples per pixel.
+    pub samples: u32,
     pub(super) colour_view: wgpu::TextureView,
     /// The colours, without conversion.
     pub(super) values_view: wgpu::TextureView,
@@ -36,11 +36,9 @@ impl Targets {
         gpu.check_picture(viewport)?;
         let size = [viewport.width(), viewport.height()];
         let texture = |label, format, samples, usage| {
-            let is_viewed_twice = format == COLOUR && samples == 1;
-            let view_formats: &[_] = if is_viewed_twice {
-                &[COLOUR_VALUES]
-            } else {
-                &[]
+            let view_formats: &[_] = match (format, samples) {
+                (COLOUR, 1) => &[COLOUR_VALUES],
+                _ => &[],
             };
             without_depth::texture(gpu, label, size, format, samples, usage, view_formats)
         };
@@ -51,14 +49,12 @@ impl Targets {
         let none = TextureUsages::empty();
         gpu.within_memory(|| {
             let colour = texture("colour", COLOUR, 1, read);
-            let ids = texture("ids", IDS, 1, read);
             let multisampled = (samples > 1).then(|| {
                 let sampled = TextureUsages::TEXTURE_BINDING;
                 [
-                    ("colour samples", COLOUR, sampled),
-                    ("depth samples", DEPTH, none),
+                    view(&texture("colour samples", COLOUR, samples, sampled)),
+                    view(&texture("depth samples", DEPTH, samples, none)),
                 ]
-                .map(|(label, format, usage)| view(&texture(label, format, samples, usage)))
             });
             Self {
                 viewport,
@@ -68,26 +64,12 @@ impl Targets {
                     format: Some(COLOUR_VALUES),
                     ..Default::default()
                 }),
-                ids_view: view(&ids),
+                ids_view: view(&texture("ids", IDS, 1, read)),
                 depth_view: view(&texture("depth", DEPTH, 1, none)),
                 mask_view: view(&texture("mask", MARKS, 1, read)),
                 outline_view: view(&texture("outline", MARKS, 1, read)),
                 multisampled,
-                colour,
-                ids,
             }
         })
-    }
-
-    /// Width and height.
-    #[must_use]
-    pub fn viewport(&self) -> Viewport {
-        self.viewport
-    }
-
-    /// Colour samples per pixel.
-    #[must_use]
-    pub fn samples(&self) -> u32 {
-        self.samples
     }
 }

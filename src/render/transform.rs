@@ -19,7 +19,7 @@ use crate::{
     scene::{Scene, Shape},
 };
 use glam::{DMat3, DVec2, DVec3, Mat3, Vec3};
-use std::ops::{Add, Mul, Range};
+use std::ops::{Add, Range};
 
 /// The numbers that all of a frame shares.
 #[must_use]
@@ -125,20 +125,23 @@ impl ViewError {
     /// The larger of two, axis by axis.
     #[must_use]
     pub fn max(self, other: Self) -> Self {
-        Self {
-            aside: DVec2::new(
-                larger(self.aside.x, other.aside.x),
-                larger(self.aside.y, other.aside.y),
-            ),
-            depth: larger(self.depth, other.depth),
-            measured: larger(self.measured, other.measured),
-        }
+        self.with(other, larger)
     }
 
     /// Linear interpolation: the share `s` of the way to another one.
     #[must_use]
     pub fn lerp(self, other: Self, s: f64) -> Self {
-        self * (1.0 - s) + other * s
+        self.with(other, |a, b| a * (1.0 - s) + b * s)
+    }
+
+    /// What `both` makes of two, axis by axis.
+    fn with(self, other: Self, both: impl Fn(f64, f64) -> f64) -> Self {
+        let [x, y] = [0, 1].map(|axis| both(self.aside[axis], other.aside[axis]));
+        Self {
+            aside: DVec2::new(x, y),
+            depth: both(self.depth, other.depth),
+            measured: both(self.measured, other.measured),
+        }
     }
 }
 
@@ -146,23 +149,7 @@ impl Add for ViewError {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self {
-            aside: self.aside + other.aside,
-            depth: self.depth + other.depth,
-            measured: self.measured + other.measured,
-        }
-    }
-}
-
-impl Mul<f64> for ViewError {
-    type Output = Self;
-
-    fn mul(self, by: f64) -> Self {
-        Self {
-            aside: self.aside * by,
-            depth: self.depth * by,
-            measured: self.measured * by,
-        }
+        self.with(other, f64::add)
     }
 }
 
@@ -215,9 +202,8 @@ impl VertexToView {
             let off = off + rounding.linear[row].dot(from_pivot.abs());
             let (row, translation) = (rows.col(row), f64::from(translation));
             // Subnormal numbers may be flushed to 0.
-            let flushed = row
-                .abs()
-                .map(|entry| if entry < UNDERFLOW { entry } else { 0.0 });
+            let flushed = |entry| if entry < UNDERFLOW { entry } else { 0.0 };
+            let flushed = row.abs().map(flushed);
             let off = off + flushed.dot(from_pivot.abs());
             let turned = row * from_pivot;
             let terms = [turned.x, turned.y, turned.z, translation];
@@ -241,11 +227,8 @@ impl VertexToView {
 /// Whether `f32` sums these without rounding, in any order. All terms, and so their sums, are multiples of the lowest
 /// bit set in any of them. The sums are exact if they fit into 24 bits from there on.
 fn sums_exactly(terms: [f64; 4]) -> bool {
-    let exponents = terms
-        .iter()
-        .filter(|term| **term != 0.0)
-        .map(|&term| split(term).1);
-    let Some(lowest) = exponents.min() else {
+    let terms_not_0 = terms.iter().filter(|term| **term != 0.0);
+    let Some(lowest) = terms_not_0.map(|&term| split(term).1).min() else {
         return true;
     };
     let largest: f64 = terms.iter().map(|term| term.abs()).sum();
@@ -266,10 +249,9 @@ fn pivot(view: &View, placement: &Placement, origin: DVec3, bounds: &Aabb) -> DV
     let depth = match camera.lens().projection {
         Projection::Orthographic { .. } => to_target,
         Projection::Perspective { .. } => {
-            let corners = bounds
-                .corners()
-                .map(|corner| (camera.to_view(placement.point_to_world(origin + corner))).z);
-            let begins = corners.into_iter().fold(f64::INFINITY, f64::min);
+            let corners = bounds.corners().map(|corner| origin + corner).into_iter();
+            let depths = corners.map(|at| camera.to_view(placement.point_to_world(at)).z);
+            let begins = depths.fold(f64::INFINITY, f64::min);
             let nearest = begins.max(camera.lens().near);
             to_target.clamp(nearest, 2.0 * nearest)
         }
@@ -282,9 +264,6 @@ fn pivot(view: &View, placement: &Placement, origin: DVec3, bounds: &Aabb) -> DV
 #[must_use]
 pub fn normal_to_view(view: &View, placement: &Placement) -> DMat3 {
     let normal = view.camera.rotation() * placement.inverse_linear().transpose();
-    let size = [normal.x_axis, normal.y_axis, normal.z_axis]
-        .map(|axis| axis.abs().max_element())
-        .into_iter()
-        .fold(0.0, f64::max);
-    normal * size.recip()
+    let entries = normal.abs().to_cols_array().into_iter();
+    normal * entries.fold(0.0, f64::max).recip()
 }

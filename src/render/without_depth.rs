@@ -2,11 +2,28 @@
 
 use super::gpu::Gpu;
 
-/// A texture of `width` x `height` pixels that can be drawn into.
+/// The extent of a picture of `width` x `height` pixels.
+pub(crate) fn extent([width, height]: [u32; 2]) -> wgpu::Extent3d {
+    wgpu::Extent3d {
+        width,
+        height,
+        depth_or_array_layers: 1,
+    }
+}
+
+/// A texture from a pixel on, to be copied from or to.
+pub(crate) fn at(texture: &wgpu::Texture, [x, y]: [u32; 2]) -> wgpu::TexelCopyTextureInfo<'_> {
+    wgpu::TexelCopyTextureInfo {
+        origin: wgpu::Origin3d { x, y, z: 0 },
+        ..texture.as_image_copy()
+    }
+}
+
+/// A texture of `size` pixels that can be drawn into.
 pub(crate) fn texture(
     gpu: &Gpu,
     label: &str,
-    [width, height]: [u32; 2],
+    size: [u32; 2],
     format: wgpu::TextureFormat,
     sample_count: u32,
     usage: wgpu::TextureUsages,
@@ -14,11 +31,7 @@ pub(crate) fn texture(
 ) -> wgpu::Texture {
     gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
-        size: wgpu::Extent3d {
-            width,
-            height,
-            depth_or_array_layers: 1,
-        },
+        size: extent(size),
         mip_level_count: 1,
         sample_count,
         dimension: wgpu::TextureDimension::D2,

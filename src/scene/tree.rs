@@ -312,10 +312,7 @@ fn leaf(batch: usize, object: &Object, bounds: Aabb) -> Option<Node> {
             max: DVec3::INFINITY,
         }
     } else {
-        Aabb {
-            min: bounds.min - grown,
-            max: bounds.max + grown,
-        }
+        bounds.grown(DVec3::splat(grown))
     };
     Some(Node {
         bounds,

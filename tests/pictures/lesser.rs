@@ -18,7 +18,7 @@ fn numbered(numbers: Numbers) -> Gpu {
         numbers,
         ..Restraint::default()
     });
-    assert_eq!(gpu.numbers(), numbers);
+    assert_eq!(gpu.numbers, numbers);
     gpu
 }
 
@@ -43,23 +43,23 @@ fn views() -> [View; 3] {
 fn all_of(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<Image<Id>>, Vec<Image<Rgb>>) {
     let mut ids = Vec::new();
     let mut colours = Vec::new();
-    for samples in [1, gpu.smooth_samples()] {
+    for samples in [1, gpu.smooth_samples] {
         let mut renderer = Renderer::new(gpu, samples);
         let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
         let targets = Targets::new(gpu, view.viewport, samples).expect("fits");
         for edges in [None, Some(Wireframe::OfAll), Some(Wireframe::Of(1))] {
             renderer.wireframe = edges;
-            let drawn = renderer.draw(gpu, &buffers, &targets, view, &[]);
+            let drawn = renderer.draw((&buffers, &targets, view), &[]);
             drawn.expect("drawn");
             colours.push(targets.read_colours(gpu).expect("colours"));
         }
-        let selection = renderer.draw_selection(gpu, &buffers, &targets, view, 1);
+        let selection = renderer.draw_selection((&buffers, &targets, view), 1);
         selection.expect("drawn");
         let marks = Marks {
             selection: Some(1),
             hover: Some(2),
         };
-        let picture = renderer.composite_to_image(gpu, &buffers, &targets, view, &marks);
+        let picture = renderer.composite_to_image((&buffers, &targets, view), &marks);
         colours.push(picture.expect("a picture"));
         ids.push(targets.read_ids(gpu).expect("ids"));
     }
@@ -109,7 +109,7 @@ fn where_triangles_have_no_numbers_objects_do() {
 #[test]
 fn colours_alone_need_no_measured_rasteriser() {
     let unmeasured = Gpu::headless_for_colours().unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(unmeasured.numbers(), Numbers::Objects);
+    assert_eq!(unmeasured.numbers, Numbers::Objects);
     assert!(!unmeasured.rasteriser().names_triangles);
     let scene = shapes(DVec3::ZERO);
     for view in views() {
@@ -128,8 +128,8 @@ fn without_multisampling_pictures_are_rough() {
         samples: 1,
         ..Restraint::default()
     });
-    assert_eq!(rough.smooth_samples(), 1);
-    assert_eq!(gpu().smooth_samples(), SMOOTH_SAMPLES);
+    assert_eq!(rough.smooth_samples, 1);
+    assert_eq!(gpu().smooth_samples, SMOOTH_SAMPLES);
     let scene = shapes(DVec3::ZERO);
     for view in views() {
         let (ids, colours, _) = draw(&gpu(), &scene, &view, &[], &Marks::default(), 1);

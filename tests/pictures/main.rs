@@ -49,14 +49,14 @@ fn draw(
     let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
     let targets = Targets::new(gpu, view.viewport, samples).expect("fits");
     renderer
-        .draw(gpu, &buffers, &targets, view, lines)
+        .draw((&buffers, &targets, view), lines)
         .expect("draws");
     if let Some(object) = marks.selection {
         renderer
-            .draw_selection(gpu, &buffers, &targets, view, object)
+            .draw_selection((&buffers, &targets, view), object)
             .expect("drawn");
     }
-    let picture = renderer.composite_to_image(gpu, &buffers, &targets, view, marks);
+    let picture = renderer.composite_to_image((&buffers, &targets, view), marks);
     (
         targets.read_ids(gpu).expect("ids"),
         targets.read_colours(gpu).expect("colours"),
@@ -88,7 +88,7 @@ impl<'a> Kept<'a> {
     fn ids(&mut self, scene: &Scene) -> Image<Id> {
         let (gpu, buffers, targets) = (self.gpu, &mut self.buffers, &self.targets);
         buffers.update(gpu, scene).expect("fits");
-        let drawn = self.renderer.draw(gpu, buffers, targets, &self.view, &[]);
+        let drawn = self.renderer.draw((buffers, targets, &self.view), &[]);
         drawn.expect("draws");
         targets.read_ids(gpu).expect("ids")
     }

@@ -76,7 +76,7 @@ fn scattered(random: &mut Random) -> Scene {
 fn ids(gpu: &Gpu, buffers: &SceneBuffers, view: &View) -> Image<Id> {
     let targets = Targets::new(gpu, view.viewport, 1).expect("fits");
     Renderer::new(gpu, 1)
-        .draw(gpu, buffers, &targets, view, &[])
+        .draw((buffers, &targets, view), &[])
         .expect("draws");
     targets.read_ids(gpu).expect("ids")
 }
@@ -118,20 +118,17 @@ fn what_lies_beside_the_picture_is_left_out_and_nothing_else() {
         // The ids are the same when drawn in pieces, which use transforms as they are composed.
         let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
         let mut drawing = Drawing::of_scene(1, &view, Vec::new());
-        let piece = Piece {
-            work: 4000,
-            ..Piece::WHOLE
-        };
+        let piece = Piece::of_work(4000);
         let mut renderer = Renderer::new(&gpu, 1);
         let fresh = SceneBuffers::upload(&gpu, &scene).expect("fits");
         while !renderer
-            .advance(&gpu, &fresh, &targets, &mut drawing, piece)
+            .advance(&fresh, &targets, &mut drawing, piece)
             .expect("drawn")
         {}
         let in_pieces = targets.read_ids(&gpu).expect("ids");
         assert_eq!(differing(&in_pieces, &ids(&gpu, &buffers, &view)), 0);
-        drawn += drawing.done();
-        whole += drawing.whole(&fresh).work + fresh.whole().work;
+        drawn += drawing.done;
+        whole += drawing.whole(&fresh).work + fresh.whole.work;
     }
     assert!(seen > 24 * 160 * 100 / 4, "{seen}");
     assert!(drawn < whole / 3, "{drawn} of {whole}");

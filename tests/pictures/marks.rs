@@ -128,20 +128,20 @@ fn a_picture_goes_where_the_window_wants_it() {
     let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
     let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
     renderer
-        .draw(&gpu, &buffers, &targets, &view, &[])
+        .draw((&buffers, &targets, &view), &[])
         .expect("draws");
     renderer
-        .draw_selection(&gpu, &buffers, &targets, &view, 1)
+        .draw_selection((&buffers, &targets, &view), 1)
         .expect("drawn");
     let alone = renderer
-        .composite_to_image(&gpu, &buffers, &targets, &view, &marks)
+        .composite_to_image((&buffers, &targets, &view), &marks)
         .expect("a picture");
     // Beside a panel of 20 pixels, and in a window that has just become too small.
     for size in [[90, 50], [70, 30], [15, 15]] {
         let origin = [20, 5];
         let size = Viewport::new(size[0], size[1]).expect("a size");
         let window = renderer
-            .composite_at(&gpu, &buffers, &targets, &view, &marks, size, origin)
+            .composite_at((&buffers, &targets, &view), &marks, size, origin)
             .expect("a picture");
         for (x, y) in window.positions() {
             let within = x >= 20 && y >= 5 && x < 80 && y < 45;
@@ -177,7 +177,7 @@ fn a_wireframe_is_not_in_the_ids() {
             let mut renderer = Renderer::new(gpu, samples);
             let mut draw = |wireframe| {
                 renderer.wireframe = wireframe;
-                let drawn = renderer.draw(gpu, &buffers, &targets, &view, &[]);
+                let drawn = renderer.draw((&buffers, &targets, &view), &[]);
                 drawn.expect("draws");
                 let ids = targets.read_ids(gpu).expect("ids");
                 (ids, targets.read_colours(gpu).expect("colours"))

@@ -27,22 +27,22 @@ fn in_pieces(
         let mut pieces = 1;
         let mut done = 0;
         while !renderer
-            .advance(gpu, &buffers, &targets, &mut drawing, piece)
+            .advance(&buffers, &targets, &mut drawing, piece)
             .expect("drawn")
         {
-            assert!(drawing.done() > done, "each piece does something");
-            assert!(drawing.done() - done <= piece.work.max(33), "and no more");
-            done = drawing.done();
+            assert!(drawing.done > done, "each piece does something");
+            assert!(drawing.done - done <= piece.work.max(33), "and no more");
+            done = drawing.done;
             pieces += 1;
         }
-        assert!(drawing.done() >= whole, "all of it");
+        assert!(drawing.done >= whole, "all of it");
         pieces
     });
     let marks = Marks {
         selection: Some(SELECTED),
         hover: None,
     };
-    let picture = renderer.composite_to_image(gpu, &buffers, &targets, view, &marks);
+    let picture = renderer.composite_to_image((&buffers, &targets, view), &marks);
     (
         counts,
         targets.read_ids(gpu).expect("ids"),
@@ -132,17 +132,14 @@ fn edges_and_lines_come_in_pieces_too() {
             let mut renderer = Renderer::new(&gpu, samples);
             renderer.wireframe = wireframe;
             renderer
-                .draw(&gpu, &buffers, &targets, &view, &lines)
+                .draw((&buffers, &targets, &view), &lines)
                 .expect("draws");
             let whole = targets.read_colours(&gpu).expect("colours");
-            let piece = Piece {
-                work: 200,
-                ..Piece::WHOLE
-            };
+            let piece = Piece::of_work(200);
             let mut drawing = Drawing::of_scene(samples, &view, lines.clone());
             let mut count = 1;
             while !renderer
-                .advance(&gpu, &buffers, &targets, &mut drawing, piece)
+                .advance(&buffers, &targets, &mut drawing, piece)
                 .expect("drawn")
             {
                 count += 1;

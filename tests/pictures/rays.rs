@@ -57,9 +57,9 @@ fn by_rays(
     renderer.scale_factor = scale_factor;
     let selection = marks.selection;
     renderer
-        .take_pixels(gpu, &buffers, &targets, view, &pixels, lines, selection)
+        .take_pixels((&buffers, &targets, view), &pixels, lines, selection)
         .expect("fits");
-    let picture = renderer.composite_to_image(gpu, &buffers, &targets, view, &marks);
+    let picture = renderer.composite_to_image((&buffers, &targets, view), &marks);
     (pixels, targets, picture.expect("a picture"))
 }
 
@@ -102,7 +102,7 @@ fn views() -> [(&'static str, View); 5] {
 fn pixels_that_rays_found_look_as_if_drawn() {
     let (gpu, scene, lines) = (gpu(), shapes(DVec3::ZERO), lines());
     scene.build_trees();
-    let with_samples = [1, gpu.smooth_samples()];
+    let with_samples = [1, gpu.smooth_samples];
     assert!(with_samples[1] > 1);
     for ((name, view), object) in views().into_iter().flat_map(|view| [(view, 3), (view, 7)]) {
         let marks = Marks {
@@ -146,22 +146,22 @@ fn a_mask_that_rays_found_outlines_as_a_drawn_one() {
         let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
         let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
         let mut renderer = Renderer::new(&gpu, 1);
-        let drawn = renderer.draw(&gpu, &buffers, &targets, &view, &[]);
+        let drawn = renderer.draw((&buffers, &targets, &view), &[]);
         drawn.expect("drawn");
         let mut marked = |selection: usize, mask: Option<&Image<bool>>| {
             match mask {
                 Some(mask) => {
-                    renderer.take_mask(&gpu, &buffers, &targets, &view, mask, selection);
+                    renderer.take_mask((&buffers, &targets, &view), mask, selection);
                 }
                 None => renderer
-                    .draw_selection(&gpu, &buffers, &targets, &view, selection)
+                    .draw_selection((&buffers, &targets, &view), selection)
                     .expect("drawn"),
             }
             let marks = Marks {
                 selection: Some(selection),
                 hover: None,
             };
-            let picture = renderer.composite_to_image(&gpu, &buffers, &targets, &view, &marks);
+            let picture = renderer.composite_to_image((&buffers, &targets, &view), &marks);
             picture.expect("a picture")
         };
         let by_drawing = marked(object, None);

@@ -68,7 +68,7 @@ fn places<'a>(scene: &'a Scene, view: &View) -> Places<'a> {
 fn drawn(gpu: &Gpu, renderer: &mut Renderer, buffers: &SceneBuffers, view: &View) -> Image<Id> {
     let targets = Targets::new(gpu, view.viewport, 1).expect("fits");
     renderer
-        .draw(gpu, buffers, &targets, view, &[])
+        .draw((buffers, &targets, view), &[])
         .expect("draws");
     targets.read_ids(gpu).expect("ids")
 }

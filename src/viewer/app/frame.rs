@@ -283,7 +283,7 @@ impl App {
             gpu.adapter_name().clone_into(&mut self.statistics.adapter);
             self.statistics.software = gpu.is_software();
         }
-        canvas.take_textures(self.textures.news());
+        canvas.take_textures(&mut self.textures.news);
         for (stage, uploaded) in self.uploaded.drain(..) {
             canvas.take_uploaded(stage, uploaded);
         }

@@ -26,9 +26,8 @@ fn named(attributes: WindowAttributes) -> WindowAttributes {
 }
 
 fn icon() -> Option<Icon> {
-    let mut reader = png::Decoder::new(std::io::Cursor::new(ICON_PNG))
-        .read_info()
-        .ok()?;
+    let decoder = png::Decoder::new(std::io::Cursor::new(ICON_PNG));
+    let mut reader = decoder.read_info().ok()?;
     let mut rgba = vec![0; reader.output_buffer_size()?];
     let info = reader.next_frame(&mut rgba).ok()?;
     Icon::from_rgba(rgba, info.width, info.height).ok()

@@ -13,7 +13,6 @@ use crate::{
         app::{App, Extent, Frame, Host, REST_S, Wake, Waker},
         model::{Seen, State},
         options::Options,
-        ui::Notice,
     },
 };
 use egui::accesskit::TreeUpdate;
@@ -190,10 +189,8 @@ impl Offscreen {
 
     /// The messages that wait to be read, oldest first.
     pub fn messages(&self) -> impl Iterator<Item = &str> {
-        self.app
-            .notices
-            .iter()
-            .map(|Notice { text, .. }| text.as_str())
+        let notices = self.app.notices.iter();
+        notices.map(|notice| notice.text.as_str())
     }
 
     /// Whether the window is at rest after the last event: nothing is animated, and nothing but smooth edges is under
@@ -244,9 +241,8 @@ impl Offscreen {
     #[must_use]
     pub fn can_write(&self, text: &str) -> bool {
         let font = egui::FontId::default();
-        self.app
-            .context
-            .fonts_mut(|fonts| fonts.has_glyphs(&font, text))
+        let context = &self.app.context;
+        context.fonts_mut(|fonts| fonts.has_glyphs(&font, text))
     }
 
     /// What was put on the clipboard last.
@@ -336,11 +332,8 @@ impl Offscreen {
     /// # Errors
     /// When nothing was drawn yet, or the adapter fails.
     pub fn drawn(&self) -> Result<Image<Rgb>, GpuError> {
-        self.picture
-            .canvas
-            .as_ref()
-            .ok_or(GpuError::NoAdapter)?
-            .read()
+        let canvas = self.picture.canvas.as_ref();
+        canvas.ok_or(GpuError::NoAdapter)?.read()
     }
 
     fn draw_whole(&mut self) -> Result<(), GpuError> {
@@ -381,13 +374,11 @@ impl Offscreen {
     pub(super) fn input(&mut self, events: Vec<egui::Event>) -> egui::RawInput {
         self.time_s += FRAME_S;
         #[expect(clippy::cast_precision_loss, reason = "windows are not that large")]
-        let [width, height] = [self.picture.size.width(), self.picture.size.height()]
+        let size = [self.picture.size.width(), self.picture.size.height()]
             .map(|px| px as f32 / self.pixels_per_point);
+        let screen = egui::Rect::from_min_size(egui::Pos2::ZERO, size.into());
         let mut input = egui::RawInput {
-            screen_rect: Some(egui::Rect::from_min_size(
-                egui::Pos2::ZERO,
-                egui::vec2(width, height),
-            )),
+            screen_rect: Some(screen),
             time: Some(self.time_s),
             events,
             system_theme: self.theme,

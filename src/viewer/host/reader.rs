@@ -35,10 +35,11 @@ impl DeactivationHandler for Teller {
 ///
 /// # Panics
 /// When the window is visible already.
-pub(super) fn show(shell: &mut Shell, event_loop: &ActiveEventLoop, wake: &Waker) {
+pub(super) fn show(mut shell: Shell, event_loop: &ActiveEventLoop, wake: &Waker) -> Shell {
     let teller = || Teller(wake.clone());
     let adapter =
         Adapter::with_direct_handlers(event_loop, &shell.window, teller(), teller(), teller());
     shell.egui.accesskit = Some(adapter);
     shell.window.set_visible(true);
+    shell
 }

@@ -44,14 +44,8 @@ impl Shell {
         let surface = WindowSurface::new(Arc::clone(&window), event_loop.owned_display_handle())?;
         #[expect(clippy::cast_possible_truncation, reason = "egui's type")]
         let scale = window.scale_factor() as f32;
-        let mut egui = egui_winit::State::new(
-            context,
-            egui::ViewportId::ROOT,
-            &*window,
-            Some(scale),
-            window.theme(),
-            None,
-        );
+        let (id, theme) = (egui::ViewportId::ROOT, window.theme());
+        let mut egui = egui_winit::State::new(context, id, &*window, Some(scale), theme, None);
         let clipboard = Clipboard::new(&window, &mut egui);
         Ok(Self {
             window,
@@ -85,10 +79,8 @@ impl Shell {
         if maximised || self.window.fullscreen().is_some() {
             return before.map(|place| WindowPlace { maximised, ..place });
         }
-        let size: LogicalSize<f64> = self
-            .window
-            .inner_size()
-            .to_logical(self.window.scale_factor());
+        let scale = self.window.scale_factor();
+        let size: LogicalSize<f64> = self.window.inner_size().to_logical(scale);
         let corner = self.window.outer_position().ok();
         Some(WindowPlace {
             size: [size.width, size.height],
@@ -169,11 +161,8 @@ mod tests {
         };
         let own = size(900.0, 600.0);
         assert_eq!(asked(Some(place), 2), (own, at(2000, 100), true));
-        assert_eq!(
-            asked(Some(place), 1),
-            (own, None, true),
-            "its screen is gone"
-        );
+        // Its screen is gone.
+        assert_eq!(asked(Some(place), 1), (own, None, true));
         // Just off the screens at two sides, too far right for its title bar to be grasped, and without a known place.
         for corner_px in [Some([-1, 100]), Some([100, -1]), Some([3800, 100]), None] {
             let place = WindowPlace { corner_px, ..place };

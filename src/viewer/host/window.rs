@@ -28,9 +28,8 @@ use winit::{
 /// # Errors
 /// When there is no display or no adapter.
 pub fn run(options: Options) -> Result<(), ViewerError> {
-    let event_loop = EventLoop::with_user_event()
-        .build()
-        .map_err(|error| ViewerError::no_display(&error))?;
+    let event_loop = EventLoop::with_user_event().build();
+    let event_loop = event_loop.map_err(|error| ViewerError::no_display(&error))?;
     event_loop.set_control_flow(ControlFlow::Wait);
     let proxy = event_loop.create_proxy();
     // Sending fails once the loop has ended with the window: then nobody is to be woken.
@@ -46,9 +45,8 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
         asked: false,
         failed: None,
     };
-    event_loop
-        .run_app(&mut host)
-        .map_err(|error| ViewerError::no_display(&error))?;
+    let ran = event_loop.run_app(&mut host);
+    ran.map_err(|error| ViewerError::no_display(&error))?;
     host.failed.map_or(Ok(()), Err)
 }
 
@@ -119,18 +117,12 @@ impl ApplicationHandler<Wake> for Program {
             return;
         }
         let app = &mut self.app;
-        match Shell::open(
-            event_loop,
-            &app.options,
-            app.memory.window,
-            app.context.clone(),
-        ) {
+        let (remembered, context) = (app.memory.window, app.context.clone());
+        match Shell::open(event_loop, &app.options, remembered, context) {
             Ok(shell) => {
-                self.shell = Some(shell);
                 #[cfg(feature = "screen-readers")]
-                if let Some(shell) = &mut self.shell {
-                    super::reader::show(shell, event_loop, &app.wake);
-                }
+                let shell = super::reader::show(shell, event_loop, &app.wake);
+                self.shell = Some(shell);
                 self.request_redraw();
             }
             Err(error) => {

@@ -6,20 +6,10 @@ use std::thread;
 
 const QUESTION: Question = Question {
     busctl: [
-        &["call"],
-        &[
-            "org.freedesktop.portal.Settings",
-            "Read",
-            "ss",
-            "org.freedesktop.appearance",
-            "color-scheme",
-        ],
+        "call",
+        "org.freedesktop.portal.Settings Read ss org.freedesktop.appearance color-scheme",
     ],
-    gdbus: &[
-        "--method=org.freedesktop.portal.Settings.Read",
-        "org.freedesktop.appearance",
-        "color-scheme",
-    ],
+    gdbus: "--method=org.freedesktop.portal.Settings.Read org.freedesktop.appearance color-scheme",
 };
 
 /// Asks in the background whether the desktop is dark; calls `tell` if it answers.

@@ -35,12 +35,10 @@ pub(in crate::viewer) fn open_dialog(answered: impl FnOnce(Answer) + Send + 'sta
         .add_filter("All files", &["*"])
         .pick_files();
     let none = [Answer::OpenNone, Answer::NoneToOpen];
-    answer(
-        || dialog,
-        answered,
-        none,
-        |files| Answer::Open(files.iter().map(|file| file.path().to_path_buf()).collect()),
-    );
+    let meaning = |files: Vec<rfd::FileHandle>| {
+        Answer::Open(files.iter().map(|file| file.path().to_path_buf()).collect())
+    };
+    answer(|| dialog, answered, none, meaning);
 }
 
 /// Asks for a file to save the scene to, and suggests one; calls `answered` in any case.
@@ -82,15 +80,8 @@ fn file_name(suggested: &Path, is_told_folder: bool) -> String {
 /// Whether a portal shows file dialogs here.
 fn has_portal() -> bool {
     let version = Question {
-        busctl: [
-            &["get-property"],
-            &["org.freedesktop.portal.FileChooser", "version"],
-        ],
-        gdbus: &[
-            "--method=org.freedesktop.DBus.Properties.Get",
-            "org.freedesktop.portal.FileChooser",
-            "version",
-        ],
+        busctl: ["get-property", "org.freedesktop.portal.FileChooser version"],
+        gdbus: "--method=org.freedesktop.DBus.Properties.Get org.freedesktop.portal.FileChooser version",
     };
     ask(&version).any(|output| output.status.success())
 }

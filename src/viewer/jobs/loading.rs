@@ -8,10 +8,7 @@ use crate::{
 use std::{path::PathBuf, sync::Arc};
 
 /// A load under way. Dropping it cancels it.
-pub(in crate::viewer) struct Loading {
-    progress: Arc<Progress>,
-    job: Job<Result<Loaded, LoadError>>,
-}
+pub(in crate::viewer) struct Loading(Job<Result<Loaded, LoadError>>);
 
 impl Loading {
     /// Loads `paths` as one scene, which takes the known meshes in place of equal ones; calls `wake` when done.
@@ -20,40 +17,28 @@ impl Loading {
         known: Vec<Arc<Mesh>>,
         wake: impl FnOnce() + Send + 'static,
     ) -> Self {
-        let progress = Arc::new(Progress::default());
-        let shared = Arc::clone(&progress);
-        let load = move || {
-            let mut loaded = scene::load_with(&paths, &shared, Detail::Drawn)?;
+        let load = move |progress: &Progress| {
+            let mut loaded = scene::load_with(&paths, progress, Detail::Drawn)?;
             loaded.share_meshes(&known);
             Ok(loaded)
         };
-        let job = Job::start(load, wake);
-        Self { progress, job }
+        Self(Job::start(load, wake))
     }
 
     /// A load that is done already.
     pub fn done(loaded: Loaded) -> Self {
-        Self {
-            progress: Arc::default(),
-            job: Job::done(Ok(loaded)),
-        }
+        Self(Job::done(Ok(loaded)))
     }
 
     /// The share that is done, in [0, 1].
     pub fn fraction(&self) -> f32 {
-        self.progress.fraction()
+        self.0.progress.fraction()
     }
 
     /// The scene, or why there is none, once the load is done.
     pub fn poll(&self) -> Option<Result<Loaded, LoadError>> {
-        let result = self.job.poll()?;
+        let result = self.0.poll()?;
         Some(result.unwrap_or_else(|_| Err(scene::Cancelled.into())))
-    }
-}
-
-impl Drop for Loading {
-    fn drop(&mut self) {
-        self.progress.cancel();
     }
 }
 
@@ -75,7 +60,7 @@ mod tests {
         let load = Loading::start(vec![path], Vec::new(), move || {
             sender.send(()).unwrap_or_default();
         });
-        let progress = Arc::clone(&load.progress);
+        let progress = Arc::clone(&load.0.progress);
         drop(load);
         ended.recv().expect("an end");
         assert!(progress.fraction() < 1.0);

@@ -2,40 +2,27 @@
 
 use std::process::{Command, Output, Stdio};
 
-/// A question, as each of two programs asks it.
+/// A question, as each of two programs asks it. A space ends an argument.
 pub(super) struct Question {
     /// The arguments of `busctl` before and after the portal's address.
-    pub busctl: [&'static [&'static str]; 2],
+    pub busctl: [&'static str; 2],
     /// The arguments of `gdbus` after the portal's address.
-    pub gdbus: &'static [&'static str],
+    pub gdbus: &'static str,
 }
 
 /// The outputs of those programs that are installed, in turn. A program runs only when its output is asked for.
 pub(super) fn ask(question: &Question) -> impl Iterator<Item = Output> {
-    let [does, with] = question.busctl;
-    let busctl = [
-        &["busctl", "--user", "--timeout=2"],
-        does,
-        &[
-            "org.freedesktop.portal.Desktop",
-            "/org/freedesktop/portal/desktop",
-        ],
-        with,
+    const NAME: &str = "org.freedesktop.portal.Desktop";
+    const PATH: &str = "/org/freedesktop/portal/desktop";
+    let ([does, with], gdbus) = (question.busctl, question.gdbus);
+    let lines = [
+        format!("busctl --user --timeout=2 {does} {NAME} {PATH} {with}"),
+        format!("gdbus call --session --timeout=2 --dest={NAME} --object-path={PATH} {gdbus}"),
     ];
-    let gdbus = [
-        &["gdbus", "call", "--session", "--timeout=2"][..],
-        &[
-            "--dest=org.freedesktop.portal.Desktop",
-            "--object-path=/org/freedesktop/portal/desktop",
-        ],
-        question.gdbus,
-    ];
-    [busctl.concat(), gdbus.concat()]
-        .into_iter()
-        .filter_map(|words| {
-            let (program, arguments) = words.split_first()?;
-            let mut command = Command::new(program);
-            let command = command.args(arguments).stdin(Stdio::null());
-            command.stderr(Stdio::null()).output().ok()
-        })
+    lines.into_iter().filter_map(|line| {
+        let mut words = line.split_whitespace();
+        let mut command = Command::new(words.next()?);
+        let command = command.args(words).stdin(Stdio::null());
+        command.stderr(Stdio::null()).output().ok()
+    })
 }

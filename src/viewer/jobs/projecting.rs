@@ -28,7 +28,7 @@ impl Projecting {
         on: Option<(Gpu, MeshStore)>,
         wake: impl FnOnce() + Send + 'static,
     ) -> Self {
-        let project = move || {
+        let project = move |_: &_| {
             let made = projected(&scene, &through);
             made.build_trees();
             // Dropped early: only a sole owner can change a scene in place.

@@ -5,7 +5,7 @@ use crate::scene::{
     MeshFile, Progress,
     obj::{Again, FaceInFile, InFile, VertexInFile},
 };
-use std::sync::Arc;
+use std::fmt::Display;
 
 /// A question to a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,46 +26,34 @@ pub(in crate::viewer) enum Found {
 }
 
 /// A question under way. Dropping it cancels it.
-pub(in crate::viewer) struct ReadingAgain {
-    progress: Arc<Progress>,
-    job: Job<Found>,
-}
+pub(in crate::viewer) struct ReadingAgain(Job<Found>);
 
 impl ReadingAgain {
     /// Asks a file; calls `wake` when it has answered.
     pub fn start(file: MeshFile, question: Question, wake: impl FnOnce() + Send + 'static) -> Self {
-        let progress = Arc::new(Progress::default());
-        let shared = Arc::clone(&progress);
-        let ask = move || {
+        let ask = move |progress: &Progress| {
             let contents = file.contents.clone().unwrap_or_default();
-            let mut again = Again::new(&file.path, &contents, &file.mesh, &shared);
+            let mut again = Again::new(&file.path, &contents, &file.mesh, progress);
             match question {
                 Question::Triangle(triangle) => Found::Triangle(again.in_file(triangle)),
-                Question::Face(number) => {
-                    Found::Face(again.face(number).map_err(|error| error.to_string()))
-                }
-                Question::Vertex(number) => {
-                    Found::Vertex(again.vertex(number).map_err(|error| error.to_string()))
-                }
+                Question::Face(number) => Found::Face(said(again.face(number))),
+                Question::Vertex(number) => Found::Vertex(said(again.vertex(number))),
             }
         };
-        let job = Job::start(ask, wake);
-        Self { progress, job }
+        Self(Job::start(ask, wake))
     }
 
     /// The answer, once it is there.
     pub fn poll(&self) -> Option<Found> {
-        self.job.poll()?.ok()
+        self.0.poll()?.ok()
     }
 
     /// The answer, waited for; `None` where none will come.
     pub fn wait(&self) -> Option<Found> {
-        self.job.wait()
+        self.0.wait()
     }
 }
 
-impl Drop for ReadingAgain {
-    fn drop(&mut self) {
-        self.progress.cancel();
-    }
+fn said<T>(found: Result<T, impl Display>) -> Result<T, String> {
+    found.map_err(|error| error.to_string())
 }

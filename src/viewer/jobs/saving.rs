@@ -22,15 +22,13 @@ pub(in crate::viewer) struct Saved {
 impl Saving {
     /// Begins; calls `wake` when done.
     pub fn start(snapshot: Snapshot, path: PathBuf, wake: impl FnOnce() + Send + 'static) -> Self {
-        let save = move || {
+        let save = move |_: &_| {
             let written = scene::save(&path, &snapshot.scene, &snapshot.camera, &snapshot.meshes);
-            written
-                .map_err(|error| error.to_string())
-                .map(|meshes| Saved {
-                    snapshot,
-                    path,
-                    meshes,
-                })
+            Ok(Saved {
+                meshes: written.map_err(|error| error.to_string())?,
+                snapshot,
+                path,
+            })
         };
         Self(Job::start(save, wake))
     }

@@ -11,16 +11,12 @@ use crate::{
     viewer::model::Measuring,
 };
 use glam::DVec2;
-use std::sync::Arc;
 
 /// Where a click snapped to, and the area of the object there.
 type Snapped = Option<(Snap, Option<Measured>)>;
 
 /// A click that is being snapped. Dropping it cancels that.
-pub(in crate::viewer) struct Snapping {
-    progress: Arc<Progress>,
-    job: Job<Snapped>,
-}
+pub(in crate::viewer) struct Snapping(Job<Snapped>);
 
 impl Snapping {
     /// Begins to snap a click at a position of a view; calls `wake` when done.
@@ -31,29 +27,18 @@ impl Snapping {
         files: Vec<MeshFile>,
         wake: impl FnOnce() + Send + 'static,
     ) -> Self {
-        let progress = Arc::new(Progress::default());
-        let shared = Arc::clone(&progress);
-        let find = move || {
-            let mut files = FilesAgain::new(&scene, &files, &shared);
+        let find = move |progress: &Progress| {
+            let mut files = FilesAgain::new(&scene, &files, progress);
             let mut faces = |object, triangle| files.face_of(object, triangle).map_err(Into::into);
-            let snap = Snap::at(&scene, &view, px, Measuring::RADIUS_PX, &mut faces);
-            snap.map(|snap| {
-                let area = Some(object_area(&scene.objects()[snap.id - 1]));
-                (snap, area)
-            })
+            let snap = Snap::at(&scene, &view, px, Measuring::RADIUS_PX, &mut faces)?;
+            let area = object_area(&scene.objects()[snap.id - 1]);
+            Some((snap, Some(area)))
         };
-        let job = Job::start(find, wake);
-        Self { progress, job }
+        Self(Job::start(find, wake))
     }
 
     /// Where the click snapped to, once that is known; `Some(None)` if nothing is near.
     pub fn poll(&self) -> Option<Snapped> {
-        Some(self.job.poll()?.ok().flatten())
-    }
-}
-
-impl Drop for Snapping {
-    fn drop(&mut self) {
-        self.progress.cancel();
+        Some(self.0.poll()?.ok().flatten())
     }
 }

@@ -3,21 +3,18 @@
 use super::job::Job;
 use crate::{
     camera::View,
-    scene::Scene,
+    scene::{Progress, Scene},
     study::{
         Row,
         breaks::{self, Break},
     },
 };
-use std::sync::Arc;
 
 /// A chart of what breaks, done or under way.
 pub(in crate::viewer) struct Chart {
     of: &'static Break,
+    /// The work stops once this is dropped: who walks through the gallery waits for no chart of the scenes before.
     job: Job<Option<Vec<Row>>>,
-    /// The work stops once this is dropped with the chart: who walks through the gallery waits for no chart of the
-    /// scenes before.
-    _wanted: Arc<()>,
     /// Its rows, once they are there.
     pub rows: Option<Vec<Row>>,
 }
@@ -30,13 +27,12 @@ impl Chart {
         view: View,
         wake: impl FnOnce() + Send + 'static,
     ) -> Self {
-        let wanted = Arc::new(());
-        let chart = Arc::downgrade(&wanted);
-        let work = move || breaks::rows(of, &scene, view, &|| chart.strong_count() > 0);
+        let work = move |progress: &Progress| {
+            breaks::rows(of, &scene, view, &|| progress.advance(0).is_ok())
+        };
         Self {
             of,
             job: Job::start(work, wake),
-            _wanted: wanted,
             rows: None,
         }
     }

@@ -4,6 +4,7 @@ use super::job::Job;
 use skrifa::{FontRef, MetadataProvider};
 use std::{
     collections::BTreeSet,
+    mem,
     sync::{Arc, Mutex},
 };
 
@@ -21,10 +22,8 @@ impl Missing {
 
     /// Takes all characters.
     fn take(&self) -> BTreeSet<char> {
-        self.0
-            .lock()
-            .map(|mut all| std::mem::take(&mut *all))
-            .unwrap_or_default()
+        let all = self.0.lock();
+        all.map(|mut all| mem::take(&mut *all)).unwrap_or_default()
     }
 }
 
@@ -57,7 +56,12 @@ impl Typefaces {
             return;
         }
         self.known.extend(&wanted);
-        self.search = Some(Job::start(move || search(wanted), wake));
+        let search = move |_: &_| {
+            let mut system = fontdb::Database::new();
+            system.load_system_fonts();
+            choose(&system, wanted)
+        };
+        self.search = Some(Job::start(search, wake));
     }
 
     /// What was found, once the search is over.
@@ -81,35 +85,24 @@ impl Typefaces {
     }
 }
 
-/// Typefaces of the system that have these characters.
-fn search(wanted: BTreeSet<char>) -> Vec<Typeface> {
-    let mut system = fontdb::Database::new();
-    system.load_system_fonts();
-    choose(&system, wanted)
-}
-
 /// Typefaces that have these characters. Each time, takes the one that has most of the characters left; among equals,
 /// an upright, proportional one of regular weight.
 fn choose(system: &fontdb::Database, mut wanted: BTreeSet<char>) -> Vec<Typeface> {
-    let faces: Vec<_> = system
-        .faces()
-        .map(|face| {
-            let upright = face.style == fontdb::Style::Normal;
-            let heavier = face.weight.0.abs_diff(fontdb::Weight::NORMAL.0);
-            let rank = (upright, std::cmp::Reverse((face.monospaced, heavier)));
-            (face.id, face.post_script_name.clone(), rank)
-        })
-        .collect();
+    let ranked = |face: &fontdb::FaceInfo| {
+        let upright = face.style == fontdb::Style::Normal;
+        let heavier = face.weight.0.abs_diff(fontdb::Weight::NORMAL.0);
+        let rank = (upright, std::cmp::Reverse((face.monospaced, heavier)));
+        (face.id, face.post_script_name.clone(), rank)
+    };
+    let faces: Vec<_> = system.faces().map(ranked).collect();
     let mut found = Vec::new();
     while !wanted.is_empty() {
         let has = |id| {
-            system
-                .with_face_data(id, |bytes, index| held(bytes, index, &wanted))
-                .unwrap_or_default()
+            let held = |bytes: &[u8], index| held(bytes, index, &wanted);
+            system.with_face_data(id, held).unwrap_or_default()
         };
-        let held = faces
-            .iter()
-            .map(|(id, name, rank)| (has(*id), id, name, rank));
+        let faces = faces.iter();
+        let held = faces.map(|(id, name, rank)| (has(*id), id, name, rank));
         let best = held.max_by_key(|(held, _, _, rank)| (held.len(), *rank));
         let Some((held, id, name, _)) = best.filter(|(held, ..)| !held.is_empty()) else {
             log::info!("no typeface of this system has {wanted:?}");
@@ -187,9 +180,7 @@ mod tests {
                 });
             }
         }
-        let of_scripts = scripts
-            .iter()
-            .flat_map(|(_, characters)| characters.chars());
+        let of_scripts = scripts.iter().flat_map(|(_, text)| text.chars());
         let wanted: BTreeSet<char> = of_scripts.chain(['\u{e000}']).collect();
         let mut found = choose(&system, wanted.clone());
         found.sort_by(|a, b| a.name.cmp(&b.name));

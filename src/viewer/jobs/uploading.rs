@@ -7,7 +7,6 @@ use crate::{
     scene::{Cancelled, Progress, Scene, SceneKey},
     viewer::model::Made,
 };
-use std::sync::Arc;
 
 /// The scene to upload, and how it is made.
 pub(in crate::viewer) enum Making {
@@ -88,7 +87,6 @@ impl Uploaded {
 /// An upload under way. Dropping it cancels it.
 pub(in crate::viewer) struct Upload {
     gpu: Gpu,
-    progress: Arc<Progress>,
     job: Job<Result<Uploaded, NotUploaded>>,
 }
 
@@ -100,31 +98,24 @@ impl Upload {
         meshes: MeshStore,
         wake: impl FnOnce() + Send + 'static,
     ) -> Self {
-        let progress = Arc::new(Progress::default());
-        let (device, shared) = (gpu.clone(), Arc::clone(&progress));
-        let job = Job::start(move || upload(&device, making, meshes, &shared), wake);
-        Self { gpu, progress, job }
+        let device = gpu.clone();
+        let work = move |progress: &Progress| upload(&device, making, meshes, progress);
+        let job = Job::start(work, wake);
+        Self { gpu, job }
     }
 
     /// The share that is done, in [0, 1].
     pub fn fraction(&self) -> f32 {
-        self.progress.fraction()
+        self.job.progress.fraction()
     }
 
     /// The outcome, once there is one: `Ok(None)` if the device was lost, which the next frame finds out too.
     pub fn poll(&self) -> Option<Result<Option<Uploaded>, GpuError>> {
-        let result = self.job.poll()?;
-        Some(match result {
+        Some(match self.job.poll()? {
             Ok(Ok(uploaded)) if !self.gpu.is_lost() => Ok(Some(uploaded)),
             Ok(Err(NotUploaded::Gpu(error))) if !self.gpu.is_lost() => Err(error),
             _ => Ok(None),
         })
-    }
-}
-
-impl Drop for Upload {
-    fn drop(&mut self) {
-        self.progress.cancel();
     }
 }
 
@@ -152,7 +143,7 @@ mod tests {
         geometry::{ColourRun, Mesh, MeshData, Placement},
         scene::{Object, Shape},
     };
-    use std::sync::{atomic::Ordering::Relaxed, mpsc::channel};
+    use std::sync::{Arc, atomic::Ordering::Relaxed, mpsc::channel};
 
     /// Triangles of each mesh: in several pieces, and in several buffers' pieces.
     const TRIANGLES: u32 = 400_000;
@@ -168,10 +159,8 @@ mod tests {
             crease: Some(4.0),
             ..MeshData::of_triangles("one", positions, triangles)
         };
-        let half = |triangles| ColourRun {
-            triangles,
-            colour: None,
-        };
+        let colour = None;
+        let half = |triangles| ColourRun { triangles, colour };
         let two = MeshData {
             colours: vec![half(0..count / 2), half(count / 2..count)],
             ..one.clone()
@@ -214,10 +203,8 @@ mod tests {
         assert!(reports >= least as u64, "{reports} of {least}");
         for last in 1..=reports {
             let (stopped, _) = upload(last);
-            assert!(
-                matches!(stopped, Err(NotUploaded::Cancelled(_))),
-                "at {last} of {reports}"
-            );
+            let is_cancelled = matches!(stopped, Err(NotUploaded::Cancelled(_)));
+            assert!(is_cancelled, "at {last} of {reports}");
         }
     }
 
@@ -227,12 +214,8 @@ mod tests {
         let (sender, ended) = channel();
         let making = Making::Scene(scene());
         let wake = move || sender.send(()).unwrap_or_default();
-        drop(Upload::start(
-            gpu.clone(),
-            making,
-            MeshStore::default(),
-            wake,
-        ));
+        let meshes = MeshStore::default();
+        drop(Upload::start(gpu.clone(), making, meshes, wake));
         ended.recv().expect("an end");
         assert!(gpu.uploaded_triangles() < u64::from(2 * TRIANGLES));
     }

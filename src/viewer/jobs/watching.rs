@@ -39,11 +39,8 @@ impl Stamps {
     fn gone(&self, now: &Self) -> Vec<PathBuf> {
         let was_there = self.0.iter().filter(|(_, stamp)| stamp.is_some());
         let is_gone = |file: &&PathBuf| now.0.get(*file).is_some_and(Option::is_none);
-        was_there
-            .map(|(file, _)| file)
-            .filter(is_gone)
-            .cloned()
-            .collect()
+        let files = was_there.map(|(file, _)| file);
+        files.filter(is_gone).cloned().collect()
     }
 }
 
@@ -124,8 +121,8 @@ impl Watching {
     pub fn is_due(&mut self) -> bool {
         for now in self.changed.try_iter() {
             self.gone.extend(self.known.gone(&now));
-            self.gone
-                .retain(|file| now.0.get(file).is_some_and(Option::is_none));
+            let is_gone = |file: &PathBuf| now.0.get(file).is_some_and(Option::is_none);
+            self.gone.retain(is_gone);
             self.is_due = self.read.gone(&now).is_empty();
             self.known = now;
         }

@@ -292,11 +292,7 @@ impl State {
 
 /// The corners of a box, grown to leave room for axes.
 fn with_axes(bounds: &Aabb) -> Points {
-    let room = DVec3::splat(0.25 * bounds.radius());
-    corners_of(&Aabb {
-        min: bounds.min - room,
-        max: bounds.max + room,
-    })
+    corners_of(&bounds.grown(DVec3::splat(0.25 * bounds.radius())))
 }
 
 /// A box's corners as the last eight points; the first nine repeat a corner. An empty box counts as [-1, 1] on each

@@ -66,8 +66,8 @@ impl ScenePicture {
         if gpu.is_software() && !at_once && by_rays::can_cast(subject.scene, brush.began) {
             if let Some(mask) = by_rays::cast(subject.scene, brush.began, cast) {
                 brush.scale_for(shown.finish);
-                let (buffers, targets) = (&scene.buffers, &shown.targets);
-                (brush.renderer).take_mask(gpu, buffers, targets, &view, &mask, object);
+                let onto = (&scene.buffers, &shown.targets, &view);
+                (brush.renderer).take_mask(onto, &mask, object);
                 shown.of = *wanted;
                 self.changes += 1;
                 return begun;
@@ -102,7 +102,7 @@ impl ScenePicture {
         let samples = gpu.samples_in_motion();
         let finish = if gpu.is_software() && motion == Motion::Goes {
             Finish::coarse(wanted.view.viewport)
-        } else if samples == gpu.smooth_samples() {
+        } else if samples == gpu.smooth_samples {
             Finish::Smooth
         } else {
             Finish::Rough
@@ -111,7 +111,7 @@ impl ScenePicture {
         let mut begun = Begun::Pieces;
         if !finish.is_exact()
             && wanted.wireframe().is_none()
-            && scene.buffers.whole().work >= MUCH
+            && scene.buffers.whole.work >= MUCH
             && by_rays::can_cast(subject.scene, brush.began)
             && self.patience.tries()
         {
@@ -131,7 +131,7 @@ impl ScenePicture {
         if wanted.wireframe().is_some() {
             whole.work *= EDGES_COST;
         }
-        let at_once = most.holds(&whole) && scene.buffers.is_little();
+        let at_once = most.holds(&whole) && scene.buffers.is_little;
         if at_once {
             // No frame shows the old picture in between.
             self.spare
@@ -163,16 +163,8 @@ impl ScenePicture {
             return Ok(());
         };
         brush.scale_for(finish);
-        let (lines, selection) = (lines(subject), wanted.selection);
-        (brush.renderer).take_pixels(
-            gpu,
-            &scene.buffers,
-            &targets,
-            &view,
-            pixels,
-            &lines,
-            selection,
-        )?;
+        let onto = (&scene.buffers, &targets, &view);
+        (brush.renderer).take_pixels(onto, pixels, &lines(subject), wanted.selection)?;
         self.changes += 1;
         let before = self.shown.replace(Picture {
             targets,
@@ -190,15 +182,13 @@ impl ScenePicture {
         window: Viewport,
         size: Viewport,
     ) -> Result<Targets, GpuError> {
-        let at = self
-            .spare
-            .iter()
-            .position(|targets| targets.viewport() == size);
+        let mut spare = self.spare.iter();
+        let at = spare.position(|targets| targets.viewport == size);
         let found = at.map(|at| self.spare.swap_remove(at));
         self.spare
-            .retain(|targets| targets.viewport() == window || found.is_some());
+            .retain(|targets| targets.viewport == window || found.is_some());
         self.spare.truncate(2);
-        found.map_or_else(|| Targets::new(gpu, size, gpu.smooth_samples()), Ok)
+        found.map_or_else(|| Targets::new(gpu, size, gpu.smooth_samples), Ok)
     }
 
     /// Begins to draw the picture on screen with smooth edges, if it has none.

@@ -9,9 +9,6 @@ pub(super) fn edges(bounds: &Aabb, colour: Srgb) -> impl Iterator<Item = Line> {
     let pairs = (0..8_usize).flat_map(|from| [1, 2, 4].map(move |bit| (from, from | bit)));
     let pairs = pairs.filter(|(from, to)| from != to);
     let is_there = !bounds.is_empty();
-    pairs.filter(move |_| is_there).map(move |(from, to)| Line {
-        from: corners[from],
-        to: corners[to],
-        colour,
-    })
+    let line = move |(from, to): (usize, usize)| Line::new(corners[from], corners[to], colour);
+    pairs.filter(move |_| is_there).map(line)
 }

@@ -11,7 +11,10 @@ use super::{
 use crate::{
     camera::{View, Viewport},
     image::{Id, Image, Rgb},
-    render::{Gpu, GpuError, MeshStore, Renderer, read_rgb, without_depth},
+    render::{
+        Gpu, GpuError, MeshStore, Renderer, read_rgb,
+        without_depth::{self, extent},
+    },
     viewer::{
         jobs::{Uploaded, let_go},
         model::{OnScreen, Stage, State, Subject},
@@ -79,7 +82,7 @@ impl Canvas {
     pub fn new(gpu: Gpu, format: TextureFormat) -> Self {
         Self {
             panels: PanelsPicture::new(&gpu, format),
-            renderer: Renderer::new(&gpu, gpu.smooth_samples()),
+            renderer: Renderer::new(&gpu, gpu.smooth_samples),
             scene: ScenePicture::new(&gpu),
             stages: None,
             page: page(&gpu, Viewport::DEFAULT, format),
@@ -93,7 +96,7 @@ impl Canvas {
 
     /// Makes a pipeline that pictures of a view will need. Returns whether any was missing.
     pub fn make_ahead(&mut self, view: &View) -> bool {
-        self.renderer.make_ahead(&self.gpu, view, self.format)
+        self.renderer.make_ahead(view, self.format)
     }
 
     /// The ids on screen, when they are those of `wanted`.
@@ -105,7 +108,7 @@ impl Canvas {
     pub fn take_uploaded(&mut self, stage: Option<Stage>, uploaded: Uploaded) {
         self.scene.scenes.meshes = uploaded.meshes.clone();
         let (picture, ..) = self.picture_of(stage, 1.0, Instant::now());
-        picture.scenes.take_uploaded(uploaded);
+        picture.scenes.ready = Some(uploaded);
     }
 
     /// The meshes in graphics memory.
@@ -115,7 +118,7 @@ impl Canvas {
 
     /// What the scene's picture on screen shows.
     pub fn on_screen(&self) -> Option<OnScreen> {
-        self.scene.on_screen()
+        self.scene.shown.as_ref().map(|shown| shown.of.on_screen())
     }
 
     /// Applies the changes of egui's textures.
@@ -226,17 +229,10 @@ impl Canvas {
     pub fn show(&mut self, onto: &wgpu::Texture) {
         self.unshown = false;
         if onto.usage().contains(wgpu::TextureUsages::COPY_DST) {
-            let mut encoder = self.gpu.encoder();
-            encoder.copy_texture_to_texture(
-                self.page.as_image_copy(),
-                onto.as_image_copy(),
-                wgpu::Extent3d {
-                    width: self.page.width().min(onto.width()),
-                    height: self.page.height().min(onto.height()),
-                    depth_or_array_layers: 1,
-                },
-            );
-            self.gpu.submit([encoder.finish()]);
+            let (width, height) = (self.page.width(), self.page.height());
+            let size = extent([width.min(onto.width()), height.min(onto.height())]);
+            let (from, to) = (self.page.as_image_copy(), onto.as_image_copy());
+            (self.gpu).submit(|encoder| encoder.copy_texture_to_texture(from, to, size));
         } else {
             self.panels.draw_page(&self.gpu, &self.page, onto);
         }

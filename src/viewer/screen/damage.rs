@@ -58,11 +58,8 @@ fn of_primitive(before: &ClippedPrimitive, now: &ClippedPrimitive) -> Rect {
         let pairs = was.zip(is).filter(|(was, is)| was != is);
         bounds(pairs.flat_map(|(was, is)| [was, is]))
     } else {
-        let begin = was
-            .clone()
-            .zip(is.clone())
-            .take_while(|(was, is)| was == is)
-            .count();
+        let begins = was.clone().zip(is.clone());
+        let begin = begins.take_while(|(was, is)| was == is).count();
         let rest = was.len().min(is.len()) - begin;
         let ends = was.clone().rev().zip(is.clone().rev()).take(rest);
         let end = ends.take_while(|(was, is)| was == is).count();
@@ -184,9 +181,7 @@ mod tests {
         // Rectangles that only touch do not overlap.
         assert_eq!(disjoint([a, [[2, 0], [4, 2]]]).len(), 2);
         assert_eq!(disjoint([a, b, [[1, 1], [5, 3]]]), [[[0, 0], [6, 3]]]);
-        assert_eq!(
-            disjoint([a, [[3, 3], [4, 4]], [[1, 1], [4, 4]]]),
-            [[[0, 0], [4, 4]]]
-        );
+        let (c, d) = ([[3, 3], [4, 4]], [[1, 1], [4, 4]]);
+        assert_eq!(disjoint([a, c, d]), [[[0, 0], [4, 4]]]);
     }
 }

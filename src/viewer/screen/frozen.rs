@@ -33,31 +33,21 @@ pub(in crate::viewer) fn lines(frozen: &Frozen, scene: &Scene) -> Vec<Line> {
     let size = if size > 0.0 { size } else { camera.lens().far };
     let mut lines = self::camera(&frozen.view);
     let axes = [camera.right(), camera.up(), camera.forward()];
-    lines.extend(axes.into_iter().zip(look::AXES).map(|(axis, colour)| Line {
-        from: camera.eye(),
-        to: camera.eye() + 0.25 * size * axis,
-        colour,
-    }));
+    for (axis, colour) in axes.into_iter().zip(look::AXES) {
+        let eye = camera.eye();
+        lines.push(Line::new(eye, eye + 0.25 * size * axis, colour));
+    }
     let ray = frozen.view.ray(frozen.px);
-    lines.push(Line {
-        from: ray.origin,
-        to: ray.at(camera.lens().far),
-        colour: look::SELECTION,
-    });
+    let end = ray.at(camera.lens().far);
+    lines.push(Line::new(ray.origin, end, look::SELECTION));
     for hit in pick::all(scene, ray, frozen.view.sides) {
         let point = ray.at(hit.hit.t);
         let placement: &Placement = &scene.objects()[hit.object].placement;
         let normal = placement.normal_to_world(hit.hit.normal);
-        lines.push(Line {
-            from: point,
-            to: point + 0.12 * size * normal,
-            colour: look::HIT,
-        });
-        lines.extend(DVec3::AXES.map(|axis| Line {
-            from: point - 0.015 * size * axis,
-            to: point + 0.015 * size * axis,
-            colour: look::HIT,
-        }));
+        lines.push(Line::new(point, point + 0.12 * size * normal, look::HIT));
+        for arm in DVec3::AXES.map(|axis| 0.015 * size * axis) {
+            lines.push(Line::new(point - arm, point + arm, look::HIT));
+        }
     }
     lines
 }
@@ -65,23 +55,17 @@ pub(in crate::viewer) fn lines(frozen: &Frozen, scene: &Scene) -> Vec<Line> {
 fn frustum(view: &View) -> Vec<Line> {
     let corners = view.frustum_corners();
     let edges = (0..4).flat_map(|i| [(i, (i + 1) % 4), (i + 4, (i + 1) % 4 + 4), (i, i + 4)]);
-    let mut lines: Vec<Line> = edges
-        .map(|(a, b)| Line {
-            from: corners[a],
-            to: corners[b],
-            colour: look::CAMERA,
-        })
-        .collect();
+    let edge = |(a, b): (usize, usize)| Line::new(corners[a], corners[b], look::CAMERA);
+    let mut lines: Vec<Line> = edges.map(edge).collect();
     // From where the rays start, the eye or its plane, to the near plane.
     let camera = &view.camera;
-    lines.extend(corners[..4].iter().map(|&corner| Line {
-        from: match camera.lens().projection {
+    for &corner in &corners[..4] {
+        let from = match camera.lens().projection {
             Projection::Perspective { .. } => camera.eye(),
             Projection::Orthographic { .. } => corner - camera.lens().near * camera.forward(),
-        },
-        to: corner,
-        colour: look::CAMERA_PIXELS,
-    }));
+        };
+        lines.push(Line::new(from, corner, look::CAMERA_PIXELS));
+    }
     lines
 }
 
@@ -91,16 +75,10 @@ pub(super) fn pixel_grid(viewport: Viewport, on_near: impl Fn(DVec2) -> DVec3) -
     let step = width.max(height).div_ceil(CELLS).max(1);
     let on_near = |x: u32, y: u32| on_near(DVec2::new(f64::from(x), f64::from(y)));
     let block = step as usize;
-    let columns = (step..width)
-        .step_by(block)
-        .map(|x| [on_near(x, 0), on_near(x, height)]);
-    let rows = (step..height)
-        .step_by(block)
-        .map(|y| [on_near(0, y), on_near(width, y)]);
-    let line = |[from, to]: [DVec3; 2]| Line {
-        from,
-        to,
-        colour: look::CAMERA_PIXELS,
-    };
+    let columns = (step..width).step_by(block);
+    let columns = columns.map(|x| [on_near(x, 0), on_near(x, height)]);
+    let rows = (step..height).step_by(block);
+    let rows = rows.map(|y| [on_near(0, y), on_near(width, y)]);
+    let line = |[from, to]: [DVec3; 2]| Line::new(from, to, look::CAMERA_PIXELS);
     columns.chain(rows).map(line).collect()
 }

@@ -70,10 +70,7 @@ pub(super) fn floor(bounds_world: &Aabb, up_axis: UpAxis, eye: DVec3) -> Vec<Lin
     let frame = up_axis.frame();
     let [right, up, front] = [frame.x_axis, frame.y_axis, frame.z_axis];
     let bounds = if bounds_world.is_empty() {
-        Aabb {
-            min: DVec3::NEG_ONE,
-            max: DVec3::ONE,
-        }
+        Aabb::around([DVec3::NEG_ONE, DVec3::ONE])
     } else {
         *bounds_world
     };
@@ -112,11 +109,8 @@ pub(super) fn floor(bounds_world: &Aabb, up_axis: UpAxis, eye: DVec3) -> Vec<Lin
             };
             let middle =
                 across * (index * step) + run * (run_middle * step) + up * (height - behind);
-            all.push(Line {
-                from: middle - run * (half * step),
-                to: middle + run * (half * step),
-                colour,
-            });
+            let arm = run * (half * step);
+            all.push(Line::new(middle - arm, middle + arm, colour));
         }
     }
     all
@@ -124,13 +118,7 @@ pub(super) fn floor(bounds_world: &Aabb, up_axis: UpAxis, eye: DVec3) -> Vec<Lin
 
 /// The colour of the world axis that a direction runs along, either way.
 fn axis_colour(direction: DVec3) -> Srgb {
-    look::AXES[if direction.x.abs() > 0.5 {
-        0
-    } else if direction.y.abs() > 0.5 {
-        1
-    } else {
-        2
-    }]
+    look::AXES[direction.abs().max_position()]
 }
 
 /// The box that the frustum becomes in NDC, as it is drawn, with the pixels of a picture on its near face.
@@ -146,10 +134,7 @@ mod tests {
     use super::*;
 
     fn about(center: DVec3, half: f64) -> Aabb {
-        Aabb {
-            min: center - half,
-            max: center + half,
-        }
+        Aabb::around([center - half, center + half])
     }
 
     /// The lines that have an axis's colour, and the least and the greatest coordinates of all lines.
@@ -174,11 +159,8 @@ mod tests {
             }
             assert!(extent.center().length() < 0.03);
             // If the scene grows or shrinks a little, the grid stays where it was.
-            for other in [
-                about(DVec3::new(0.7, 2.2, 0.0), 1.8),
-                about(DVec3::ONE, 2.2),
-            ] {
-                let (_, moved) = grid(&other, up_axis);
+            for (center, half) in [(DVec3::new(0.7, 2.2, 0.0), 1.8), (DVec3::ONE, 2.2)] {
+                let (_, moved) = grid(&about(center, half), up_axis);
                 assert!((moved.max - extent.max).abs().max_element() < 0.03);
             }
         }

@@ -17,12 +17,7 @@ const MOST: usize = 100_000;
 /// Normals, boxes and trees of the selection, or of all that is visible if nothing is selected: the first [`MOST`]
 /// lines.
 pub(in crate::viewer) fn lines(subject: &Subject) -> Vec<Line> {
-    let Subject {
-        scene,
-        overlays,
-        selection: selected,
-        ..
-    } = *subject;
+    let (scene, overlays, selected) = (subject.scene, subject.overlays, subject.selection);
     let shows_lines = [Overlay::Normals, Overlay::Boxes].map(|overlay| overlays.shows(overlay));
     let asked = match selected {
         _ if !shows_lines.contains(&true) => &[],
@@ -68,21 +63,19 @@ pub(in crate::viewer) fn lines(subject: &Subject) -> Vec<Line> {
             }
         }
     }
-    match subject.view.section {
-        None => lines,
-        Some(section) => lines
-            .iter()
-            .filter_map(|line| kept(line, &section))
-            .collect(),
+    if let Some(section) = subject.view.section {
+        let kept = |line: &Line| kept(line, &section);
+        lines = lines.iter().filter_map(kept).collect();
     }
+    lines
 }
 
 /// What a section keeps of a line.
 fn kept(line: &Line, section: &Section) -> Option<Line> {
-    let [from, to, ..] = clip_points(&[line.from, line.to], |p| section.side(p))[..] else {
-        return None;
-    };
-    Some(Line { from, to, ..*line })
+    match clip_points(&[line.from, line.to], |p| section.side(p))[..] {
+        [from, to, ..] => Some(Line { from, to, ..*line }),
+        _ => None,
+    }
 }
 
 /// A line from the middle of each face, outwards.
@@ -91,26 +84,20 @@ fn normals(object: &Object) -> Box<dyn Iterator<Item = Line> + '_> {
     let line = move |point: DVec3, normal: DVec3, length_world: f64| {
         let from = placement.point_to_world(point);
         let to = from + length_world * placement.normal_to_world(normal);
-        Line {
-            from,
-            to,
-            colour: look::NORMALS,
-        }
+        Line::new(from, to, look::NORMALS)
     };
     let size = object.bounds_world().radius();
     match &object.shape {
         Shape::Sphere => {
-            let all =
-                (-1..=1).flat_map(|x| (-1..=1).flat_map(move |y| (-1..=1).map(move |z| (x, y, z))));
-            let outward = all.map(|(x, y, z)| DVec3::new(x.into(), y.into(), z.into()));
+            let side = || [-1.0, 0.0, 1.0].into_iter();
+            let outward = side().flat_map(move |x| side().map(move |y| (x, y)));
+            let outward = outward.flat_map(move |(x, y)| side().map(move |z| DVec3::new(x, y, z)));
             let outward = outward.filter(|v| *v != DVec3::ZERO).map(DVec3::normalize);
             Box::new(outward.map(move |normal| line(0.5 * normal, normal, 0.2 * size)))
         }
         Shape::Cube => {
-            let outward = Cuboid::NORMALS.into_iter();
-            Box::new(
-                outward.map(move |normal| line(Cuboid::HALF_SIDE * normal, normal, 0.2 * size)),
-            )
+            let face = move |normal| line(Cuboid::HALF_SIDE * normal, normal, 0.2 * size);
+            Box::new(Cuboid::NORMALS.into_iter().map(face))
         }
         Shape::Square => Box::new(std::iter::once(line(DVec3::ZERO, DVec3::Z, 0.2 * size))),
         Shape::Mesh { mesh, .. } => {

@@ -59,18 +59,12 @@ impl Pace {
 
     /// The limit of a piece.
     pub fn most(&self) -> Piece {
-        Piece {
-            work: self.work,
-            ..Piece::WHOLE
-        }
+        Piece::of_work(self.work)
     }
 
     /// The limit of a smooth piece.
     pub fn most_smooth(&self) -> Piece {
-        Piece {
-            work: self.work / SMOOTH_COSTS,
-            ..Piece::WHOLE
-        }
+        Piece::of_work(self.work / SMOOTH_COSTS)
     }
 
     /// In how many bands a picture is smoothed. Each band draws the whole scene. If the scene alone takes several
@@ -96,11 +90,8 @@ impl Pace {
         };
         let (work, longer_than_s) = (piece.work, piece.longer_than_s);
         self.under_way = None;
-        let at_least_s = if self.is_waited_for {
-            done_s
-        } else {
-            longer_than_s
-        };
+        let is_exact = self.is_waited_for;
+        let at_least_s = if is_exact { done_s } else { longer_than_s };
         self.learn(work, [at_least_s, done_s]);
         true
     }
@@ -145,13 +136,17 @@ impl Pace {
 mod tests {
     use super::*;
 
+    fn pace(is_waited_for: bool) -> Pace {
+        Pace {
+            work: 100_000,
+            is_waited_for,
+            under_way: None,
+        }
+    }
+
     #[test]
     fn large_pictures_are_smoothed_in_bands_and_large_scenes_in_pieces() {
-        let pace = Pace {
-            work: 100_000,
-            is_waited_for: true,
-            under_way: None,
-        };
+        let pace = pace(true);
         let bands = |[width, height]: [u32; 2], work| {
             let viewport = Viewport::new(width, height).expect("a viewport");
             pace.bands(viewport, Piece { work, instances: 1 })
@@ -166,11 +161,7 @@ mod tests {
 
     #[test]
     fn pieces_shrink_to_what_fits_and_grow_again() {
-        let mut pace = Pace {
-            work: 100_000,
-            is_waited_for: false,
-            under_way: None,
-        };
+        let mut pace = pace(false);
         pace.learn(100_000, [0.4, 0.5]);
         assert_eq!(pace.most().work, 20_000);
         pace.learn(20_000, [10.0, 10.0]);

@@ -26,22 +26,19 @@ impl PanelTiles {
             columns,
             painted: vec![false; columns * rows],
         };
-        for ClippedPrimitive {
-            clip_rect,
-            primitive,
-        } in primitives
-        {
-            match primitive {
+        for painted in primitives {
+            let clip_rect = painted.clip_rect;
+            match &painted.primitive {
                 Primitive::Mesh(mesh) => {
                     for corners in mesh.indices.chunks_exact(3) {
                         let corners = [0, 1, 2].map(|i| mesh.vertices[corners[i] as usize]);
                         if corners.iter().any(|at| at.color != Color32::TRANSPARENT) {
                             let rect = Rect::from_points(&corners.map(|corner| corner.pos));
-                            tiles.mark(rect.intersect(*clip_rect), screen.pixels_per_point);
+                            tiles.mark(rect.intersect(clip_rect), screen.pixels_per_point);
                         }
                     }
                 }
-                Primitive::Callback(_) => tiles.mark(*clip_rect, screen.pixels_per_point),
+                Primitive::Callback(_) => tiles.mark(clip_rect, screen.pixels_per_point),
             }
         }
         tiles
@@ -127,24 +124,19 @@ mod tests {
             size_in_pixels: [600, 200],
             pixels_per_point: 2.0,
         };
-        let tiles = PanelTiles::under(
-            &frame(&[
-                (rect([10.0, 5.0, 40.0, 6.0]), Color32::RED),
-                (rect([100.0, 50.0, 900.0, 51.0]), Color32::BLUE),
-                (rect([0.0, 80.0, 300.0, 100.0]), Color32::TRANSPARENT),
-            ]),
-            &screen,
-        );
+        let painted = frame(&[
+            (rect([10.0, 5.0, 40.0, 6.0]), Color32::RED),
+            (rect([100.0, 50.0, 900.0, 51.0]), Color32::BLUE),
+            (rect([0.0, 80.0, 300.0, 100.0]), Color32::TRANSPARENT),
+        ]);
+        let tiles = PanelTiles::under(&painted, &screen);
         let place = SceneRect {
             origin_px: [30, 3],
             viewport: Viewport::new(500, 190).expect("a viewport"),
             pixels_per_point: 2.0,
         };
-        assert_eq!(
-            tiles.runs(place),
-            [[30, 3, 66, 29], [192, 96, 338, 32]],
-            "in pixels"
-        );
+        let runs = [[30, 3, 66, 29], [192, 96, 338, 32]];
+        assert_eq!(tiles.runs(place), runs, "in pixels");
         let beyond = SceneRect {
             origin_px: [580, 40],
             ..place

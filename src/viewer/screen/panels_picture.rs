@@ -6,7 +6,12 @@ use super::{
     panel_tiles::PanelTiles,
     place::{PixelRect, SceneRect},
 };
-use crate::render::{Gpu, bindings::bind, shader_module, without_depth};
+use crate::render::{
+    Gpu,
+    bindings::bind,
+    shader_module,
+    without_depth::{self, at, extent},
+};
 use egui::{
     ClippedPrimitive, Pos2, Rect, TextureId, TexturesDelta,
     epaint::{ImageDelta, Primitive},
@@ -28,7 +33,6 @@ pub(super) struct PanelsPicture {
 
 /// The picture, with premultiplied alpha, and what was painted there.
 struct Kept {
-    texture: wgpu::Texture,
     view: wgpu::TextureView,
     bindings: wgpu::BindGroup,
     size_px: [u32; 2],
@@ -86,10 +90,7 @@ impl PanelsPicture {
         primitives: &Arc<[ClippedPrimitive]>,
         screen: &ScreenDescriptor,
     ) -> Vec<PixelRect> {
-        let ScreenDescriptor {
-            size_in_pixels: size_px,
-            pixels_per_point,
-        } = *screen;
+        let (size_px, pixels_per_point) = (screen.size_in_pixels, screen.pixels_per_point);
         #[expect(clippy::float_cmp, reason = "the very same")]
         let fits =
             |kept: &Kept| kept.size_px == size_px && kept.pixels_per_point == pixels_per_point;
@@ -98,10 +99,8 @@ impl PanelsPicture {
             Some(kept) => damage(&kept.primitives, primitives),
             None => vec![Rect::EVERYTHING],
         };
-        let kept = self.kept.insert(match kept {
-            Some(kept) => kept,
-            None => Kept::new(gpu, &self.over, self.format, screen),
-        });
+        let new = || Kept::new(gpu, &self.over, self.format, screen);
+        let kept = self.kept.insert(kept.unwrap_or_else(new));
         let rects = disjoint(changed.into_iter().filter_map(|rect| pixels(rect, screen)));
         if rects.is_empty() {
             // Nothing looks different.
@@ -118,19 +117,17 @@ impl PanelsPicture {
             let within = |primitive| within(primitive, clip);
             painted.extend(primitives.iter().filter_map(within));
         }
-        let mut encoder = gpu.encoder();
-        self.renderer
-            .update_buffers(&gpu.device, &gpu.queue, &mut encoder, &painted, screen);
-        {
-            let mut pass = without_depth::begin(&mut encoder, &kept.view, false).forget_lifetime();
+        gpu.submit(|encoder| {
+            self.renderer
+                .update_buffers(&gpu.device, &gpu.queue, encoder, &painted, screen);
+            let mut pass = without_depth::begin(encoder, &kept.view, false).forget_lifetime();
             pass.set_pipeline(&self.empty);
             for &[min, max] in &rects {
                 pass.set_scissor_rect(min[0], min[1], max[0] - min[0], max[1] - min[1]);
                 pass.draw(0..3, 0..1);
             }
             self.renderer.render(&mut pass, &painted, screen);
-        }
-        gpu.submit([encoder.finish()]);
+        });
         kept.primitives = primitives.clone();
         kept.tiles = PanelTiles::under(primitives, screen);
         rects
@@ -139,51 +136,40 @@ impl PanelsPicture {
     /// Copies pixels of the picture onto a texture, without blending.
     pub fn copy(&self, gpu: &Gpu, onto: &wgpu::Texture, rects: &[PixelRect]) {
         let Some(kept) = &self.kept else { return };
-        let mut encoder = gpu.encoder();
-        for &[[x, y], [right, bottom]] in rects {
-            let at = |texture| wgpu::TexelCopyTextureInfo {
-                origin: wgpu::Origin3d { x, y, z: 0 },
-                ..wgpu::Texture::as_image_copy(texture)
-            };
-            let size = wgpu::Extent3d {
-                width: right - x,
-                height: bottom - y,
-                depth_or_array_layers: 1,
-            };
-            encoder.copy_texture_to_texture(at(&kept.texture), at(onto), size);
-        }
-        gpu.submit([encoder.finish()]);
+        gpu.submit(|encoder| {
+            for &[[x, y], [right, bottom]] in rects {
+                let [from, to] = [kept.view.texture(), onto].map(|texture| at(texture, [x, y]));
+                let size = extent([right - x, bottom - y]);
+                encoder.copy_texture_to_texture(from, to, size);
+            }
+        });
     }
 
     /// Blends the picture over a place, where it is not empty.
     pub fn draw_over(&self, gpu: &Gpu, onto: &wgpu::Texture, place: SceneRect) {
         let Some(kept) = &self.kept else { return };
-        let mut encoder = gpu.encoder();
-        {
+        gpu.submit(|encoder| {
             let view = onto.create_view(&TextureViewDescriptor::default());
-            let mut pass = without_depth::begin(&mut encoder, &view, false);
+            let mut pass = without_depth::begin(encoder, &view, false);
             pass.set_pipeline(&self.over);
             pass.set_bind_group(0, &kept.bindings, &[]);
             for [x, y, width, height] in kept.tiles.runs(place) {
                 pass.set_scissor_rect(x, y, width, height);
                 pass.draw(0..3, 0..1);
             }
-        }
-        gpu.submit([encoder.finish()]);
+        });
     }
 
     /// Draws a whole frame onto a texture that cannot be copied to.
     pub fn draw_page(&self, gpu: &Gpu, page: &wgpu::Texture, onto: &wgpu::Texture) {
-        let mut encoder = gpu.encoder();
-        {
-            let [page, onto] =
-                [page, onto].map(|texture| texture.create_view(&TextureViewDescriptor::default()));
-            let mut pass = without_depth::begin(&mut encoder, &onto, true);
+        let [page, onto] =
+            [page, onto].map(|texture| texture.create_view(&TextureViewDescriptor::default()));
+        gpu.submit(|encoder| {
+            let mut pass = without_depth::begin(encoder, &onto, true);
             pass.set_pipeline(&self.over);
             pass.set_bind_group(0, &bindings(gpu, &self.over, &page), &[]);
             pass.draw(0..3, 0..1);
-        }
-        gpu.submit([encoder.finish()]);
+        });
     }
 }
 
@@ -195,16 +181,13 @@ impl Kept {
         format: TextureFormat,
         screen: &ScreenDescriptor,
     ) -> Self {
-        let (size_px, usage) = (
-            screen.size_in_pixels,
-            wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC,
-        );
+        let size_px = screen.size_in_pixels;
+        let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC;
         let texture = without_depth::texture(gpu, "panels", size_px, format, 1, usage, &[]);
         let view = texture.create_view(&TextureViewDescriptor::default());
         Self {
             bindings: bindings(gpu, over, &view),
             view,
-            texture,
             size_px,
             pixels_per_point: screen.pixels_per_point,
             primitives: Arc::default(),

@@ -24,10 +24,7 @@ impl PictureProgress {
     pub fn and(self, other: Self) -> Self {
         Self {
             anew: self.anew || other.anew,
-            behind: match (self.behind, other.behind) {
-                (Some(a), Some(b)) => Some(a.min(b)),
-                (a, b) => a.or(b),
-            },
+            behind: self.behind.into_iter().chain(other.behind).min(),
             is_coming: self.is_coming || other.is_coming,
             rough: self.rough || other.rough,
             drawn: self.drawn + other.drawn,

@@ -91,11 +91,6 @@ impl ScenePicture {
         }
     }
 
-    /// What is on screen.
-    pub fn on_screen(&self) -> Option<OnScreen> {
-        self.shown.as_ref().map(|shown| shown.of.on_screen())
-    }
-
     /// The ids on screen, when they are those of `wanted`.
     pub fn read_ids(&self, gpu: &Gpu, wanted: &OnScreen) -> Result<Option<Image<Id>>, GpuError> {
         let shown = self.shown.as_ref();
@@ -184,10 +179,7 @@ impl ScenePicture {
                 }
                 most_smooth
             } else if is_free && done < most.work && start.elapsed() < WORKED {
-                Piece {
-                    work: most.work - done,
-                    ..most
-                }
+                Piece::of_work(most.work - done)
             } else {
                 break;
             };
@@ -196,16 +188,13 @@ impl ScenePicture {
                 self.next = None;
                 break;
             };
-            let before = next.drawing.done();
-            let drawing = &mut next.drawing;
-            let buffers = &scene.buffers;
+            let before = next.drawing.done;
+            let (buffers, drawing) = (&scene.buffers, &mut next.drawing);
             brush.renderer.wireframe = next.of.wireframe();
             brush.scale_for(next.finish);
-            let advanced = brush
-                .renderer
-                .advance(gpu, buffers, targets, drawing, piece);
+            let advanced = brush.renderer.advance(buffers, targets, drawing, piece);
             let is_whole = advanced.inspect_err(|_| self.next = None)?;
-            let progress = self.next.as_ref().map_or(0, |next| next.drawing.done()) - before;
+            let progress = self.next.as_ref().map_or(0, |next| next.drawing.done) - before;
             done += progress;
             if is_whole {
                 anew |= self.finish();
@@ -289,20 +278,15 @@ impl ScenePicture {
         let (Some(scene), Some(shown)) = (&self.scenes.now, &self.shown) else {
             return Ok(());
         };
-        let coarseness = shown.finish.coarseness();
+        let destination = Destination {
+            texture: page,
+            origin_px: place.origin_px,
+            room_px: [place.viewport.width(), place.viewport.height()],
+            coarseness: shown.finish.coarseness(),
+        };
+        let view = shown.finish.drawn(&shown.of.view);
+        let onto = (&scene.buffers, &shown.targets, &view);
         brush.scale_for(shown.finish);
-        brush.renderer.composite(
-            brush.gpu,
-            &scene.buffers,
-            &shown.targets,
-            &shown.finish.drawn(&shown.of.view),
-            &look.marks,
-            &Destination {
-                texture: page,
-                origin_px: place.origin_px,
-                room_px: [place.viewport.width(), place.viewport.height()],
-                coarseness,
-            },
-        )
+        (brush.renderer).composite(onto, &look.marks, &destination)
     }
 }

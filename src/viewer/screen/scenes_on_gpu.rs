@@ -33,8 +33,8 @@ struct Coming {
 pub(super) struct ScenesOnGpu {
     /// The scene on screen; `None` before the first upload.
     pub now: Option<OnGpu>,
-    /// An upload that was done ahead.
-    ready: Option<Uploaded>,
+    /// An upload that was done ahead, of a scene that is to be shown next.
+    pub ready: Option<Uploaded>,
     coming: Option<Coming>,
     /// Scenes before this one that may still come back; the latest first.
     before: Vec<OnGpu>,
@@ -45,11 +45,6 @@ pub(super) struct ScenesOnGpu {
 }
 
 impl ScenesOnGpu {
-    /// Takes a scene that is to be shown next.
-    pub fn take_uploaded(&mut self, uploaded: Uploaded) {
-        self.ready = Some(uploaded);
-    }
-
     /// Drops scenes that cannot come back.
     pub fn forget_unused(&mut self) {
         let is_unused = |before: &mut OnGpu| !before.key.is_in_use();
@@ -157,6 +152,6 @@ fn give_up(scenes: Vec<OnGpu>) {
 }
 
 fn work<'a>(scenes: impl IntoIterator<Item = &'a OnGpu>) -> usize {
-    let work = scenes.into_iter().map(|scene| scene.buffers.whole().work);
+    let work = scenes.into_iter().map(|scene| scene.buffers.whole.work);
     usize::try_from(work.sum::<u64>()).unwrap_or(usize::MAX)
 }

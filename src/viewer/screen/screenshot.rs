@@ -12,8 +12,7 @@ pub(in crate::viewer) fn write_screenshot(
     let free = names.find(|path| !path.exists());
     let free = free.ok_or("no number is left for a screenshot")?;
     let path = std::path::absolute(free).map_err(|error| error.to_string())?;
-    picture
-        .write_png(&path)
-        .map_err(|error| error.to_string())?;
+    let written = picture.write_png(&path);
+    written.map_err(|error| error.to_string())?;
     Ok(path)
 }

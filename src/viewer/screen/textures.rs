@@ -2,11 +2,12 @@
 
 use egui::TexturesDelta;
 
-/// All of egui's textures, and the changes that no canvas has taken yet.
+/// All of egui's textures.
 #[derive(Default)]
 pub(in crate::viewer) struct Textures {
     all: TexturesDelta,
-    news: TexturesDelta,
+    /// The changes that no canvas has taken yet.
+    pub news: TexturesDelta,
 }
 
 impl Textures {
@@ -15,11 +16,6 @@ impl Textures {
         self.all.append(delta.clone());
         self.all.free.clear();
         self.news.append(delta);
-    }
-
-    /// The changes for a canvas to take.
-    pub fn news(&mut self) -> &mut TexturesDelta {
-        &mut self.news
     }
 
     /// A new device has no textures: all of them are changes again.

@@ -35,11 +35,7 @@ pub(super) struct Drawn {
 impl Drawn {
     /// The wanted picture.
     pub fn wanted(subject: &Subject) -> Self {
-        let Subject {
-            overlays,
-            selection,
-            ..
-        } = *subject;
+        let (overlays, selection) = (subject.overlays, subject.selection);
         Self {
             overlays: (overlays.in_scene())
                 .then(|| (overlays, selection, subject.scene.trees_are_built())),

@@ -142,14 +142,9 @@ fn configuration(
     window: &Window,
 ) -> Result<SurfaceConfiguration, GpuError> {
     let can = surface.get_capabilities(&gpu.adapter);
-    let plain = [TextureFormat::Bgra8Unorm, TextureFormat::Rgba8Unorm];
-    let format = plain
-        .into_iter()
-        .find(|format| can.formats.contains(format))
-        .ok_or_else(|| GpuError::Device {
-            adapter: gpu.adapter_name().to_owned(),
-            reason: "the screen takes no 8-bit colours".into(),
-        })?;
+    let mut plain = [TextureFormat::Bgra8Unorm, TextureFormat::Rgba8Unorm].into_iter();
+    let format = plain.find(|format| can.formats.contains(format));
+    let format = format.ok_or_else(|| gpu.failed(&"the screen takes no 8-bit colours"))?;
     let size = window.inner_size();
     Ok(SurfaceConfiguration {
         usage: can.usages & (TextureUsages::RENDER_ATTACHMENT | TextureUsages::COPY_DST),
@@ -200,12 +195,8 @@ mod tests {
             let _ = surface.canvas.gpu.wait();
             assert_eq!(surface.restore(), Ok(true));
             assert_eq!(surface.restore(), Ok(false), "once for each loss");
-            let state = State::new(
-                Loaded::default(),
-                CameraChoice::default(),
-                Viewport::DEFAULT,
-                Sides::Both,
-            );
+            let (loaded, camera) = (Loaded::default(), CameraChoice::default());
+            let state = State::new(loaded, camera, Viewport::DEFAULT, Sides::Both);
             let laid = Laid {
                 place: None,
                 panes: Vec::new(),
@@ -232,7 +223,7 @@ mod tests {
         thread::scope(|scope| {
             scope.spawn(|| {
                 while !is_over.load(Ordering::Relaxed) {
-                    gpu.submit([gpu.encoder().finish()]);
+                    gpu.submit(|_| ());
                     submitted.fetch_add(1, Ordering::Relaxed);
                 }
             });

@@ -230,7 +230,7 @@ fn ids_latency(case: &PickCase, draws: bool) -> Option<f64> {
     let targets = Targets::new(gpu, world.view.viewport, 1).ok()?;
     let buffers = SceneBuffers::upload(gpu, &world.scene).ok()?;
     let mut renderer = Renderer::new(gpu, 1);
-    let mut draw = || renderer.draw(gpu, &buffers, &targets, &world.view, &[]);
+    let mut draw = || renderer.draw((&buffers, &targets, &world.view), &[]);
     // The first drawing compiles shaders.
     draw().and_then(|()| targets.read_ids(gpu)).ok()?;
     let mut once = || {
