@@ -2,7 +2,7 @@
 
 use super::{
     made::Made,
-    state::{Chosen, Edits, State, Step},
+    state::{Chosen, Edit, Edits, State, Step},
     timeline::Gesture,
 };
 use crate::{
@@ -18,39 +18,28 @@ impl State {
         let Ok(placement) = Placement::new(model) else {
             return;
         };
-        let Some(here) = self.scene.objects().get(object) else {
-            return;
-        };
-        let before = here.placement;
-        if before == placement {
+        let here = self.scene.objects().get(object);
+        if here.is_none_or(|here| here.placement == placement) {
             return;
         }
-        let chosen = self.chosen();
+        let chosen = self.chosen.clone();
         let edits = self.edit(|edits| &mut edits.matrices);
-        self.scene.place(object, placement);
-        self.outdate_measures();
-        self.rearranged();
-        let step = Step::Placed {
-            object,
-            placement: before,
-            edits,
-            chosen,
-        };
+        let inverse = self.make(Edit::Place(object, placement));
+        let step = Step::Edited(inverse, edits, chosen);
         self.record(Some(Gesture::Place(object)), step);
     }
 
     /// Hides the selected object and deselects it.
     pub(super) fn hide_selection(&mut self) {
-        let chosen = self.chosen();
-        if let Some(selection) = self.selection.take() {
+        let chosen = self.chosen.clone();
+        if let Some(selection) = self.chosen.selection.take() {
             self.show_with(chosen, |index| (index == selection.object).then_some(false));
         }
     }
 
     /// Shows or hides each object as `wanted` says; `None` leaves it as it is.
     pub(super) fn show(&mut self, wanted: impl Fn(usize) -> Option<bool> + Sync) {
-        let chosen = self.chosen();
-        self.show_with(chosen, wanted);
+        self.show_with(self.chosen.clone(), wanted);
     }
 
     fn show_with(&mut self, chosen: Chosen, wanted: impl Fn(usize) -> Option<bool> + Sync) {
@@ -63,19 +52,8 @@ impl State {
             return;
         }
         let edits = self.edit(|edits| &mut edits.visibility);
-        self.toggle(&objects);
-        let step = Step::Shown {
-            objects,
-            edits,
-            chosen,
-        };
-        self.record(None, step);
-    }
-
-    /// Shows those of these objects that are hidden, and hides the others.
-    pub(super) fn toggle(&mut self, objects: &[usize]) {
-        self.scene.toggle(objects);
-        self.rearranged();
+        let inverse = self.make(Edit::Toggle(objects));
+        self.record(None, Step::Edited(inverse, edits, chosen));
     }
 
     /// Adds the objects of other files to the scene. View and selection stay.
@@ -85,7 +63,7 @@ impl State {
         paths: Vec<PathBuf>,
         made: Option<Made>,
     ) {
-        let chosen = self.chosen();
+        let chosen = self.chosen.clone();
         let mut edits = self.edit(|edits| &mut edits.objects);
         let mut source = self.source.clone();
         source.meshes.extend(loaded.meshes);
@@ -101,21 +79,38 @@ impl State {
         }
         let made = made.filter(|made| made.is_of(&self.scene));
         let made = made.unwrap_or_else(|| Made::with(&self.scene, &loaded.scene));
-        let step = Step::Composed {
-            scene: mem::replace(&mut self.scene, made.scene),
-            source: mem::replace(&mut self.source, source),
-            edits,
-            chosen,
-        };
-        self.scene_revision += 1;
-        self.rearranged();
-        self.record(None, step);
+        let inverse = self.make(Edit::Compose(made.scene, source));
+        self.record(None, Step::Edited(inverse, edits, chosen));
         self.refresh_panes();
+    }
+
+    /// Edits the scene; returns the edit that does the opposite.
+    pub(super) fn make(&mut self, edit: Edit) -> Edit {
+        let inverse = match edit {
+            Edit::Place(object, placement) => {
+                let before = self.scene.objects()[object].placement;
+                self.scene.place(object, placement);
+                self.outdate_measures();
+                Edit::Place(object, before)
+            }
+            Edit::Toggle(objects) => {
+                self.scene.toggle(&objects);
+                Edit::Toggle(objects)
+            }
+            Edit::Compose(mut scene, mut source) => {
+                mem::swap(&mut self.scene, &mut scene);
+                mem::swap(&mut self.source, &mut source);
+                self.scene_revision += 1;
+                Edit::Compose(scene, source)
+            }
+        };
+        self.rearranged();
+        inverse
     }
 
     /// After objects came, went or moved: fits near and far, updates the pick, and drops what was known about the old
     /// picture.
-    pub(super) fn rearranged(&mut self) {
+    fn rearranged(&mut self) {
         self.visibility_revision += 1;
         self.cursor = None;
         self.clicked_s = None;

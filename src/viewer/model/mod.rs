@@ -3,7 +3,6 @@
 
 mod action;
 mod command_line;
-mod comparing;
 mod editing;
 mod emptied;
 mod hits;
@@ -20,7 +19,6 @@ mod overlay;
 mod pane_mouse;
 mod picking;
 mod rereading;
-mod section_memory;
 mod sectioning;
 mod seeing;
 mod seeking;

@@ -34,11 +34,10 @@ impl State {
     pub fn says_of_sought(&self) -> Option<String> {
         Some(match self.sight_of_sought()? {
             Sight::Hidden(hit) => {
-                let NamedSurface {
-                    object, triangle, ..
-                } = NamedSurface::of(&self.scene, &hit);
-                let triangle = triangle.map_or_else(String::new, |n| format!(", triangle {n}"));
-                format!("hidden by {object}{triangle}")
+                let by = NamedSurface::of(&self.scene, &hit);
+                let triangle =
+                    (by.triangle).map_or_else(String::new, |n| format!(", triangle {n}"));
+                format!("hidden by {}{triangle}", by.object)
             }
             Sight::Seen(_) => match self.in_picture(self.sought()?.point.world()) {
                 Some(px) => format!("seen at {:.2}, {:.2}", px.x, px.y),
@@ -77,9 +76,8 @@ impl State {
             self.orbit.center_on(point_world, self.orbit.distance());
             self.moved();
         }
-        let line = self
-            .pick_of(&sought, point_world)
-            .and_then(|hits| self.take_hits(hits));
+        let hits = self.pick_of(&sought, point_world);
+        let line = hits.and_then(|hits| self.take_hits(hits));
         if self.selected() != Some(object) {
             self.select(Some(object));
         }
@@ -107,9 +105,8 @@ impl State {
             return None;
         };
         let corners = mesh.corners(object.shape.first_triangle() + sought.triangle);
-        let middle = object
-            .placement
-            .point_to_world(corners.iter().sum::<DVec3>() / 3.0);
+        let middle = corners.iter().sum::<DVec3>() / 3.0;
+        let middle = object.placement.point_to_world(middle);
         let middle = self.view.project(middle).map_or(at, |middle| middle.px);
         let name = (sought.object + 1, Some(sought.triangle));
         let is_it = |pick: &Pick| (pick.id, pick.triangle) == name;
