@@ -58,7 +58,7 @@ impl App {
         match (pending.intent, pending.arrival) {
             (Intent::Open(_), Some(mut arrival)) => {
                 arrival.errand.purpose = Purpose::Add;
-                (arrival.made, arrival.uploaded) = (None, None);
+                arrival.uploaded = None;
                 self.arrive(*arrival);
             }
             (Intent::Open(paths), None) => self.load(paths, Purpose::Add),
