@@ -38,11 +38,8 @@ impl App {
     /// Begins to load files. Once all of them are loaded, they replace what is shown or are added to it.
     pub(super) fn load(&mut self, paths: Vec<PathBuf>, purpose: Purpose) {
         let errand = self.errand(paths.clone(), purpose);
-        let known = if purpose.reads_again() {
-            self.state.scene().meshes().to_vec()
-        } else {
-            Vec::new()
-        };
+        let meshes = || self.state.scene().meshes().to_vec();
+        let known = purpose.reads_again().then(meshes).unwrap_or_default();
         self.loading = Some((Loading::start(paths, known, self.waker()), errand));
     }
 

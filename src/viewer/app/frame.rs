@@ -93,11 +93,8 @@ impl App {
             && self.picture.behind.is_none()
             && !self.is_busy();
         if self.picture.rough {
-            let wait_s = if laid.motion == Motion::Rests {
-                0.0
-            } else {
-                REST_S
-            };
+            let rests = laid.motion == Motion::Rests;
+            let wait_s = if rests { 0.0 } else { REST_S };
             (self.context).request_repaint_after(Duration::from_secs_f64(wait_s));
         }
         if self.host == Host::Window && self.rest.is_settled && self.prepare(screen) {

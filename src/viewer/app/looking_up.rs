@@ -214,13 +214,11 @@ fn unknown_pick(state: &State) -> Option<(usize, u32, MeshFile)> {
 /// The file whose faces and vertices are meant: the selected object's, or the only one.
 fn file_in_question(state: &State) -> Result<MeshFile, &'static str> {
     let files = &state.source().meshes;
-    let of_selected =
-        state
-            .selected()
-            .and_then(|object| match &state.scene().objects()[object].shape {
-                Shape::Mesh { mesh, .. } => MeshFile::of(files, mesh),
-                _ => None,
-            });
+    let selected = state.selected();
+    let of_selected = selected.and_then(|object| match &state.scene().objects()[object].shape {
+        Shape::Mesh { mesh, .. } => MeshFile::of(files, mesh),
+        _ => None,
+    });
     let mut with_numbers = files.iter().filter(|file| file.contents.is_some());
     let only = match (with_numbers.next(), with_numbers.next()) {
         (Some(only), None) => Some(only),

@@ -261,9 +261,8 @@ impl App {
         log::info!("{text}");
         let until_s = self.context.input(|input| input.time) + SAID_S;
         self.post(text, Kind::Done { until_s });
-        (self.wake)(Wake::RepaintAt(
-            Instant::now() + Duration::from_secs_f64(SAID_S),
-        ));
+        let gone = Instant::now() + Duration::from_secs_f64(SAID_S);
+        (self.wake)(Wake::RepaintAt(gone));
     }
 
     /// Shows a warning, which stays until it is closed.

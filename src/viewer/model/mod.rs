@@ -9,7 +9,6 @@ mod hits;
 mod ids;
 mod made;
 mod matrices;
-mod measures;
 mod measuring;
 mod observer;
 mod on_screen;

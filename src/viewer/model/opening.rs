@@ -103,11 +103,10 @@ impl State {
         let mut next = Box::new(next);
         next.source.paths = paths;
         let goes_back = next.showing.is_some() && !self.scene.objects().is_empty();
-        let before = self.exchange(next);
+        let mut before = self.exchange(next);
         if goes_back {
             self.record(None, Step::Open(before));
         } else {
-            let mut before = before;
             let fresh = self.timeline.fresh();
             before.timeline = mem::replace(&mut self.timeline, fresh);
             // If the scene before was never drawn, the one before that is kept. An empty scene is not kept.
