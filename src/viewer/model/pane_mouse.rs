@@ -55,10 +55,7 @@ impl State {
         let placement = &self.scene.objects()[object].placement;
         let world = placement.point_to_world(point_object);
         let (view, lens) = (self.view, self.view.camera.lens());
-        let seen = view.project(world).filter(|seen| {
-            view.viewport.contains(seen.px) && (lens.near..lens.far).contains(&seen.depth)
-        });
-        if let Some(seen) = seen {
+        if let Some(seen) = self.in_picture(world) {
             let px_wide =
                 view.half_extent().y * lens.w(seen.depth) * 2.0 / f64::from(view.viewport.height());
             for (px, most) in [

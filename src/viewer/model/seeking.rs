@@ -2,10 +2,11 @@
 
 use super::{hits::RayHits, sought::Sought, state::State};
 use crate::{
+    camera::Projected,
     pick::{NamedSurface, Pick, PickLine, Sight, sight},
     scene::Shape,
 };
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 /// In `f64`, a ray at a vertex may miss all of its triangles. So rays are tried at these shares of the way from the
 /// vertex to the middle of one triangle.
@@ -40,7 +41,7 @@ impl State {
                 format!("hidden by {}{triangle}", by.object)
             }
             Sight::Seen(_) => match self.in_picture(self.sought()?.point.world()) {
-                Some(px) => format!("seen at {:.2}, {:.2}", px.x, px.y),
+                Some(at) => format!("seen at {:.2}, {:.2}", at.px.x, at.px.y),
                 None => "outside the picture".to_owned(),
             },
             Sight::NotShown => self.why_not_shown()?.to_owned(),
@@ -89,17 +90,16 @@ impl State {
     }
 
     /// Where in the picture a point between near and far is; `None` outside.
-    fn in_picture(&self, point_world: DVec3) -> Option<DVec2> {
-        let view = &self.view;
-        let lens = view.camera.lens();
+    pub(super) fn in_picture(&self, point_world: DVec3) -> Option<Projected> {
+        let (view, lens) = (&self.view, self.view.camera.lens());
         let at = view.project(point_world)?;
         let is_between = (lens.near..lens.far).contains(&at.depth);
-        (view.viewport.contains(at.px) && is_between).then_some(at.px)
+        (view.viewport.contains(at.px) && is_between).then_some(at)
     }
 
     /// The hits on a ray at the point, or next to it, that meets the sought triangle. That triangle is the picked one.
     fn pick_of(&self, sought: &Sought, point_world: DVec3) -> Option<RayHits> {
-        let at = self.in_picture(point_world)?;
+        let at = self.in_picture(point_world)?.px;
         let object = &self.scene.objects()[sought.object];
         let Shape::Mesh { mesh, .. } = &object.shape else {
             return None;
