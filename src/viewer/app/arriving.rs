@@ -1,13 +1,13 @@
 //! What background threads prepare before it is shown: the scene in NDC, and uploads to graphics memory.
 
 use super::{
-    errands::{Arrival, Pending, Purpose},
+    errands::{Arrival, Pending, Purpose, finished},
     program::App,
 };
 use crate::{
     render::GpuError,
     viewer::{
-        jobs::{InNdc, LITTLE, Projecting, Upload},
+        jobs::{LITTLE, Projecting, Upload},
         model::Stage,
         ui::{Attempt, Underway},
     },
@@ -17,18 +17,11 @@ impl App {
     /// Takes a finished projection to NDC and begins the next if one is needed. They run one at a time, so that the
     /// picture follows a camera that never stops.
     pub(super) fn take_projected(&mut self) {
-        if let Some(made) = self.projecting.as_ref().and_then(Projecting::poll) {
-            self.projecting = None;
-            if let Ok(InNdc {
-                scene,
-                of,
-                uploaded,
-            }) = made
-            {
-                (self.uploaded).extend(uploaded.map(|uploaded| (Some(Stage::Ndc), uploaded)));
-                self.state.take_projected(scene, &of);
-                self.context.request_repaint();
-            }
+        if let Some((_, Ok(made))) = finished(&mut self.projecting, Projecting::poll) {
+            let uploaded = made.uploaded.map(|uploaded| (Some(Stage::Ndc), uploaded));
+            self.uploaded.extend(uploaded);
+            self.state.take_projected(made.scene, &made.of);
+            self.context.request_repaint();
         }
         if self.projecting.is_none()
             && let Some(what) = self.state.to_project()
@@ -55,17 +48,13 @@ impl App {
 
     /// Takes the outcome of an upload: shows the scene, or says why it does not fit.
     pub(super) fn take_uploaded(&mut self) {
-        let Some(result) = self.arriving.as_ref().and_then(|(upload, _)| upload.poll()) else {
-            return;
-        };
-        let Some((_, mut arrival)) = self.arriving.take() else {
+        let done = finished(&mut self.arriving, |(upload, _)| upload.poll());
+        let Some(((_, mut arrival), result)) = done else {
             return;
         };
         match result {
             Ok(uploaded) => {
                 arrival.uploaded = uploaded;
-                let uploaded = arrival.uploaded.as_mut();
-                arrival.made = uploaded.and_then(|uploaded| uploaded.made.take());
                 self.ready = Some(arrival);
             }
             Err(error @ GpuError::SceneTooLarge { .. }) => {
@@ -102,17 +91,13 @@ impl App {
 
     /// Shows a loaded scene.
     pub(super) fn show_arrival(&mut self, arrival: Arrival) {
-        let Arrival {
-            loaded,
-            errand,
-            made,
-            uploaded,
-        } = arrival;
-        if errand.is_stale(&self.state) {
+        if arrival.errand.is_stale(&self.state) {
             return;
         }
+        let mut uploaded = arrival.uploaded;
+        let made = uploaded.as_mut().and_then(|uploaded| uploaded.made.take());
         (self.uploaded).extend(uploaded.map(|uploaded| (None, uploaded)));
-        match self.show_scene(*loaded, errand, made) {
+        match self.show_scene(*arrival.loaded, arrival.errand, made) {
             Ok(()) => self.build_trees(),
             Err(text) => self.failed(Attempt::Open, text),
         }
@@ -120,16 +105,13 @@ impl App {
 
     /// Cancels loading and uploading. Returns whether there was anything to cancel.
     pub(super) fn stop_arriving(&mut self) -> bool {
-        let (loading, arriving) = (self.loading.take(), self.arriving.take());
-        let errands = [
-            loading.map(|(_, errand)| errand),
-            arriving.map(|(_, arrival)| arrival.errand),
-        ];
-        let was = errands.iter().any(Option::is_some);
-        for errand in errands.iter().flatten() {
+        let loading = self.loading.take().map(|(_, errand)| errand);
+        let arriving = self.arriving.take().map(|(_, arrival)| arrival.errand);
+        let errands: Vec<_> = loading.into_iter().chain(arriving).collect();
+        for errand in &errands {
             self.give_up_change(errand);
         }
-        was
+        !errands.is_empty()
     }
 
     /// What is being loaded or uploaded, for the progress message.

@@ -2,7 +2,7 @@
 
 use super::{
     errands::Purpose,
-    program::{App, Extent, Host, Shot},
+    program::{App, Host, Shot},
     wake::Wake,
 };
 use crate::{
@@ -81,18 +81,13 @@ impl App {
             }
             Command::Copy(text) => self.copy(text, "copied"),
             Command::SelectRow { down } => {
-                let now = self.state.selection().map(|selection| selection.object);
+                let now = self.state.selected();
                 if let Some(next) = self.filter.next(&self.state, now, down) {
                     self.act(Action::Select(Some(next)));
                     self.reveal_selection = true;
                 }
             }
-            Command::ToggleFullScreen => {
-                self.extent = match self.extent {
-                    Extent::Window => Extent::Screen,
-                    Extent::Screen => Extent::Window,
-                };
-            }
+            Command::ToggleFullScreen => self.fills_screen ^= true,
             Command::CopyPick => {
                 let line = self.state.pick_ray().map(RayHits::line);
                 match line.and_then(|line| json::text(&line).ok()) {

@@ -4,7 +4,7 @@ use crate::{
     scene::Loaded,
     viewer::{
         jobs::{Making, Stamps, Uploaded},
-        model::{Made, State, Version},
+        model::{State, Version},
         ui::Intent,
     },
 };
@@ -86,9 +86,7 @@ impl Errand {
 pub(super) struct Arrival {
     pub loaded: Box<Loaded>,
     pub errand: Errand,
-    /// The scene that is shown, if a job has made it.
-    pub made: Option<Made>,
-    /// That scene in graphics memory, if a job has taken it there.
+    /// The scene that is shown in graphics memory, if a job has taken it there.
     pub uploaded: Option<Uploaded>,
 }
 
@@ -102,6 +100,15 @@ impl Arrival {
             Purpose::Reload | Purpose::Follow => Making::Again(now, came),
         }
     }
+}
+
+/// Takes a job that has a result, with that result.
+pub(super) fn finished<J, R>(
+    job: &mut Option<J>,
+    poll: impl FnOnce(&J) -> Option<R>,
+) -> Option<(J, R)> {
+    let result = poll(job.as_ref()?)?;
+    Some((job.take()?, result))
 }
 
 /// What would drop edits, and waits for the user's answer or for a save.

@@ -1,7 +1,7 @@
 //! Opening, reloading, adding and saving files.
 
 use super::{
-    errands::{Arrival, Errand, Pending, Purpose},
+    errands::{Arrival, Errand, Pending, Purpose, finished},
     intents::give_up,
     program::{App, Host},
     wake::{Wake, Waker},
@@ -38,11 +38,8 @@ impl App {
     /// Begins to load files. Once all of them are loaded, they replace what is shown or are added to it.
     pub(super) fn load(&mut self, paths: Vec<PathBuf>, purpose: Purpose) {
         let errand = self.errand(paths.clone(), purpose);
-        let known = if purpose.reads_again() {
-            self.state.scene().meshes().to_vec()
-        } else {
-            Vec::new()
-        };
+        let meshes = || self.state.scene().meshes().to_vec();
+        let known = purpose.reads_again().then(meshes).unwrap_or_default();
         self.loading = Some((Loading::start(paths, known, self.waker()), errand));
     }
 
@@ -65,17 +62,14 @@ impl App {
 
     /// Takes the outcome of a load. The scene on screen stays until the new one is complete.
     pub(super) fn take_loaded(&mut self) {
-        let Some(result) = self.loading.as_ref().and_then(|(load, _)| load.poll()) else {
-            return;
-        };
-        let Some((_, errand)) = self.loading.take() else {
+        let done = finished(&mut self.loading, |(load, _)| load.poll());
+        let Some(((_, errand), result)) = done else {
             return;
         };
         match result {
             Ok(loaded) => self.arrive(Arrival {
                 loaded: Box::new(loaded),
                 errand,
-                made: None,
                 uploaded: None,
             }),
             // The file changed again while it was read: the change is still to be read.
@@ -96,12 +90,7 @@ impl App {
         errand: Errand,
         made: Option<Made>,
     ) -> Result<(), String> {
-        let Errand {
-            paths,
-            purpose,
-            stamps,
-            ..
-        } = errand;
+        let (paths, purpose, stamps) = (errand.paths, errand.purpose, errand.stamps);
         let mut warnings = mem::take(&mut loaded.warnings);
         let (mut unused, mut differs) = (Vec::new(), true);
         match purpose {
@@ -238,12 +227,10 @@ impl App {
     /// Takes the outcome of a save. From then on the scene belongs to its new file.
     pub(super) fn take_saved(&mut self) {
         let poll = |(saving, _): &(Saving, Option<Pending>)| saving.poll();
-        let done = self
-            .saving
-            .iter()
-            .enumerate()
-            .find_map(|(at, saving)| Some((at, poll(saving)?)));
-        let Some((at, result)) = done else { return };
+        let mut all = self.saving.iter().enumerate();
+        let Some((at, result)) = all.find_map(|(at, saving)| Some((at, poll(saving)?))) else {
+            return;
+        };
         let (_, then) = self.saving.remove(at);
         match result {
             Ok(saved) => {

@@ -47,6 +47,15 @@ struct Pass {
     next_in: Duration,
 }
 
+impl Pass {
+    /// The next pass, with what both of them tell the system.
+    fn then(mut self, next: Self) -> Self {
+        self.platform.append(next.platform);
+        let platform = self.platform;
+        Self { platform, ..next }
+    }
+}
+
 impl App {
     /// Runs a pass, and another if the first changed something, so that panels and scene show one state. Draws and
     /// shows the result.
@@ -60,10 +69,7 @@ impl App {
         };
         let mut pass = self.run_passes(input);
         if pass.is_outdated {
-            let told = pass.platform;
-            pass = self.run_pass(again);
-            let last = mem::replace(&mut pass.platform, told);
-            pass.platform.append(last);
+            pass = pass.then(self.run_pass(again));
         }
         if pass.is_outdated {
             self.context.request_repaint();
@@ -87,11 +93,8 @@ impl App {
             && self.picture.behind.is_none()
             && !self.is_busy();
         if self.picture.rough {
-            let wait_s = if laid.motion == Motion::Rests {
-                0.0
-            } else {
-                REST_S
-            };
+            let rests = laid.motion == Motion::Rests;
+            let wait_s = if rests { 0.0 } else { REST_S };
             (self.context).request_repaint_after(Duration::from_secs_f64(wait_s));
         }
         if self.host == Host::Window && self.rest.is_settled && self.prepare(screen) {
@@ -150,16 +153,9 @@ impl App {
 
     /// Runs a pass on each part of an input. Returns the last one, with what all of them tell the system.
     fn run_passes(&mut self, input: egui::RawInput) -> Pass {
-        let mut told = egui::PlatformOutput::default();
-        let mut parts = in_turn(input);
-        let last = parts.pop().unwrap_or_default();
-        for part in parts {
-            told.append(self.run_pass(part).platform);
-        }
-        let mut pass = self.run_pass(last);
-        let own = mem::replace(&mut pass.platform, told);
-        pass.platform.append(own);
-        pass
+        let mut parts = in_turn(input).into_iter();
+        let first = self.run_pass(parts.next().unwrap_or_default());
+        parts.fold(first, |pass, part| pass.then(self.run_pass(part)))
     }
 
     /// Runs the panels on the input since the last pass, and executes their commands.
@@ -219,11 +215,8 @@ impl App {
         self.textures.append(output.textures_delta);
         if !dropped.is_empty() {
             let adds = context.input(|input| input.modifiers.shift);
-            commands.push(if adds {
-                Command::Add(dropped)
-            } else {
-                Command::Open(dropped)
-            });
+            let command = if adds { Command::Add } else { Command::Open };
+            commands.push(command(dropped));
         }
         if context.text_edit_focused() {
             let waits = |command: &mut Command| command.ends_typing();

@@ -1,7 +1,7 @@
 //! Asks the user before anything that would drop edits or measures.
 
 use super::{
-    errands::{Arrival, Pending, Purpose},
+    errands::{Pending, Purpose},
     program::App,
 };
 use crate::viewer::{
@@ -58,7 +58,7 @@ impl App {
         match (pending.intent, pending.arrival) {
             (Intent::Open(_), Some(mut arrival)) => {
                 arrival.errand.purpose = Purpose::Add;
-                (arrival.made, arrival.uploaded) = (None, None);
+                arrival.uploaded = None;
                 self.arrive(*arrival);
             }
             (Intent::Open(paths), None) => self.load(paths, Purpose::Add),
@@ -92,8 +92,8 @@ impl App {
 
 /// Drops what the user does not want. Large scenes are freed in the background.
 pub(super) fn give_up(pending: Pending) {
-    if let Some(Arrival { loaded, .. }) = pending.arrival.map(|arrival| *arrival) {
-        let size = loaded.scene.size();
-        let_go(loaded, size);
+    if let Some(arrival) = pending.arrival {
+        let size = arrival.loaded.scene.size();
+        let_go(arrival.loaded, size);
     }
 }

@@ -1,18 +1,22 @@
-//! Looks things up in the files of meshes: the face of a pick, and faces and vertices to go to.
+//! Looks things up in the files of meshes: the face of a pick, and faces and vertices to go to. Prints picks as lines on
+//! stdout, in the order of the clicks, each once its file has answered.
 
 use super::{
-    numbers::{Said, Triangle, file_of},
+    errands::finished,
+    numbers::{Triangle, file_of, situation},
     program::App,
 };
 use crate::{
-    pick::Whereabouts,
-    scene::{MeshFile, Shape, obj::VertexInFile},
+    json,
+    pick::{PickLine, Whereabouts},
+    scene::{MeshFile, Shape},
     viewer::{
         jobs::{Found, Question, ReadingAgain, Snapping},
         model::{Action, Numbered, Sought, State},
         ui::GoTo,
     },
 };
+use std::io::Write;
 
 impl App {
     /// Asks the file about the pick, and takes the answers that have come.
@@ -20,11 +24,8 @@ impl App {
         self.print_known(ReadingAgain::poll);
         self.look_up_pick();
         self.take_snapped();
-        let answer = self.numbers.going.as_ref();
-        let Some(found) = answer.and_then(|(.., reading)| reading.poll()) else {
-            return;
-        };
-        if let Some((to, file, scene, _)) = self.numbers.going.take()
+        let done = finished(&mut self.numbers.going, |(.., reading)| reading.poll());
+        if let Some(((to, file, scene, _), found)) = done
             && scene == self.state.scene_revision()
         {
             self.arrive_at(to, &file, found);
@@ -71,12 +72,9 @@ impl App {
     }
 
     fn take_snapped(&mut self) {
-        let snapping = self.numbers.snapping.as_ref();
-        let Some(found) = snapping.and_then(|(_, job)| job.poll()) else {
-            return;
-        };
-        let of = self.numbers.snapping.take().map(|(of, _)| of);
-        if let Some((snap, area)) = found.filter(|_| of == Some(scene_now(&self.state))) {
+        let done = finished(&mut self.numbers.snapping, |(_, job)| job.poll());
+        let Some(((of, _), found)) = done else { return };
+        if let Some((snap, area)) = found.filter(|_| of == scene_now(&self.state)) {
             self.state.take_snap(snap, area);
         }
         self.context.request_repaint();
@@ -105,13 +103,9 @@ impl App {
             Ok(object) => object,
             Err(error) => return self.tell(error.to_string()),
         };
-        let objects = self.state.scene().objects();
-        let hidden = if objects[object].visible {
-            ""
-        } else {
-            "; it is hidden"
-        };
-        let text = format!("object {id}: {}{hidden}", objects[object].name);
+        let it = &self.state.scene().objects()[object];
+        let hidden = if it.visible { "" } else { "; it is hidden" };
+        let text = format!("object {id}: {}{hidden}", it.name);
         self.act(Action::Select(Some(object)));
         self.act(Action::FrameSelection);
         self.reveal_selection = true;
@@ -119,7 +113,7 @@ impl App {
     }
 
     fn tell(&mut self, text: String) {
-        self.numbers.said = Some(Said::of(&self.state, text));
+        self.numbers.said = Some((situation(&self.state), text));
     }
 
     /// Shows and marks the face or vertex that was found; the panel says how it is seen.
@@ -135,13 +129,8 @@ impl App {
                 (Numbered::Face(number), name, places)
             }
             (Found::Vertex(Ok(vertex)), GoTo::Vertex(number)) => {
-                let VertexInFile {
-                    vertex: v,
-                    written,
-                    line,
-                    ..
-                } = &vertex;
-                let name = format!("v {v}: {written}, line {line}");
+                let (v, written) = (vertex.vertex, &vertex.written);
+                let name = format!("v {v}: {written}, line {}", vertex.line);
                 let places = match vertex.value {
                     Some(_) => Whereabouts::of_vertex(scene, view, &file.mesh, vertex.position),
                     None => Vec::new(),
@@ -172,6 +161,42 @@ impl App {
         };
         self.tell(text);
     }
+
+    /// Queues a pick, to be printed once its file has answered.
+    pub(super) fn print(&mut self, line: PickLine) {
+        let asked = line.hit.as_ref().and_then(|hit| file_of(&self.state, hit));
+        let reading = asked.map(|(triangle, file)| {
+            ReadingAgain::start(file, Question::Triangle(triangle), self.waker())
+        });
+        self.numbers.unprinted.push_back((line, reading));
+        self.print_known(ReadingAgain::poll);
+    }
+
+    /// Prints queued picks, up to the first whose file has not answered yet.
+    pub(super) fn print_known(&mut self, answer: impl Fn(&ReadingAgain) -> Option<Found>) {
+        while let Some((line, reading)) = self.numbers.unprinted.front_mut() {
+            if let Some(reading) = reading {
+                match answer(reading) {
+                    Some(Found::Triangle(in_file)) => {
+                        if let Some(hit) = &mut line.hit {
+                            hit.in_file = in_file;
+                        }
+                    }
+                    Some(_) => {}
+                    None => return,
+                }
+            }
+            print(line);
+            self.numbers.unprinted.pop_front();
+        }
+    }
+}
+
+impl Drop for App {
+    /// A window that closes waits for the files' answers about its picks.
+    fn drop(&mut self) {
+        self.print_known(ReadingAgain::wait);
+    }
 }
 
 /// Revisions that change with the scene.
@@ -181,7 +206,7 @@ fn scene_now(state: &State) -> [u64; 2] {
 
 /// The pick's object, triangle and file; `None` if no file is still to be asked about it.
 fn unknown_pick(state: &State) -> Option<(usize, u32, MeshFile)> {
-    let hit = state.selection()?.pick.as_ref()?.hit.as_ref()?;
+    let hit = state.picked()?;
     let (triangle, file) = file_of(state, hit)?;
     Some((hit.id - 1, triangle, file))
 }
@@ -189,7 +214,7 @@ fn unknown_pick(state: &State) -> Option<(usize, u32, MeshFile)> {
 /// The file whose faces and vertices are meant: the selected object's, or the only one.
 fn file_in_question(state: &State) -> Result<MeshFile, &'static str> {
     let files = &state.source().meshes;
-    let selected = state.selection().map(|selection| selection.object);
+    let selected = state.selected();
     let of_selected = selected.and_then(|object| match &state.scene().objects()[object].shape {
         Shape::Mesh { mesh, .. } => MeshFile::of(files, mesh),
         _ => None,
@@ -203,4 +228,12 @@ fn file_in_question(state: &State) -> Result<MeshFile, &'static str> {
     let file = of_selected.filter(|file| file.contents.is_some()).or(only);
     file.cloned()
         .ok_or("the scene has several OBJ files: select an object from the one you mean")
+}
+
+/// Prints a pick as a line on stdout. If the program that reads it is gone, the window goes on all the same.
+fn print(line: &PickLine) {
+    if let Ok(json) = json::text(line) {
+        let mut out = std::io::stdout().lock();
+        let _ = writeln!(out, "{json}").and_then(|()| out.flush());
+    }
 }

@@ -25,38 +25,24 @@ pub(in crate::viewer) struct Numbers {
     pub(super) snapping: Option<([u64; 2], Snapping)>,
     /// Picks to be printed, each with the question to its file if it has one.
     pub(super) unprinted: VecDeque<(PickLine, Option<ReadingAgain>)>,
-    /// What the last "go to" has found.
-    pub(super) said: Option<Said>,
+    /// What the last "go to" has found, and the situation in which that holds.
+    pub(super) said: Option<(Situation, String)>,
 }
 
-/// What a "go to" has found, with the state in which that holds.
-pub(in crate::viewer) struct Said {
-    text: String,
-    scene: u64,
-    selected: Option<usize>,
-    is_marked: bool,
-}
+/// The scene's revision, the selected object, and whether a mark is set.
+type Situation = (u64, Option<usize>, bool);
 
-impl Said {
-    /// A text that holds for the scene, the selection and the mark as they are now.
-    pub(super) fn of(state: &State, text: String) -> Self {
-        Self {
-            text,
-            scene: state.scene_revision(),
-            selected: state.selection().map(|selection| selection.object),
-            is_marked: state.sought().is_some(),
-        }
-    }
+/// What a text about the last "go to" holds for.
+pub(super) fn situation(state: &State) -> Situation {
+    let is_marked = state.sought().is_some();
+    (state.scene_revision(), state.selected(), is_marked)
 }
 
 impl Numbers {
     /// What the last "go to" has found, until the scene, the selection or the mark changes.
     pub fn said(&self, state: &State) -> Option<&str> {
-        let said = self.said.as_ref()?;
-        let now = Said::of(state, String::new());
-        let is_so =
-            (now.scene, now.selected, now.is_marked) == (said.scene, said.selected, said.is_marked);
-        is_so.then_some(&said.text)
+        let (holds_in, text) = self.said.as_ref()?;
+        (*holds_in == situation(state)).then_some(text)
     }
 
     /// Whether an answer is still to come.

@@ -26,21 +26,13 @@ use crate::{
     },
 };
 use std::{
+    collections::BTreeMap,
     path::PathBuf,
     time::{Duration, Instant},
 };
 
 /// How long a confirmation is shown, in seconds.
 const SAID_S: f64 = 4.0;
-
-/// How much of the screen the window covers.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(in crate::viewer) enum Extent {
-    /// What the desktop gives it.
-    Window,
-    /// All of it.
-    Screen,
-}
 
 /// What a screenshot shows.
 #[derive(Clone, Copy)]
@@ -120,7 +112,7 @@ pub(in crate::viewer) struct App {
     /// Writes the memory to its file.
     pub(super) keeping: Keeping,
     /// Watches the files of scenes for changes by others: of the one on show, and of those left for the gallery.
-    pub(super) watching: Vec<(u64, Watching)>,
+    pub(super) watching: BTreeMap<u64, Watching>,
     /// The scene's revision at which the watch was brought up to date last.
     pub(super) watched: u64,
     /// The search for system typefaces with characters that egui's own lack.
@@ -145,7 +137,8 @@ pub(in crate::viewer) struct App {
     pub copied: Option<String>,
     /// A click that waits for trees, and its view.
     pub(super) waiting: Option<(Action, View)>,
-    pub extent: Extent,
+    /// Whether the window covers all of the screen.
+    pub fills_screen: bool,
     /// How far the scene's picture has come.
     pub picture: PictureProgress,
     /// Whether the scene's picture moves or rests.
@@ -190,7 +183,7 @@ impl App {
             docks: memory.panels,
             memory,
             keeping: Keeping::default(),
-            watching: Vec::new(),
+            watching: BTreeMap::new(),
             watched: 0,
             typefaces,
             letters: Letters::default(),
@@ -207,7 +200,7 @@ impl App {
             statistics: Statistics::default(),
             copied: None,
             waiting: None,
-            extent: Extent::Window,
+            fills_screen: false,
             picture: PictureProgress::default(),
             rest: Rest::default(),
             quit: false,
@@ -222,10 +215,7 @@ impl App {
     /// Whether something is under way that will change what is shown.
     pub fn is_busy(&self) -> bool {
         let checks = matches!(&self.checking, Checking::On(check) if check.found.is_none());
-        let studies = self
-            .chart
-            .as_ref()
-            .is_some_and(|chart| chart.rows.is_none());
+        let studies = matches!(&self.chart, Some(chart) if chart.rows.is_none());
         let files = self.underway().is_some() || !self.saving.is_empty();
         files
             || checks
@@ -271,9 +261,8 @@ impl App {
         log::info!("{text}");
         let until_s = self.context.input(|input| input.time) + SAID_S;
         self.post(text, Kind::Done { until_s });
-        (self.wake)(Wake::RepaintAt(
-            Instant::now() + Duration::from_secs_f64(SAID_S),
-        ));
+        let gone = Instant::now() + Duration::from_secs_f64(SAID_S);
+        (self.wake)(Wake::RepaintAt(gone));
     }
 
     /// Shows a warning, which stays until it is closed.
@@ -323,11 +312,8 @@ impl App {
 
     /// The window's title. A dot before it marks unsaved edits.
     pub fn title(&self) -> String {
-        let mark = if self.state.unsaved() {
-            "\u{2022} "
-        } else {
-            ""
-        };
+        let unsaved = self.state.unsaved();
+        let mark = if unsaved { "\u{2022} " } else { "" };
         format!("{mark}{} \u{2013} Sightline", self.state.name())
     }
 

@@ -28,7 +28,7 @@ impl App {
         let document = self.state.document();
         let state = &self.state;
         // Scenes that undo and redo no longer lead to are not watched any more.
-        (self.watching).retain(|(of, _)| *of != document && state.opened(*of).is_some());
+        (self.watching).retain(|of, _| *of != document && state.opened(*of).is_some());
         self.watch(document, read);
     }
 
@@ -39,8 +39,7 @@ impl App {
             return;
         };
         let files = files_of(state.source());
-        let at = self.watching.iter().position(|(of, _)| *of == document);
-        let mut before = at.map(|at| self.watching.swap_remove(at).1);
+        let mut before = self.watching.remove(&document);
         let is_due = before.as_mut().is_some_and(Watching::is_due);
         let known = before.as_ref().map(Watching::known).cloned();
         let known = known.unwrap_or_default().with(read);
@@ -48,7 +47,7 @@ impl App {
             && let Some(mut watching) = Watching::start(&files, &known, self.waker())
         {
             watching.set_due(is_due);
-            self.watching.push((document, watching));
+            self.watching.insert(document, watching);
         }
     }
 
@@ -60,8 +59,8 @@ impl App {
         }
         self.watched = revision;
         let files = files_of(self.state.source());
-        let watching = self.watching.iter().find(|(of, _)| *of == document);
-        if !watching.is_some_and(|(_, watching)| watching.is_of(&files)) {
+        let watching = self.watching.get(&document);
+        if !watching.is_some_and(|watching| watching.is_of(&files)) {
             self.watch(document, Stamps::default());
         }
     }
@@ -69,9 +68,7 @@ impl App {
     /// Reads the files again after a change. A change during a load waits for its end.
     pub(super) fn take_changed(&mut self) {
         self.keep_watching();
-        let document = self.state.document();
-        let mut all = self.watching.iter_mut();
-        let Some((_, watching)) = all.find(|(of, _)| *of == document) else {
+        let Some(watching) = self.watching.get_mut(&self.state.document()) else {
             return;
         };
         let is_due = watching.is_due();
@@ -107,10 +104,8 @@ impl App {
 
     /// The files of the scene on show that have changed since they were read, in words, and whether they are several.
     pub(super) fn what_changed(&self) -> (String, bool) {
-        let document = self.state.document();
-        let mut all = self.watching.iter();
-        let watching = all.find(|(of, _)| *of == document);
-        let files = watching.map_or_else(Vec::new, |(_, watching)| watching.changed());
+        let watching = self.watching.get(&self.state.document());
+        let files = watching.map_or_else(Vec::new, Watching::changed);
         let files = if files.is_empty() {
             &self.state.source().paths
         } else {
@@ -127,7 +122,7 @@ impl App {
     }
 
     fn take_as_read(&mut self, document: u64) {
-        for (_, watching) in self.watching.iter_mut().filter(|(of, _)| *of == document) {
+        if let Some(watching) = self.watching.get_mut(&document) {
             watching.set_due(false);
         }
     }

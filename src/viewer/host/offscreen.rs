@@ -10,7 +10,7 @@ use crate::{
     image::{Image, Rgb},
     render::{GpuError, Restraint},
     viewer::{
-        app::{App, Extent, Frame, Host, REST_S, Wake, Waker},
+        app::{App, Frame, Host, REST_S, Wake, Waker},
         model::{Seen, State},
         options::Options,
     },
@@ -234,7 +234,7 @@ impl Offscreen {
     /// Whether it fills the screen.
     #[must_use]
     pub fn is_full_screen(&self) -> bool {
-        self.app.extent == Extent::Screen
+        self.app.fills_screen
     }
 
     /// Whether the panels have a glyph for each character of a text.

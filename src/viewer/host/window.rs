@@ -4,7 +4,7 @@ use super::shell::Shell;
 #[cfg(feature = "screen-readers")]
 use crate::viewer::app::Reader;
 use crate::viewer::{
-    app::{App, Extent, Host, Wake, Waker},
+    app::{App, Host, Wake, Waker},
     jobs::ask_darkness,
     options::{Options, ViewerError},
     ui::Command,
@@ -86,7 +86,7 @@ impl Program {
         let frame = self.app.frame(shell.input(), &mut shell.surface);
         shell.obey(frame.platform);
         shell.window.set_title(&self.app.title());
-        shell.fill_screen(self.app.extent == Extent::Screen);
+        shell.fill_screen(self.app.fills_screen);
         self.leave_if_done(event_loop);
     }
 

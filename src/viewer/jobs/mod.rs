@@ -27,7 +27,7 @@ pub(super) use dialogs::{Answer, open_dialog, save_dialog};
 pub(super) use keeping::Keeping;
 pub(super) use letting_go::let_go;
 pub(super) use loading::Loading;
-pub(super) use projecting::{InNdc, Projecting};
+pub(super) use projecting::Projecting;
 pub(super) use reading_again::{Found, Question, ReadingAgain};
 pub(super) use saving::Saving;
 pub(super) use snapping::Snapping;

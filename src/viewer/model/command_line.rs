@@ -48,10 +48,8 @@ fn line(state: &State, view: &View, command: &str) -> String {
     let mut flag = |name: &str, value: String| {
         let _ = write!(line, " --{name} {value}");
     };
-    flag(
-        "size",
-        format!("{}x{}", view.viewport.width(), view.viewport.height()),
-    );
+    let (width, height) = (view.viewport.width(), view.viewport.height());
+    flag("size", format!("{width}x{height}"));
     flag("eye", triple(camera.eye()));
     flag("target", triple(camera.target()));
     flag("up", triple(camera.up_hint()));
@@ -76,11 +74,8 @@ fn line(state: &State, view: &View, command: &str) -> String {
     if let Some(section) = view.section {
         flag("section", SectionChoice::Plane(section).to_string());
     }
-    let hidden = (state.scene())
-        .objects()
-        .iter()
-        .enumerate()
-        .filter(|(_, object)| !object.visible);
+    let objects = state.scene().objects().iter().enumerate();
+    let hidden = objects.filter(|(_, object)| !object.visible);
     let hidden: Vec<String> = hidden.map(|(index, _)| (index + 1).to_string()).collect();
     if !hidden.is_empty() {
         flag("hide", hidden.join(","));

@@ -1,12 +1,14 @@
-//! Moving, hiding, showing and adding objects.
+//! Moving, hiding, showing and adding objects; changes to the list of measures.
 
 use super::{
     made::Made,
-    state::{Chosen, Edits, State, Step},
+    measuring::{MeasureAction, Measuring},
+    state::{Chosen, Edit, Edits, State, Step},
     timeline::Gesture,
 };
 use crate::{
     geometry::{Placement, shares::in_shares},
+    pick::{measure::Measured, snap::Snap},
     scene::Loaded,
 };
 use glam::DAffine3;
@@ -18,39 +20,28 @@ impl State {
         let Ok(placement) = Placement::new(model) else {
             return;
         };
-        let Some(here) = self.scene.objects().get(object) else {
-            return;
-        };
-        let before = here.placement;
-        if before == placement {
+        let here = self.scene.objects().get(object);
+        if here.is_none_or(|here| here.placement == placement) {
             return;
         }
-        let chosen = self.chosen();
+        let chosen = self.chosen.clone();
         let edits = self.edit(|edits| &mut edits.matrices);
-        self.scene.place(object, placement);
-        self.outdate_measures();
-        self.rearranged();
-        let step = Step::Placed {
-            object,
-            placement: before,
-            edits,
-            chosen,
-        };
+        let inverse = self.make(Edit::Place(object, placement));
+        let step = Step::Edited(inverse, edits, chosen);
         self.record(Some(Gesture::Place(object)), step);
     }
 
     /// Hides the selected object and deselects it.
     pub(super) fn hide_selection(&mut self) {
-        let chosen = self.chosen();
-        if let Some(selection) = self.selection.take() {
+        let chosen = self.chosen.clone();
+        if let Some(selection) = self.chosen.selection.take() {
             self.show_with(chosen, |index| (index == selection.object).then_some(false));
         }
     }
 
     /// Shows or hides each object as `wanted` says; `None` leaves it as it is.
     pub(super) fn show(&mut self, wanted: impl Fn(usize) -> Option<bool> + Sync) {
-        let chosen = self.chosen();
-        self.show_with(chosen, wanted);
+        self.show_with(self.chosen.clone(), wanted);
     }
 
     fn show_with(&mut self, chosen: Chosen, wanted: impl Fn(usize) -> Option<bool> + Sync) {
@@ -63,19 +54,8 @@ impl State {
             return;
         }
         let edits = self.edit(|edits| &mut edits.visibility);
-        self.toggle(&objects);
-        let step = Step::Shown {
-            objects,
-            edits,
-            chosen,
-        };
-        self.record(None, step);
-    }
-
-    /// Shows those of these objects that are hidden, and hides the others.
-    pub(super) fn toggle(&mut self, objects: &[usize]) {
-        self.scene.toggle(objects);
-        self.rearranged();
+        let inverse = self.make(Edit::Toggle(objects));
+        self.record(None, Step::Edited(inverse, edits, chosen));
     }
 
     /// Adds the objects of other files to the scene. View and selection stay.
@@ -85,7 +65,7 @@ impl State {
         paths: Vec<PathBuf>,
         made: Option<Made>,
     ) {
-        let chosen = self.chosen();
+        let chosen = self.chosen.clone();
         let mut edits = self.edit(|edits| &mut edits.objects);
         let mut source = self.source.clone();
         source.meshes.extend(loaded.meshes);
@@ -101,21 +81,38 @@ impl State {
         }
         let made = made.filter(|made| made.is_of(&self.scene));
         let made = made.unwrap_or_else(|| Made::with(&self.scene, &loaded.scene));
-        let step = Step::Composed {
-            scene: mem::replace(&mut self.scene, made.scene),
-            source: mem::replace(&mut self.source, source),
-            edits,
-            chosen,
-        };
-        self.scene_revision += 1;
-        self.rearranged();
-        self.record(None, step);
+        let inverse = self.make(Edit::Compose(made.scene, source));
+        self.record(None, Step::Edited(inverse, edits, chosen));
         self.refresh_panes();
+    }
+
+    /// Edits the scene; returns the edit that does the opposite.
+    pub(super) fn make(&mut self, edit: Edit) -> Edit {
+        let inverse = match edit {
+            Edit::Place(object, placement) => {
+                let before = self.scene.objects()[object].placement;
+                self.scene.place(object, placement);
+                self.outdate_measures();
+                Edit::Place(object, before)
+            }
+            Edit::Toggle(objects) => {
+                self.scene.toggle(&objects);
+                Edit::Toggle(objects)
+            }
+            Edit::Compose(mut scene, mut source) => {
+                mem::swap(&mut self.scene, &mut scene);
+                mem::swap(&mut self.source, &mut source);
+                self.scene_revision += 1;
+                Edit::Compose(scene, source)
+            }
+        };
+        self.rearranged();
+        inverse
     }
 
     /// After objects came, went or moved: fits near and far, updates the pick, and drops what was known about the old
     /// picture.
-    pub(super) fn rearranged(&mut self) {
+    fn rearranged(&mut self) {
         self.visibility_revision += 1;
         self.cursor = None;
         self.clicked_s = None;
@@ -126,5 +123,53 @@ impl State {
         let before = self.view;
         self.fit();
         self.repick(&before);
+    }
+
+    /// The points that clicks snapped to, and what was measured.
+    #[must_use]
+    pub fn measuring(&self) -> &Measuring {
+        &self.measuring
+    }
+
+    pub(super) fn measure(&mut self, action: MeasureAction) {
+        let list = self.measuring.list.clone();
+        match action {
+            MeasureAction::Toggle => {
+                self.measuring.is_on ^= true;
+                self.forget_points();
+            }
+            MeasureAction::Add(what) => {
+                let entry = self.measuring.entry(what);
+                self.measuring.list.extend(entry);
+            }
+            MeasureAction::Remove(at) if at < list.len() => drop(self.measuring.list.remove(at)),
+            MeasureAction::Remove(_) => {}
+            MeasureAction::Clear => self.measuring.list.clear(),
+        }
+        if self.measuring.list != list {
+            self.record(None, Step::Measured(list));
+        }
+    }
+
+    /// Takes the point that a click snapped to.
+    pub(in crate::viewer) fn take_snap(&mut self, snap: Snap, object_area: Option<Measured>) {
+        let points = &mut self.measuring.points;
+        points.push(snap);
+        let old = points.len().saturating_sub(2);
+        points.drain(..old);
+        self.measuring.object_area = object_area;
+    }
+
+    /// Drops the points: they may have moved with the scene.
+    pub(super) fn forget_points(&mut self) {
+        self.measuring.points.clear();
+        self.measuring.object_area = None;
+    }
+
+    /// Marks every measure as taken before the scene changed.
+    pub(super) fn outdate_measures(&mut self) {
+        for entry in &mut self.measuring.list {
+            entry.outdated = true;
+        }
     }
 }

@@ -3,14 +3,12 @@
 
 mod action;
 mod command_line;
-mod comparing;
 mod editing;
 mod emptied;
 mod hits;
 mod ids;
 mod made;
 mod matrices;
-mod measures;
 mod measuring;
 mod observer;
 mod on_screen;
@@ -20,7 +18,6 @@ mod overlay;
 mod pane_mouse;
 mod picking;
 mod rereading;
-mod section_memory;
 mod sectioning;
 mod seeing;
 mod seeking;

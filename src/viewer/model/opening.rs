@@ -6,9 +6,8 @@ use super::{
     on_screen::Seen,
     ortho_height::OrthoHeight,
     overlay::Overlays,
-    section_memory::SectionMemory,
     showing::Showing,
-    state::{Edits, Source, State, Step, Viewpoint},
+    state::{Chosen, Edit, Edits, SectionMemory, Source, State, Step, Viewpoint},
     timeline::Timeline,
 };
 use crate::{
@@ -58,11 +57,10 @@ impl State {
             seen: Seen::Wanted,
             pivot_world: orbit.target(),
             pan_depth: orbit.distance(),
-            selection: None,
+            chosen: Chosen::default(),
             cursor: None,
             lit: None,
             clicked_s: None,
-            hits: None,
             landmarks: Vec::new(),
             measuring: Measuring::default(),
             sought: None,
@@ -105,11 +103,10 @@ impl State {
         let mut next = Box::new(next);
         next.source.paths = paths;
         let goes_back = next.showing.is_some() && !self.scene.objects().is_empty();
-        let before = self.exchange(next);
+        let mut before = self.exchange(next);
         if goes_back {
             self.record(None, Step::Open(before));
         } else {
-            let mut before = before;
             let fresh = self.timeline.fresh();
             before.timeline = mem::replace(&mut self.timeline, fresh);
             // If the scene before was never drawn, the one before that is kept. An empty scene is not kept.
@@ -180,8 +177,8 @@ impl State {
             return true;
         }
         let made_it = matches!(
-            self.timeline.last(true),
-            Some(Step::Open(_) | Step::Composed { .. })
+            self.timeline.steps(true).last(),
+            Some(Step::Open(_) | Step::Edited(Edit::Compose(..), ..))
         );
         made_it && self.step_in_time(true)
     }

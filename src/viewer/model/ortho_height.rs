@@ -26,9 +26,8 @@ impl OrthoHeight {
             distance: orbit.distance(),
         };
         let fov_deg = choice.fov.unwrap_or(CameraChoice::FOV);
-        choice
-            .ortho
-            .map_or_else(|| Self::of_perspective(fov_deg), as_chosen)
+        let as_perspective = || Self::of_perspective(fov_deg);
+        choice.ortho.map_or_else(as_perspective, as_chosen)
     }
 
     /// The height at a distance of the orbit.

@@ -55,10 +55,7 @@ impl Overlay {
 
     /// Whether it is drawn with the scene, and not by the panels over the picture.
     fn is_in_scene(self) -> bool {
-        match self {
-            Self::Triangle | Self::Distance => false,
-            Self::Wireframe | Self::Normals | Self::Boxes => true,
-        }
+        !matches!(self, Self::Triangle | Self::Distance)
     }
 }
 

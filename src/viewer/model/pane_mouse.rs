@@ -4,7 +4,7 @@ use super::{
     action::Action,
     hits::RayHits,
     stages::{Stage, standard, view_of_ndc_drawn},
-    state::{Cleared, Cursor, DOUBLE_CLICK_S, Selection, State},
+    state::{Chosen, Cleared, Cursor, DOUBLE_CLICK_S, State},
 };
 use crate::{
     camera::pixel_centre,
@@ -52,14 +52,10 @@ impl State {
     /// Picks a point of an object through the scene's camera: casts the ray of its pixel and takes the hit at the
     /// point. Where there is no such hit, the object is selected and the point followed all the same.
     fn pick_point(&mut self, object: usize, point_object: DVec3) -> Option<PickLine> {
-        let world = self.scene.objects()[object]
-            .placement
-            .point_to_world(point_object);
+        let placement = &self.scene.objects()[object].placement;
+        let world = placement.point_to_world(point_object);
         let (view, lens) = (self.view, self.view.camera.lens());
-        let seen = view.project(world).filter(|seen| {
-            view.viewport.contains(seen.px) && (lens.near..lens.far).contains(&seen.depth)
-        });
-        if let Some(seen) = seen {
+        if let Some(seen) = self.in_picture(world) {
             let px_wide =
                 view.half_extent().y * lens.w(seen.depth) * 2.0 / f64::from(view.viewport.height());
             for (px, most) in [
@@ -85,8 +81,7 @@ impl State {
 
     /// Selects an object without a point of it, or nothing.
     pub(super) fn select(&mut self, object: Option<usize>) {
-        self.selection = object.map(|object| Selection { object, pick: None });
-        self.hits = None;
+        self.chosen = Chosen::object(object);
         self.sought = None;
         if object.is_none() {
             self.landmarks.clear();
@@ -95,9 +90,8 @@ impl State {
 
     /// Whether a click is on the same pixel of the same view as the one before, and not the second of a double click.
     fn clicks_again(&mut self, stage: Stage, px: DVec2, time_s: f64) -> bool {
-        let at = self
-            .pane_view(stage)
-            .map(|view| (stage, pixel_centre(px), view));
+        let view = self.pane_view(stage);
+        let at = view.map(|view| (stage, pixel_centre(px), view));
         let Some(panes) = &mut self.panes else {
             return false;
         };
@@ -109,7 +103,7 @@ impl State {
     /// first one kept.
     fn keep_cleared(&mut self, time_s: f64, is_on_nothing: bool) {
         let kept = is_on_nothing.then(|| Cleared {
-            chosen: self.chosen(),
+            chosen: self.chosen.clone(),
             landmarks: self.landmarks.clone(),
             sought: self.sought,
             point: self.panes.as_ref().and_then(|panes| panes.point),
@@ -127,7 +121,7 @@ impl State {
         let Some(kept) = self.cleared.take() else {
             return;
         };
-        (self.selection, self.hits) = (kept.chosen.selection, kept.chosen.hits);
+        self.chosen = kept.chosen;
         (self.landmarks, self.sought) = (kept.landmarks, kept.sought);
         if let Some(panes) = &mut self.panes {
             panes.point = kept.point;

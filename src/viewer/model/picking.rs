@@ -1,13 +1,15 @@
-//! Clicks, the cursor, and the surfaces on a click's ray.
+//! Clicks, the cursor, and the surfaces on a click's ray; in the gallery, clicks picked by a method of the study.
 
 use super::{
     hits::{Landmark, PickView, RayHits},
-    state::{Cursor, DOUBLE_CLICK_S, Selection, State},
+    showing::Compared,
+    state::{Chosen, Cursor, DOUBLE_CLICK_S, Selection, State},
 };
 use crate::{
     camera::{View, pixel_centre},
     pick::{Pick, PickLine, SceneHit},
     scene::obj::InFile,
+    study::swap::Swap,
 };
 use glam::DVec2;
 
@@ -20,7 +22,7 @@ impl State {
         let same = |hits: &&RayHits| (hits.px, hits.view) == (px, view);
         let again =
             (self.clicked_s.replace(time_s)).is_some_and(|last_s| time_s - last_s > DOUBLE_CLICK_S);
-        let behind = self.hits.as_ref().filter(same).filter(|_| again);
+        let behind = self.hits().filter(same).filter(|_| again);
         let at = behind.map_or(0, |hits| hits.at + 1);
         self.take_hits(RayHits::cast(&self.scene, view, px, at))
     }
@@ -29,8 +31,8 @@ impl State {
     /// is on screen.
     #[must_use]
     pub fn pick_ray(&self) -> Option<&RayHits> {
-        let ray = self.hits.as_ref()?;
-        let counts = match &self.selection {
+        let ray = self.hits()?;
+        let counts = match self.selection() {
             Some(selection) => selection.pick.is_some(),
             None => ray.picks.is_empty() && ray.view == self.view,
         };
@@ -63,10 +65,11 @@ impl State {
         let object = line.hit.as_ref().map(|hit| hit.id - 1);
         let pick = Some(line);
         self.sought = None;
-        self.selection = object.map(|object| Selection {
+        let select = |object| Selection {
             object,
             pick: pick.clone(),
-        });
+        };
+        self.chosen.selection = object.map(select);
         if let Some(hit) = pick.as_ref().and_then(|line| line.hit.as_ref()) {
             let last = self.landmarks.last().map(|last| last.point_world);
             if last != Some(hit.point_world) {
@@ -79,19 +82,19 @@ impl State {
                 self.take_point(hit.point_world);
             }
         }
-        self.hits = Some(hits);
+        self.chosen.hits = Some(hits);
         pick
     }
 
     /// Picks another surface on the last click's ray, counted from the front.
     pub(super) fn step_to(&mut self, at: usize) -> Option<PickLine> {
-        let hits = self.hits.take_if(|hits| at < hits.picks.len())?;
+        let hits = (self.chosen.hits).take_if(|hits| at < hits.picks.len())?;
         self.take_hits(RayHits { at, ..hits })
     }
 
     /// Picks the next surface on the last click's ray, or the one before, in a ring.
     pub(super) fn step(&mut self, forward: bool) -> Option<PickLine> {
-        let hits = self.hits.as_ref().filter(|hits| !hits.picks.is_empty())?;
+        let hits = self.hits().filter(|hits| !hits.picks.is_empty())?;
         let count = hits.picks.len();
         self.step_to((hits.at + if forward { 1 } else { count - 1 }) % count)
     }
@@ -106,20 +109,15 @@ impl State {
 
     /// Adds to the pick what the file says about it.
     pub(in crate::viewer) fn learn(&mut self, in_file: &InFile) {
-        let picked = self
-            .selection
-            .as_mut()
-            .and_then(|selection| selection.pick.as_mut());
-        let Some(hit) = picked.and_then(|line| line.hit.as_mut()) else {
+        let Some(hit) = self.chosen.picked_mut() else {
             return;
         };
         hit.in_file = in_file.clone();
-        let of_ray = self
-            .hits
-            .as_mut()
-            .and_then(|hits| hits.picks.get_mut(hits.at));
-        let of_ray = of_ray.filter(|pick| (pick.id, pick.triangle) == (hit.id, hit.triangle));
-        if let Some(pick) = of_ray {
+        let name = (hit.id, hit.triangle);
+        if let Some(hits) = &mut self.chosen.hits
+            && let Some(pick) = hits.picks.get_mut(hits.at)
+            && (pick.id, pick.triangle) == name
+        {
             pick.in_file = in_file.clone();
         }
     }
@@ -127,14 +125,16 @@ impl State {
     /// The scene changed: casts the last click's ray again and picks what it hits of the selected object now. A pick
     /// made in `before`, the view on screen until now, moves to the present view.
     pub(super) fn repick(&mut self, before: &View) {
-        let Some(old) = self.hits.take() else { return };
+        let Some(old) = self.chosen.hits.take() else {
+            return;
+        };
         let view = if old.view == *before {
             self.view
         } else {
             self.refitted(old.view)
         };
         let mut hits = RayHits::cast(&self.scene, view, old.px, 0);
-        if let Some(selection) = &mut self.selection {
+        if let Some(selection) = &mut self.chosen.selection {
             // The object's first hit that is front or back as the old one was, else its first hit.
             let of_selected = |pick: &Pick| pick.id == selection.object + 1;
             let before = old.picks.get(old.at).filter(|pick| of_selected(pick));
@@ -145,6 +145,34 @@ impl State {
             hits.at = now.unwrap_or(0);
             selection.pick = now.map(|_| hits.line());
         }
-        self.hits = Some(hits);
+        self.chosen.hits = Some(hits);
+    }
+
+    /// Sets the method that picks, `None` for Sightline's own, and repeats the last click by it.
+    pub(super) fn pick_by(&mut self, method: Option<Swap>) {
+        let Some(showing) = &mut self.showing else {
+            return;
+        };
+        showing.method = method;
+        let compared = showing.compared.take().map(|compared| compared.px);
+        let px = compared.or_else(|| Some(self.selection()?.pick.as_ref()?.px));
+        match px {
+            Some(px) if self.method().is_some() => self.compare(px),
+            Some(px) => drop(self.click(px, 0.0)),
+            None => {}
+        }
+        // The next click there picks the nearest surface again.
+        self.clicked_s = None;
+    }
+
+    /// A click by the method that is set. The object that it finds is selected, right or wrong, but not as a pick of
+    /// Sightline's.
+    pub(super) fn compare(&mut self, px: DVec2) {
+        let Some(method) = self.method() else { return };
+        let compared = Compared::at(&self.scene, &self.view, &method, px);
+        self.chosen = Chosen::object(compared.theirs.map(|found| found.hit.object));
+        if let Some(showing) = &mut self.showing {
+            showing.compared = Some(compared);
+        }
     }
 }

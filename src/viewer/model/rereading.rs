@@ -3,7 +3,7 @@
 use super::{
     made::Made,
     showing::Showing,
-    state::{Chosen, Edits, Selection, State, Step},
+    state::{Chosen, Edit, Edits, State, Step},
 };
 use crate::{
     pick::Pick,
@@ -66,13 +66,12 @@ impl State {
         }
         self.carry_steps(&made, before);
         self.outdate_all_measures();
-        let selected = self.selected().and_then(|object| made.became(object));
-        self.selection = selected.map(|object| Selection { object, pick: None });
+        self.chosen.carry(&made);
         self.unused.push(mem::replace(&mut self.scene, made.scene));
         self.scene_revision += 1;
         self.visibility_revision += 1;
         (self.cursor, self.lit) = (None, None);
-        (self.hits, self.sought) = (None, None);
+        self.sought = None;
         self.landmarks.clear();
         self.forget_points();
         self.fit();
@@ -89,23 +88,24 @@ impl State {
             let mut same = vec![(before, nearer)];
             let mut kept = Vec::new();
             for mut step in self.timeline.take_near(back, Step::is_of_another_scene) {
-                let stays = step.carry(made, drops_places);
-                if let Some(edits) = step.edits_mut() {
-                    for (from, to) in &same {
-                        edits.rename(from, to);
-                    }
-                    edits.objects = self.edits.objects;
-                    if stays {
-                        nearer = *edits;
-                    } else {
-                        same.push((*edits, nearer));
-                        self.filed.rename(edits, &nearer);
-                    }
+                let Step::Edited(edit, edits, chosen) = &mut step else {
+                    kept.push(step);
+                    continue;
+                };
+                chosen.carry(made);
+                for (from, to) in &same {
+                    edits.rename(from, to);
                 }
-                match step {
-                    step if stays => kept.push(step),
-                    Step::Composed { scene, .. } => self.unused.push(scene),
-                    _ => {}
+                edits.objects = self.edits.objects;
+                if edit.carry(made, drops_places) {
+                    nearer = *edits;
+                    kept.push(step);
+                } else {
+                    same.push((*edits, nearer));
+                    self.filed.rename(edits, &nearer);
+                    if let Step::Edited(Edit::Compose(scene, _), ..) = step {
+                        self.unused.push(scene);
+                    }
                 }
             }
             self.timeline.put_near(back, kept);
@@ -138,11 +138,8 @@ impl State {
                 pick.in_file = InFile::default();
             }
         };
-        let selection = self.selection.as_mut();
-        let line = selection.and_then(|selection| selection.pick.as_mut());
-        let picked = line.and_then(|line| line.hit.as_mut());
-        picked.into_iter().for_each(forget);
-        let on_ray = self.hits.iter_mut().flat_map(|hits| &mut hits.picks);
+        self.chosen.picked_mut().into_iter().for_each(forget);
+        let on_ray = (self.chosen.hits.iter_mut()).flat_map(|hits| &mut hits.picks);
         on_ray.for_each(forget);
     }
 }
@@ -151,36 +148,24 @@ impl Step {
     fn is_of_another_scene(&self) -> bool {
         matches!(self, Self::Open(_))
     }
+}
 
-    fn edits_mut(&mut self) -> Option<&mut Edits> {
-        match self {
-            Self::Placed { edits, .. }
-            | Self::Shown { edits, .. }
-            | Self::Composed { edits, .. } => Some(edits),
-            Self::Viewpoint(_) | Self::Measured(_) | Self::Open(_) => None,
-        }
-    }
-
-    /// Makes it a step about the new objects. Returns whether any object is left that it is about.
+impl Edit {
+    /// Makes it an edit of the new objects. Returns whether any object is left that it is about.
     fn carry(&mut self, made: &Made, drops_places: bool) -> bool {
         match self {
-            Self::Placed { object, chosen, .. } => {
-                chosen.carry(made);
+            Self::Place(object, _) => {
                 let now = made.became(*object).filter(|_| !drops_places);
                 *object = now.unwrap_or_default();
                 now.is_some()
             }
-            Self::Shown {
-                objects, chosen, ..
-            } => {
-                chosen.carry(made);
+            Self::Toggle(objects) => {
                 let now = objects.iter().filter_map(|object| made.became(*object));
                 *objects = now.collect();
                 !objects.is_empty()
             }
             // The scene that it holds is from the files as they were.
-            Self::Composed { .. } => false,
-            Self::Viewpoint(_) | Self::Measured(_) | Self::Open(_) => true,
+            Self::Compose(..) => false,
         }
     }
 }
@@ -188,10 +173,8 @@ impl Step {
 impl Chosen {
     /// The same object, without the pick.
     fn carry(&mut self, made: &Made) {
-        let object = self.selection.take().map(|selection| selection.object);
-        let now = object.and_then(|object| made.became(object));
-        self.selection = now.map(|object| Selection { object, pick: None });
-        self.hits = None;
+        let selection = self.selection.as_ref();
+        *self = Self::object(selection.and_then(|selection| made.became(selection.object)));
     }
 }
 

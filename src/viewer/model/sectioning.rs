@@ -72,18 +72,13 @@ impl State {
 
     /// Turns the section off, or on again: where it was, or else across the axis closest to the direction of view.
     pub(super) fn toggle_section(&mut self) {
-        let on = || {
-            let forward = self.view.camera.forward().abs();
-            let axis = DVec3::AXES[forward.max_position()];
-            self.section_memory
-                .off
-                .or_else(|| self.section_across(axis))
-        };
-        let next = match self.view.section {
-            Some(_) => None,
-            None => on(),
-        };
-        self.set_section(next);
+        if self.view.section.is_some() {
+            return self.set_section(None);
+        }
+        let forward = self.view.camera.forward().abs();
+        let axis = DVec3::AXES[forward.max_position()];
+        let off = self.section_memory.off;
+        self.set_section(off.or_else(|| self.section_across(axis)));
     }
 
     /// Starts or stops waiting for three picks.

@@ -2,10 +2,11 @@
 
 use super::{hits::RayHits, sought::Sought, state::State};
 use crate::{
+    camera::Projected,
     pick::{NamedSurface, Pick, PickLine, Sight, sight},
     scene::Shape,
 };
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 /// In `f64`, a ray at a vertex may miss all of its triangles. So rays are tried at these shares of the way from the
 /// vertex to the middle of one triangle.
@@ -34,14 +35,13 @@ impl State {
     pub fn says_of_sought(&self) -> Option<String> {
         Some(match self.sight_of_sought()? {
             Sight::Hidden(hit) => {
-                let NamedSurface {
-                    object, triangle, ..
-                } = NamedSurface::of(&self.scene, &hit);
-                let triangle = triangle.map_or_else(String::new, |n| format!(", triangle {n}"));
-                format!("hidden by {object}{triangle}")
+                let by = NamedSurface::of(&self.scene, &hit);
+                let triangle =
+                    (by.triangle).map_or_else(String::new, |n| format!(", triangle {n}"));
+                format!("hidden by {}{triangle}", by.object)
             }
             Sight::Seen(_) => match self.in_picture(self.sought()?.point.world()) {
-                Some(px) => format!("seen at {:.2}, {:.2}", px.x, px.y),
+                Some(at) => format!("seen at {:.2}, {:.2}", at.px.x, at.px.y),
                 None => "outside the picture".to_owned(),
             },
             Sight::NotShown => self.why_not_shown()?.to_owned(),
@@ -77,9 +77,8 @@ impl State {
             self.orbit.center_on(point_world, self.orbit.distance());
             self.moved();
         }
-        let line = self
-            .pick_of(&sought, point_world)
-            .and_then(|hits| self.take_hits(hits));
+        let hits = self.pick_of(&sought, point_world);
+        let line = hits.and_then(|hits| self.take_hits(hits));
         if self.selected() != Some(object) {
             self.select(Some(object));
         }
@@ -91,25 +90,23 @@ impl State {
     }
 
     /// Where in the picture a point between near and far is; `None` outside.
-    fn in_picture(&self, point_world: DVec3) -> Option<DVec2> {
-        let view = &self.view;
-        let lens = view.camera.lens();
+    pub(super) fn in_picture(&self, point_world: DVec3) -> Option<Projected> {
+        let (view, lens) = (&self.view, self.view.camera.lens());
         let at = view.project(point_world)?;
         let is_between = (lens.near..lens.far).contains(&at.depth);
-        (view.viewport.contains(at.px) && is_between).then_some(at.px)
+        (view.viewport.contains(at.px) && is_between).then_some(at)
     }
 
     /// The hits on a ray at the point, or next to it, that meets the sought triangle. That triangle is the picked one.
     fn pick_of(&self, sought: &Sought, point_world: DVec3) -> Option<RayHits> {
-        let at = self.in_picture(point_world)?;
+        let at = self.in_picture(point_world)?.px;
         let object = &self.scene.objects()[sought.object];
         let Shape::Mesh { mesh, .. } = &object.shape else {
             return None;
         };
         let corners = mesh.corners(object.shape.first_triangle() + sought.triangle);
-        let middle = object
-            .placement
-            .point_to_world(corners.iter().sum::<DVec3>() / 3.0);
+        let middle = corners.iter().sum::<DVec3>() / 3.0;
+        let middle = object.placement.point_to_world(middle);
         let middle = self.view.project(middle).map_or(at, |middle| middle.px);
         let name = (sought.object + 1, Some(sought.triangle));
         let is_it = |pick: &Pick| (pick.id, pick.triangle) == name;

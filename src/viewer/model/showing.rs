@@ -94,11 +94,10 @@ impl Showing {
     pub fn next_method(&self, forward: bool) -> Option<Swap> {
         let swaps = breaks::swaps(self.exhibit.name);
         let own = swaps.len();
-        let now = self
-            .method
-            .and_then(|now| swaps.iter().position(|swap| *swap == now));
+        let is_now = |swap: &Swap| self.method == Some(*swap);
+        let now = swaps.iter().position(is_now).unwrap_or(own);
         let step = if forward { 1 } else { own };
-        swaps.get((now.unwrap_or(own) + step) % (own + 1)).copied()
+        swaps.get((now + step) % (own + 1)).copied()
     }
 
     /// Which of the breaks on this scene to show: the present method's own, else one of the same step, else the first.
@@ -145,6 +144,7 @@ impl Compared {
 fn distance(view: &View, theirs: &Found, ours: &Found) -> Distance {
     let px = |found: &Found| view.project(found.point_world).map(|at| at.px);
     let world = theirs.point_world.distance(ours.point_world);
+    let turned = theirs.normal_world.angle_between(ours.normal_world);
     let apart = match (px(theirs), px(ours)) {
         (Some(theirs), Some(ours)) => theirs.distance(ours),
         _ => 0.0,
@@ -153,9 +153,6 @@ fn distance(view: &View, theirs: &Found, ours: &Found) -> Distance {
         px: apart,
         world,
         relative: world / ours.point_world.distance(view.camera.eye()),
-        normal_deg: theirs
-            .normal_world
-            .angle_between(ours.normal_world)
-            .to_degrees(),
+        normal_deg: turned.to_degrees(),
     }
 }

@@ -174,20 +174,15 @@ fn vertex(
 fn surface(object: &Object, rings: u32) -> Vec<([DVec3; 3], Srgb)> {
     let own = object.colour.unwrap_or(Srgb::NEUTRAL);
     let quads = |quads: Vec<[DVec3; 4]>| {
-        let halves = quads
-            .into_iter()
-            .flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]);
+        let in_two = |[a, b, c, d]: [DVec3; 4]| [[a, b, c], [a, c, d]];
+        let halves = quads.into_iter().flat_map(in_two);
         halves.map(|triangle| (triangle, own)).collect()
     };
     match &object.shape {
         Shape::Mesh { mesh, part } => {
             let triangles = mesh.data().parts[*part].triangles.clone();
-            let colour = |triangle| {
-                object
-                    .colour
-                    .or(mesh.triangle_colour(triangle))
-                    .unwrap_or(own)
-            };
+            let painted = object.colour;
+            let colour = |triangle| painted.or(mesh.triangle_colour(triangle)).unwrap_or(own);
             triangles
                 .map(|triangle| (mesh.corners(triangle), colour(triangle)))
                 .collect()
@@ -200,20 +195,13 @@ fn surface(object: &Object, rings: u32) -> Vec<([DVec3; 3], Srgb)> {
 
 /// The sphere by parallels and meridians, counter-clockwise seen from outside.
 fn sphere_quads(rings: u32) -> Vec<[DVec3; 4]> {
-    let point = |ring: u32, spoke: u32| {
+    let point = |(ring, spoke): (u32, u32)| {
         let (sin, cos) = (PI * f64::from(ring) / f64::from(rings)).sin_cos();
         let (side, front) = sin_cos_quarters(2.0 * f64::from(spoke) / f64::from(rings));
         Sphere::RADIUS * DVec3::new(sin * side, cos, sin * front)
     };
     let cells = (0..rings).flat_map(|ring| (0..2 * rings).map(move |spoke| (ring, spoke)));
     cells
-        .map(|(i, j)| {
-            [
-                point(i, j),
-                point(i + 1, j),
-                point(i + 1, j + 1),
-                point(i, j + 1),
-            ]
-        })
+        .map(|(i, j)| [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(point))
         .collect()
 }

@@ -169,11 +169,10 @@ impl State {
     /// The box about an object in its own space; empty unless the object view shows it.
     #[must_use]
     pub fn object_bounds(&self, object: usize) -> Aabb {
-        let alone = self
-            .panes
-            .as_ref()
-            .filter(|panes| panes.object == Some(object));
-        alone.map_or(Aabb::EMPTY, |panes| panes.alone.scene.bounds())
+        match &self.panes {
+            Some(panes) if panes.object == Some(object) => panes.alone.scene.bounds(),
+            _ => Aabb::EMPTY,
+        }
     }
 
     /// Where a world point is drawn in NDC; `None` in front of the near plane.
@@ -214,14 +213,12 @@ impl State {
         let observer = &panes.observers[stage as usize];
         let view = observer.view(&self.drawn_to_scene(stage), &bounds, self.view.sides)?;
         // A lone object is shown whole. NDC was cut when it was made.
+        let of_world = self.view.section;
         let section = match stage {
-            Stage::World | Stage::View => self.view.section,
+            Stage::World | Stage::View => of_world,
             Stage::Object => None,
             // A section that cuts nothing: under any section, insides show in a colour of their own.
-            Stage::Ndc => self
-                .view
-                .section
-                .and(Section::new(DVec3::X, BEYOND_NDC).ok()),
+            Stage::Ndc => of_world.and(Section::new(DVec3::X, BEYOND_NDC).ok()),
         };
         Some(View { section, ..view })
     }
@@ -270,11 +267,8 @@ impl State {
     /// The camera's picture has a new shape: views that the user has not moved show all of the camera's frustum again.
     pub(super) fn frame_untouched(&mut self) {
         for (stage, _) in Stage::ALL {
-            let observer = self
-                .panes
-                .as_ref()
-                .map(|panes| panes.observers[stage as usize]);
-            if observer.is_some_and(|observer| observer.is_untouched()) {
+            let is_untouched = |panes: &Panes| panes.observers[stage as usize].is_untouched();
+            if self.panes.as_deref().is_some_and(is_untouched) {
                 self.frame_pane(stage);
             }
         }

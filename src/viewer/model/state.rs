@@ -8,7 +8,6 @@ use super::{
     on_screen::Seen,
     ortho_height::OrthoHeight,
     overlay::Overlays,
-    section_memory::SectionMemory,
     showing::Showing,
     sought::Sought,
     timeline::Timeline,
@@ -69,10 +68,34 @@ pub(super) struct Viewpoint {
 }
 
 /// What is selected, and the ray that it was picked by.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub(super) struct Chosen {
     pub selection: Option<Selection>,
     pub hits: Option<RayHits>,
+}
+
+impl Chosen {
+    /// An object without a point of it, or nothing.
+    pub fn object(object: Option<usize>) -> Self {
+        Self {
+            selection: object.map(|object| Selection { object, pick: None }),
+            hits: None,
+        }
+    }
+
+    /// The picked hit on the selected object.
+    pub fn picked_mut(&mut self) -> Option<&mut Pick> {
+        self.selection.as_mut()?.pick.as_mut()?.hit.as_mut()
+    }
+}
+
+/// What the window remembers about sections, besides the one in the view.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct SectionMemory {
+    /// The section that was turned off last.
+    pub off: Option<Section>,
+    /// The points picked so far, while the window waits for three.
+    pub points: Option<Vec<DVec3>>,
 }
 
 /// What a click on nothing clears.
@@ -94,28 +117,21 @@ pub(super) struct Edits {
     pub objects: u64,
 }
 
+/// An edit of the scene.
+pub(super) enum Edit {
+    /// An object gets this placement.
+    Place(usize, Placement),
+    /// These objects are shown if they are hidden, and hidden if they are shown.
+    Toggle(Vec<usize>),
+    /// The scene gets these objects.
+    Compose(Scene, Source),
+}
+
 /// An undo step: how things were before a change. See [`Timeline`].
+#[expect(clippy::large_enum_variant, reason = "most steps are edits")]
 pub(super) enum Step {
-    /// An object had this placement.
-    Placed {
-        object: usize,
-        placement: Placement,
-        edits: Edits,
-        chosen: Chosen,
-    },
-    /// These objects were hidden if they are shown now, and shown if they are hidden now.
-    Shown {
-        objects: Vec<usize>,
-        edits: Edits,
-        chosen: Chosen,
-    },
-    /// The scene had these objects.
-    Composed {
-        scene: Scene,
-        source: Source,
-        edits: Edits,
-        chosen: Chosen,
-    },
+    /// The scene was as this edit makes it, with these numbers, and that was chosen.
+    Edited(Edit, Edits, Chosen),
     /// The view was there.
     Viewpoint(Viewpoint),
     /// The list of measures was this.
@@ -159,7 +175,6 @@ pub struct State {
     /// What was shown before, until this scene is known to be drawn.
     pub(super) replaced: Option<Box<State>>,
     pub(super) orbit: Orbit,
-    /// Which of the world's axes points up.
     pub(super) up_axis: UpAxis,
     pub(super) controls: LensControls,
     pub(super) ortho: OrthoHeight,
@@ -168,13 +183,12 @@ pub struct State {
     pub(super) seen: Seen,
     pub(super) pivot_world: DVec3,
     pub(super) pan_depth: f64,
-    pub(super) selection: Option<Selection>,
+    pub(super) chosen: Chosen,
     pub(super) cursor: Option<Cursor>,
     /// The object whose row in a list the cursor rests on.
     pub(super) lit: Option<usize>,
-    /// When [`State::hits`] was clicked; `None` once the next click there is to pick the nearest surface again.
+    /// When the ray in `chosen` was clicked; `None` once the next click there is to pick the nearest surface again.
     pub(super) clicked_s: Option<f64>,
-    pub(super) hits: Option<RayHits>,
     pub(super) landmarks: Vec<Landmark>,
     pub(super) measuring: Measuring,
     /// The face or vertex that the user went to by its number, until something else is picked.
@@ -198,9 +212,7 @@ pub struct State {
     pub(super) frozen: Option<Frozen>,
     /// The four views, while they are open.
     pub(super) panes: Option<Box<Panes>>,
-    /// The row of a matrix that the cursor rests on.
     pub(super) row: Option<Row>,
-    /// The scene of the gallery, if this is one.
     pub(super) showing: Option<Showing>,
     /// Scenes that were given up, to be freed elsewhere: freeing large ones takes long.
     pub(super) unused: Vec<Scene>,
@@ -252,28 +264,28 @@ impl State {
     /// What is selected.
     #[must_use]
     pub fn selection(&self) -> Option<&Selection> {
-        self.selection.as_ref()
+        self.chosen.selection.as_ref()
     }
 
     /// The index of the selected object.
     #[must_use]
     pub fn selected(&self) -> Option<usize> {
-        Some(self.selection.as_ref()?.object)
+        Some(self.selection()?.object)
     }
 
     /// The picked hit on the selected object.
     #[must_use]
     pub fn picked(&self) -> Option<&Pick> {
-        self.selection.as_ref()?.pick.as_ref()?.hit.as_ref()
+        self.selection()?.pick.as_ref()?.hit.as_ref()
     }
 
     /// What undo (`back`) or redo would change, in a word or two; `None` where there is nothing to undo or redo.
     #[must_use]
     pub fn next_step(&self, back: bool) -> Option<&'static str> {
-        Some(match self.timeline.last(back)? {
-            Step::Placed { .. } => "model matrix",
-            Step::Shown { .. } => "hide and show",
-            Step::Composed { .. } => "objects added",
+        Some(match self.timeline.steps(back).last()? {
+            Step::Edited(Edit::Place(..), ..) => "model matrix",
+            Step::Edited(Edit::Toggle(_), ..) => "hide and show",
+            Step::Edited(Edit::Compose(..), ..) => "objects added",
             Step::Viewpoint(_) => "view",
             Step::Measured(_) => "measures",
             Step::Open(_) => "gallery",
@@ -291,10 +303,8 @@ impl State {
     #[must_use]
     pub fn hover(&self) -> Option<usize> {
         let under_cursor = || self.cursor?.hit.map(|(object, _)| object);
-        let lit = self
-            .lit
-            .filter(|&object| object < self.scene.objects().len());
-        lit.or_else(under_cursor)
+        let is_there = |&object: &usize| object < self.scene.objects().len();
+        self.lit.filter(is_there).or_else(under_cursor)
     }
 
     /// The pixel under the cursor; `None` while the cursor is elsewhere.
@@ -356,24 +366,16 @@ impl State {
         }
     }
 
-    /// What is selected, and by which ray.
-    pub(super) fn chosen(&self) -> Chosen {
-        Chosen {
-            selection: self.selection.clone(),
-            hits: self.hits.clone(),
-        }
-    }
-
     /// Every surface on the last click's ray.
     #[must_use]
     pub fn hits(&self) -> Option<&RayHits> {
-        self.hits.as_ref()
+        self.chosen.hits.as_ref()
     }
 
     /// The depth buffer's steps at the pick, in the view of the click: the camera may have moved since.
     #[must_use]
     pub fn depth_steps(&self) -> Option<DepthSteps> {
-        let hits = self.hits.as_ref()?;
+        let hits = self.hits()?;
         let pick = hits.picks.get(hits.at)?;
         Some(DepthSteps::at(hits.view.camera.lens(), pick))
     }

@@ -72,18 +72,9 @@ impl<S> Timeline<S> {
         self.steps_mut(!back).push(step);
     }
 
-    /// The step that would be taken, back or forth.
-    pub fn last(&self, back: bool) -> Option<&S> {
-        if back {
-            self.past.last()
-        } else {
-            self.future.last()
-        }
-    }
-
-    /// The steps back, oldest first.
-    pub fn past(&self) -> &[S] {
-        &self.past
+    /// The steps back or forth; the last one would be taken next.
+    pub fn steps(&self, back: bool) -> &[S] {
+        if back { &self.past } else { &self.future }
     }
 
     /// All steps.

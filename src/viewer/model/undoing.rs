@@ -1,7 +1,7 @@
 //! What can be undone: each change leaves a step that takes it back.
 
 use super::{
-    state::{Chosen, Edits, State, Step, Viewpoint},
+    state::{Edits, State, Step, Viewpoint},
     timeline::Gesture,
 };
 use std::mem;
@@ -46,59 +46,17 @@ impl State {
     /// Whether something was open before the gallery.
     #[must_use]
     pub fn has_outside(&self) -> bool {
-        self.timeline.past().iter().any(Step::leads_out)
+        self.timeline.steps(true).iter().any(Step::leads_out)
     }
 
     /// Does what a step says; returns the step that does the opposite.
     fn take_back(&mut self, step: Step) -> Step {
         match step {
-            Step::Placed {
-                object,
-                placement,
-                edits,
-                chosen,
-            } => {
-                let inverse = Step::Placed {
-                    object,
-                    placement: self.scene.objects()[object].placement,
-                    edits: mem::replace(&mut self.edits, edits),
-                    chosen: self.chosen(),
-                };
-                self.scene.place(object, placement);
-                self.outdate_measures();
-                self.rearranged();
-                self.choose(chosen);
-                inverse
-            }
-            Step::Shown {
-                objects,
-                edits,
-                chosen,
-            } => {
-                let (edits, now) = (mem::replace(&mut self.edits, edits), self.chosen());
-                self.toggle(&objects);
-                self.choose(chosen);
-                Step::Shown {
-                    objects,
-                    edits,
-                    chosen: now,
-                }
-            }
-            Step::Composed {
-                scene,
-                source,
-                edits,
-                chosen,
-            } => {
-                let inverse = Step::Composed {
-                    scene: mem::replace(&mut self.scene, scene),
-                    source: mem::replace(&mut self.source, source),
-                    edits: mem::replace(&mut self.edits, edits),
-                    chosen: self.chosen(),
-                };
-                self.scene_revision += 1;
-                self.rearranged();
-                self.choose(chosen);
+            Step::Edited(edit, edits, chosen) => {
+                let edits = mem::replace(&mut self.edits, edits);
+                let now = self.chosen.clone();
+                let inverse = Step::Edited(self.make(edit), edits, now);
+                self.chosen = chosen;
                 inverse
             }
             Step::Viewpoint(viewpoint) => {
@@ -109,10 +67,6 @@ impl State {
             Step::Measured(list) => Step::Measured(mem::replace(&mut self.measuring.list, list)),
             Step::Open(state) => Step::Open(self.exchange(state)),
         }
-    }
-
-    fn choose(&mut self, Chosen { selection, hits }: Chosen) {
-        (self.selection, self.hits) = (selection, hits);
     }
 
     /// Shows another state; the window's settings and the history stay. Returns the state before.

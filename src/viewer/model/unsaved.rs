@@ -30,7 +30,7 @@ impl State {
 
     /// The scenes that closing the window would lose: first those left for the gallery, oldest first, then this one.
     fn scenes_back(&self) -> impl Iterator<Item = &Self> {
-        let left = self.timeline.past().iter().filter_map(Step::scene);
+        let left = self.timeline.steps(true).iter().filter_map(Step::scene);
         left.chain([self])
     }
 

@@ -124,10 +124,8 @@ impl State {
     pub(super) fn planes(&self, view: &View, controls: &LensControls) -> (f64, f64) {
         let (bounds, camera) = (self.scene.visible_bounds(), &view.camera);
         let (mut near, mut far) = fit_near_far(camera, &bounds, controls.near, controls.far);
-        let others = self
-            .frozen()
-            .into_iter()
-            .filter(|frozen| !looks_alike(&frozen.view, view));
+        let is_other = |frozen: &&Frozen| !looks_alike(&frozen.view, view);
+        let others = self.frozen().into_iter().filter(is_other);
         let points: Vec<_> = others.flat_map(|frozen| corners(&frozen.view)).collect();
         let depth = |point: &DVec3| camera.to_view(*point).z;
         let room = |depth: f64| 0.01 * depth.abs();
@@ -200,21 +198,14 @@ impl State {
     }
 
     pub(super) fn turn(&mut self, by_px: DVec2) {
-        self.orbit.turn(
-            self.pivot_world,
-            -by_px.x * TURN_PER_PX,
-            by_px.y * TURN_PER_PX,
-        );
+        let [yaw, pitch] = [-by_px.x, by_px.y].map(|px| px * TURN_PER_PX);
+        self.orbit.turn(self.pivot_world, yaw, pitch);
         self.moved();
     }
 
     pub(super) fn pan(&mut self, by_px: DVec2) {
-        self.orbit.pan(
-            by_px,
-            self.pan_depth,
-            self.view.camera.lens(),
-            self.view.viewport,
-        );
+        let (lens, viewport) = (self.view.camera.lens(), self.view.viewport);
+        self.orbit.pan(by_px, self.pan_depth, lens, viewport);
         self.moved();
     }
 
