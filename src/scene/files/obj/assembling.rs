@@ -1,4 +1,4 @@
-//! Builds one mesh from the blocks that `tobj` parsed and from the survey of all other lines.
+//! Builds one mesh from the blocks of its pieces and from the survey of all other lines.
 
 use super::{
     ObjError, ObjFile,

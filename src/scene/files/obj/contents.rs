@@ -100,8 +100,8 @@ impl Contents {
         Some(self.stamp.as_ref()?.bytes)
     }
 
-    /// Records how many triangles come before a piece. Of its faces, `faces` were given to `tobj`; `are_plain` says
-    /// that each of those has two triangles fewer than corners.
+    /// Records how many triangles come before a piece. Of its faces, `faces` were read; `are_plain` says that
+    /// each of those has two triangles fewer than corners.
     pub(super) fn begin(
         &mut self,
         piece: usize,

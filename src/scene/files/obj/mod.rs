@@ -3,9 +3,8 @@
 //! Loading has these steps:
 //!
 //! 1. The file is cut into pieces of whole lines (`pieces`), which are read on all cores.
-//! 2. The lines of each piece (`text_lines`, `words`) are cleaned and written as a small OBJ file (`wash`, `places`).
-//!    `tobj` parses that file into vertices and faces (`block`). The other lines of the piece are collected (`survey`,
-//!    `names`).
+//! 2. The lines of each piece (`text_lines`, `words`) are read into vertices and faces (`block`, `corners`); `tobj` reads
+//!    the numbers of vertices. The other lines of the piece are collected (`survey`, `names`).
 //! 3. Vertices are converted to `f32` (`vertices`), polygons are split into triangles (`triangulation`, `delaunay`),
 //!    and colours are read from the MTL files (`material`). `assembling` makes the mesh.
 //!
@@ -35,14 +34,12 @@ mod material;
 mod names;
 mod notes;
 mod pieces;
-mod places;
 mod survey;
 #[cfg(test)]
 mod tests;
 mod text_lines;
 mod triangulation;
 mod vertices;
-mod wash;
 mod words;
 pub(super) mod write;
 
@@ -302,8 +299,7 @@ fn read<R: BufRead + Send>(
     Ok(built)
 }
 
-/// Parses the pieces of a file on all cores. Returns the blocks from `tobj`, and the survey of all lines that `tobj`
-/// did not get.
+/// Reads the pieces of a file on all cores. Returns the blocks, and the survey of all other lines.
 fn read_pieces(
     pieces: Pieces,
     (known, detail): (Option<usize>, Detail),
