@@ -1,9 +1,8 @@
 //! Reads a piece of a file into a [`Block`] of vertices and faces.
 //!
-//! `tobj` reads the numbers of vertices and normals. It gets them as the lines of two small OBJ files (`numbers`), and no
-//! line that it would refuse: a vertex or a normal that cannot be read becomes NaN, so that the others keep their
-//! numbers. A face that cannot be read is left out. The contents of the other lines are kept in the [`Survey`], by face
-//! number.
+//! `tobj` reads the coordinates of vertices and normals. It gets them as two small OBJ files, and no line that it would
+//! refuse: a vertex or a normal that cannot be read becomes NaN, so that the others keep their numbers. A face that
+//! cannot be read is left out. The contents of the other lines are kept in the [`Survey`], by face number.
 
 use super::{
     BadLine,
