@@ -135,11 +135,8 @@ impl Triangles {
             let corners = at..at + arity;
             at += arity;
             places.clear();
-            places.extend(
-                faces.corners[corners.clone()]
-                    .iter()
-                    .map(|&v| vertices.place(v)),
-            );
+            let named = faces.corners[corners.clone()].iter();
+            places.extend(named.map(|&vertex| vertices.place(vertex)));
             if vertices.any_nowhere(&places) {
                 all.left_out.nowhere += 1;
                 continue;

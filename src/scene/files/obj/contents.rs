@@ -69,8 +69,7 @@ impl Contents {
     pub(super) fn new(pieces: impl Iterator<Item = [Counts; 2]>) -> Self {
         let start = |counts| Start {
             counts,
-            triangles: 0,
-            is_plain: false,
+            ..Start::default()
         };
         let mut starts = Vec::new();
         for [before, after] in pieces {
@@ -79,8 +78,7 @@ impl Contents {
         }
         Self {
             starts,
-            stamp: None,
-            libraries: Vec::new(),
+            ..Self::default()
         }
     }
 
