@@ -23,7 +23,7 @@ pub(crate) fn write(out: impl Write, value: &impl Serialize) -> io::Result<()> {
     Ok(())
 }
 
-/// [`write`], and ends the line.
+/// [`write()`], and ends the line.
 ///
 /// # Errors
 /// When `out` fails.
