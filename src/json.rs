@@ -23,6 +23,32 @@ pub(crate) fn write(out: impl Write, value: &impl Serialize) -> io::Result<()> {
     Ok(())
 }
 
+/// [`write()`], and ends the line.
+///
+/// # Errors
+/// When `out` fails.
+pub(crate) fn write_line(mut out: impl Write, value: &impl Serialize) -> io::Result<()> {
+    write(&mut out, value)?;
+    writeln!(out)
+}
+
+/// An object of JSON with these fields, in this order. Fields may have serde's attributes.
+macro_rules! object {
+    ($($(#[$attribute:meta])* $name:ident: $value:expr),+ $(,)?) => {{
+        // The type of each field has the field's name.
+        #[expect(non_camel_case_types)]
+        let object = {
+            #[derive(serde::Serialize)]
+            struct JsonObject<$($name),+> {
+                $($(#[$attribute])* $name: $name),+
+            }
+            JsonObject { $($name: $value),+ }
+        };
+        object
+    }};
+}
+pub(crate) use object;
+
 /// The JSON of a value, as a string.
 ///
 /// # Errors

@@ -1,7 +1,7 @@
 //! Writes files whole or not at all.
 
 use std::{
-    fs::{self, File},
+    fs::{self, File, Metadata},
     io::{self, BufWriter, ErrorKind, Write},
     path::{Path, PathBuf},
 };
@@ -38,37 +38,31 @@ pub(crate) fn write_beside(
     let target = target(path);
     let before = fs::metadata(&target).ok();
     // A rename checks only the permissions of the folder.
-    if before
-        .as_ref()
-        .is_some_and(|old| old.permissions().readonly())
-    {
+    let is_fixed = |old: &Metadata| old.permissions().readonly();
+    if before.as_ref().is_some_and(is_fixed) {
         return Err(ErrorKind::PermissionDenied.into());
     }
+    let mut beside = None;
     if before.as_ref().is_some_and(|old| !old.is_file()) {
-        let mut out = BufWriter::new(File::create(&target)?);
-        write(&mut out)?;
-        out.flush()?;
-        return Ok(Written {
-            target,
-            beside: None,
-        });
+        write_all(&mut File::create(&target)?, write)?;
+    } else {
+        let new = beside.insert(new_file(folder_of(&target))?);
+        if let Some(old) = before {
+            new.as_file().set_permissions(old.permissions())?;
+        }
+        write_all(new.as_file_mut(), write)?;
+        new.as_file().sync_all()?;
     }
-    let folder = target
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty());
-    let mut beside = new_file(folder.unwrap_or(Path::new(".")))?;
-    if let Some(old) = before {
-        beside.as_file().set_permissions(old.permissions())?;
-    }
-    let mut out = BufWriter::new(beside.as_file_mut());
+    Ok(Written { target, beside })
+}
+
+fn write_all(
+    file: &mut File,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut out = BufWriter::new(file);
     write(&mut out)?;
-    out.flush()?;
-    drop(out);
-    beside.as_file().sync_all()?;
-    Ok(Written {
-        target,
-        beside: Some(beside),
-    })
+    out.flush()
 }
 
 impl Written {
@@ -87,16 +81,17 @@ impl Written {
 /// The file that a path leads to, through links. It need not exist.
 pub(crate) fn target(path: &Path) -> PathBuf {
     let in_folder = || {
-        let folder = path
-            .parent()
-            .filter(|folder| !folder.as_os_str().is_empty());
-        let folder = fs::canonicalize(folder.unwrap_or(Path::new("."))).ok()?;
+        let folder = fs::canonicalize(folder_of(path)).ok()?;
         Some(folder.join(path.file_name()?))
     };
-    let existing = fs::canonicalize(path).ok();
-    existing
-        .or_else(in_folder)
-        .unwrap_or_else(|| path.to_owned())
+    let found = fs::canonicalize(path).ok().or_else(in_folder);
+    found.unwrap_or_else(|| path.to_owned())
+}
+
+fn folder_of(path: &Path) -> &Path {
+    let folder = path.parent();
+    let folder = folder.filter(|folder| !folder.as_os_str().is_empty());
+    folder.unwrap_or(Path::new("."))
 }
 
 /// A file of a unique name, removed when dropped, with the permissions of any new file.

@@ -7,8 +7,13 @@ use crate::{
     scene::Loaded,
     viewer::model,
 };
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use glam::DVec3;
+
+const DEPTHS: [(&str, DepthMapping); 2] = [
+    ("reversed", DepthMapping::Reversed),
+    ("standard", DepthMapping::Standard),
+];
+const UP_AXES: [(&str, UpAxis); 2] = [("y", UpAxis::Y), ("z", UpAxis::Z)];
 
 /// The camera's flags. For each field, a flag has priority over the scene file's camera, which has priority over
 /// automatic framing.
@@ -45,13 +50,13 @@ pub struct ViewArgs {
     #[arg(long, value_name = "F", value_parser = value::number, allow_hyphen_values = true)]
     pub far: Option<f64>,
     /// What the depth buffer stores [default: reversed]
-    #[arg(long, value_name = "MAPPING", value_parser = depth_parser())]
+    #[arg(long, value_name = "MAPPING", value_parser = value::word(DEPTHS))]
     pub depth: Option<DepthMapping>,
     /// Show and hit front faces only
     #[arg(long)]
     pub cull: bool,
     /// Which world axis points up [default: y]
-    #[arg(long, value_name = "AXIS", value_parser = up_axis_parser())]
+    #[arg(long, value_name = "AXIS", value_parser = value::word(UP_AXES))]
     pub up_axis: Option<UpAxis>,
     /// Cut the world by a plane: what lies behind is not drawn, not picked
     ///
@@ -71,20 +76,6 @@ pub struct ViewArgs {
     #[arg(long, value_name = "ID,...", value_delimiter = ',', value_parser = value::id)]
     #[arg(allow_hyphen_values = true)]
     pub hide: Vec<usize>,
-}
-
-fn depth_parser() -> impl TypedValueParser<Value = DepthMapping> {
-    PossibleValuesParser::new(["reversed", "standard"]).map(|word| match word.as_str() {
-        "standard" => DepthMapping::Standard,
-        _ => DepthMapping::Reversed,
-    })
-}
-
-fn up_axis_parser() -> impl TypedValueParser<Value = UpAxis> {
-    PossibleValuesParser::new(["y", "z"]).map(|word| match word.as_str() {
-        "z" => UpAxis::Z,
-        _ => UpAxis::Y,
-    })
 }
 
 impl ViewArgs {
@@ -126,31 +117,24 @@ impl ViewArgs {
         let hidden = model::hide(&mut loaded.scene, &self.hide);
         hidden.map_err(|error| CliError::Usage(format!("--hide: {error}")))?;
         let flags = self.choice();
-        let camera = flags
-            .or(loaded.camera)
-            .resolve(&loaded.scene.visible_bounds(), self.size());
-        let camera = camera.map_err(|source| match &loaded.camera_from {
+        let choice = flags.or(loaded.camera);
+        let in_file = |what: String| {
+            let (file, line) = loaded.camera_from.clone()?;
+            Some(CliError::SceneView { file, line, what })
+        };
+        let camera = choice.resolve(&loaded.scene.visible_bounds(), self.size());
+        let camera = camera.map_err(|error| {
             // Without a flag, the error can only come from the scene file.
-            Some((file, line)) if flags == CameraChoice::default() => CliError::SceneCamera {
-                file: file.clone(),
-                line: *line,
-                source,
-            },
-            _ => CliError::View(source),
+            let is_in_file = flags == CameraChoice::default();
+            let in_file = in_file(error.to_string()).filter(|_| is_in_file);
+            in_file.unwrap_or_else(|| CliError::Usage(format!("{error}; see --help")))
         })?;
-        let section = flags.or(loaded.camera).section.unwrap_or_default();
-        let section =
-            loaded
-                .scene
-                .section(section)
-                .map_err(|source| match &loaded.camera_from {
-                    Some((file, line)) if flags.section.is_none() => CliError::SceneSection {
-                        file: file.clone(),
-                        line: *line,
-                        source,
-                    },
-                    _ => CliError::Usage(format!("--section: {}", model::no_section(&source))),
-                })?;
+        let section = loaded.scene.section(choice.section.unwrap_or_default());
+        let section = section.map_err(|error| {
+            let error = model::no_section(&error);
+            let in_file = in_file(format!("section: {error}")).filter(|_| flags.section.is_none());
+            in_file.unwrap_or_else(|| CliError::Usage(format!("--section: {error}")))
+        })?;
         let [eye, target, up] = [camera.eye(), camera.target(), camera.up_hint()]
             .map(|v| format!("{},{},{}", v.x, v.y, v.z));
         let lens = camera.lens();

@@ -44,27 +44,15 @@ const TELLERS: [Teller; 2] = [
         folder: "applications",
         files: "",
         end: "desktop",
-        caches: &["mimeinfo.cache"],
+        caches: "mimeinfo.cache",
     },
     Teller {
         command: "update-mime-database",
         folder: "mime",
         files: "packages",
         end: "xml",
-        caches: &[
-            "XMLnamespaces",
-            "aliases",
-            "generic-icons",
-            "globs",
-            "globs2",
-            "icons",
-            "magic",
-            "mime.cache",
-            "subclasses",
-            "treemagic",
-            "types",
-            "version",
-        ],
+        caches: "XMLnamespaces aliases generic-icons globs globs2 icons magic mime.cache subclasses treemagic \
+                 types version",
     },
 ];
 
@@ -76,8 +64,8 @@ struct Teller {
     files: &'static str,
     /// The extension of the files that the command reads.
     end: &'static str,
-    /// The files that the command writes.
-    caches: &'static [&'static str],
+    /// The files that the command writes, with spaces between them.
+    caches: &'static str,
 }
 
 /// The most bytes that a file of any version of this program has. A longer file is not read.
@@ -131,9 +119,8 @@ fn own_share_folder() -> Result<PathBuf, CliError> {
     if cfg!(any(windows, target_os = "macos")) {
         return Err(CliError::Usage(unknown.into()));
     }
-    let places = etcetera::choose_base_strategy();
-    let places =
-        places.map_err(|_| CliError::Usage("there is no home folder: say --to DIR".into()))?;
+    let no_home = |_| CliError::Usage("there is no home folder: say --to DIR".into());
+    let places = etcetera::choose_base_strategy().map_err(no_home)?;
     Ok(places.data_dir())
 }
 
@@ -189,7 +176,7 @@ impl Teller {
         let is_one = |path: PathBuf| path.extension().is_some_and(|end| end == self.end);
         let mut left = (fs::read_dir(files).into_iter().flatten()).flatten();
         if take_away && !left.any(|entry| is_one(entry.path())) {
-            for cache in self.caches {
+            for cache in self.caches.split(' ') {
                 let _ = fs::remove_file(folder.join(cache));
             }
         }

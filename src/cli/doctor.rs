@@ -1,12 +1,15 @@
 //! `sightline doctor`: describes the graphics of this machine, as text for a bug report.
 
-use super::{CliError, terminal::start_log};
+use super::{
+    CliError, print,
+    terminal::{plain, start_log},
+};
 use crate::{
     geometry::shares,
     render::{self, AdapterCan, AdapterFound, GpuError, Numbers},
     viewer,
 };
-use std::{env, fmt::Write as _, io::Write as _};
+use std::env;
 
 /// Arguments of `doctor`.
 #[derive(Debug, clap::Args)]
@@ -40,33 +43,31 @@ pub(super) fn run(args: &DoctorArgs) -> Result<(), CliError> {
     start_log(args.verbose);
     let display = viewer::display();
     let adapters = render::adapters();
-    let mut text = format!(
-        "sightline {}, {} {}, {} threads\n",
+    let mut lines = vec![format!(
+        "sightline {}, {} {}, {} threads",
         env!("CARGO_PKG_VERSION"),
         env::consts::OS,
         env::consts::ARCH,
         shares::cores()
-    );
-    for name in VARIABLES {
-        if let Some(value) = env::var_os(name) {
-            line(&mut text, &format!("{name}={}", value.display()));
-        }
-    }
-    match &display {
-        Ok(()) => line(&mut text, "display: there is one"),
-        Err(error) => line(&mut text, &format!("display: {error}")),
-    }
-    for (number, adapter) in (1..).zip(&adapters) {
-        describe(&mut text, number, adapter);
-    }
+    )];
+    let variables = VARIABLES.map(|name| Some((name, env::var_os(name)?)));
+    let variables = variables.into_iter().flatten();
+    lines.extend(variables.map(|(name, value)| format!("{name}={}", value.display())));
+    lines.push(match &display {
+        Ok(()) => "display: there is one".to_owned(),
+        Err(error) => format!("display: {error}"),
+    });
+    lines.extend((1..).zip(&adapters).flat_map(describe));
     let drawing = drawing(&adapters);
-    if let Err(error) = &drawing {
-        line(&mut text, &format!("drawing: {error}"));
-    }
-    line(&mut text, &format!("works without an adapter: {WITHOUT}"));
-    let mut out = std::io::stdout().lock();
-    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
-    written.map_err(CliError::stdout)?;
+    lines.extend(
+        drawing
+            .as_ref()
+            .err()
+            .map(|error| format!("drawing: {error}")),
+    );
+    lines.push(format!("works without an adapter: {WITHOUT}"));
+    let text: String = lines.iter().map(|line| plain(line) + "\n").collect();
+    print(&text)?;
     drawing?;
     Ok(display?)
 }
@@ -78,24 +79,25 @@ fn drawing(adapters: &[AdapterFound]) -> Result<(), GpuError> {
     used.can.as_ref().map(|_| ()).map_err(Clone::clone)
 }
 
-fn describe(text: &mut String, number: usize, adapter: &AdapterFound) {
+/// The lines about an adapter.
+fn describe((number, adapter): (usize, &AdapterFound)) -> Vec<String> {
     let used = if adapter.is_used { ", which draws" } else { "" };
-    line(text, &format!("adapter {number}{used}: {}", adapter.name));
     let [vendor, device] = adapter.numbers;
-    line(
-        text,
-        &format!(
+    let mut lines = vec![
+        format!("adapter {number}{used}: {}", adapter.name),
+        format!(
             "  {} by {}, driver {}, {vendor:04x}:{device:04x}",
             adapter.kind, adapter.backend, adapter.driver
         ),
-    );
+    ];
     match &adapter.can {
-        Ok(can) => abilities(text, can),
-        Err(error) => line(text, &format!("  draws nothing: {error}")),
+        Ok(can) => lines.extend(abilities(can)),
+        Err(error) => lines.push(format!("  draws nothing: {error}")),
     }
+    lines
 }
 
-fn abilities(text: &mut String, can: &AdapterCan) {
+fn abilities(can: &AdapterCan) -> [String; 6] {
     let numbers = match can.numbers {
         Numbers::Primitives => "by primitive index",
         Numbers::Corners => {
@@ -103,36 +105,24 @@ fn abilities(text: &mut String, can: &AdapterCan) {
         }
         Numbers::Objects => "none, so that verify compares objects alone",
     };
-    line(text, &format!("  triangles in ids: {numbers}"));
     let bits = can.rasteriser.sub_pixel_bits();
-    line(
-        text,
-        &format!(
-            "  corners go to 1/{} pixel: {bits} sub-pixel bits, measured",
-            1_u32 << bits
-        ),
-    );
+    let grid = 1_u32 << bits;
     let edges = if can.smooth_samples > 1 {
         format!("smooth, {} samples a pixel", can.smooth_samples)
     } else {
         "rough, without multisampling".to_owned()
     };
-    line(text, &format!("  edges: {edges}"));
     let wireframe = if can.draws_wireframes { "yes" } else { "no" };
-    line(text, &format!("  wireframe: {wireframe}"));
     let side = can.max_side_px;
-    line(text, &format!("  pictures: up to {side}x{side}"));
     let [buffer, table] = [can.max_buffer_bytes, can.max_table_bytes].map(|bytes| bytes >> 20);
-    line(
-        text,
-        &format!(
+    [
+        format!("  triangles in ids: {numbers}"),
+        format!("  corners go to 1/{grid} pixel: {bits} sub-pixel bits, measured"),
+        format!("  edges: {edges}"),
+        format!("  wireframe: {wireframe}"),
+        format!("  pictures: up to {side}x{side}"),
+        format!(
             "  buffers: up to {buffer} MiB, larger meshes are split; tables of objects up to {table} MiB"
         ),
-    );
-}
-
-/// Adds a line, with terminal control characters escaped.
-fn line(text: &mut String, content: &str) {
-    // Writing to a string cannot fail.
-    let _ = writeln!(text, "{}", super::terminal::plain(content));
+    ]
 }

@@ -2,12 +2,11 @@
 
 use super::{Cli, terminal::say};
 use crate::{
-    camera::CameraError,
     image::ImageError,
     render::GpuError,
-    scene::{LoadError, NoSection, obj::AgainError},
+    scene::{LoadError, obj::AgainError},
     study::SaveError,
-    viewer::{ViewerError, model::no_section},
+    viewer::ViewerError,
 };
 use clap::CommandFactory;
 use std::{
@@ -18,31 +17,18 @@ use std::{
 /// Why a command failed. The message is one line; where possible it says what to do.
 #[derive(Debug, thiserror::Error)]
 pub enum CliError {
-    /// The arguments are invalid.
+    /// The arguments are invalid, or ask for a picture that does not fit into memory.
     #[error("{0}")]
     Usage(String),
-    /// The flags give no valid camera.
-    #[error("{0}; see --help")]
-    View(CameraError),
-    /// The scene file's camera is not valid.
-    #[error("{}:{line}: {source}", file.display())]
-    SceneCamera {
+    /// The scene file's camera or section is not valid.
+    #[error("{}:{line}: {what}", file.display())]
+    SceneView {
         /// The scene file.
         file: PathBuf,
         /// The line where its camera begins.
         line: usize,
-        /// What is wrong with its camera.
-        source: CameraError,
-    },
-    /// The scene file's section is not valid.
-    #[error("{}:{line}: section: {}", file.display(), no_section(source))]
-    SceneSection {
-        /// The scene file.
-        file: PathBuf,
-        /// The line where its camera begins.
-        line: usize,
-        /// What is wrong with its section.
-        source: NoSection,
+        /// What is wrong.
+        what: String,
     },
     /// The scene could not be loaded.
     #[error(transparent)]
@@ -53,14 +39,6 @@ pub enum CliError {
     /// A file could not be read again.
     #[error(transparent)]
     Again(#[from] AgainError),
-    /// There is not enough memory for the picture.
-    #[error("a picture of {size} needs {} MB, more memory than is available: draw a smaller one", bytes / 1_000_000)]
-    TooLarge {
-        /// Width and height in pixels.
-        size: String,
-        /// The memory that the picture needs, in bytes.
-        bytes: usize,
-    },
     /// The picture could not be written.
     #[error(transparent)]
     Image(#[from] ImageError),
@@ -116,12 +94,8 @@ impl CliError {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Unexplained(_) | Self::BeyondF32(_) | Self::OneSided(..) => 1,
-            Self::Usage(_)
-            | Self::View(_)
-            | Self::TooLarge { .. }
-            | Self::Again(AgainError::NoSuch { .. }) => 2,
-            Self::SceneCamera { .. }
-            | Self::SceneSection { .. }
+            Self::Usage(_) | Self::Again(AgainError::NoSuch { .. }) => 2,
+            Self::SceneView { .. }
             | Self::Load(_)
             | Self::NoSuchCommand(_)
             | Self::Again(_)
@@ -178,10 +152,8 @@ impl From<clap::Error> for CliError {
             words.join(" ")
         });
         let message = parts.next().unwrap_or_default();
-        let mut line = message
-            .strip_prefix("error: ")
-            .unwrap_or(&message)
-            .to_owned();
+        let message = message.strip_prefix("error: ").unwrap_or(&message);
+        let mut line = message.to_owned();
         for tip in parts.filter(|part| part.contains("similar")) {
             line = format!("{line}; {}", tip.trim_start_matches("tip: "));
         }

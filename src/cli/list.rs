@@ -52,10 +52,7 @@ pub(super) fn run(args: &ListArgs) -> Result<(), CliError> {
     let loaded = load_with(&args.scene, Detail::Shapes)?;
     let mut out = BufWriter::new(std::io::stdout().lock());
     let written = if args.json {
-        lines(&loaded.scene).try_for_each(|line| {
-            json::write(&mut out, &line)?;
-            writeln!(out)
-        })
+        lines(&loaded.scene).try_for_each(|line| json::write_line(&mut out, &line))
     } else {
         write_table(&mut out, &loaded.scene)
     };

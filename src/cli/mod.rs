@@ -114,19 +114,23 @@ pub struct SceneArgs {
 #[must_use]
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     let args = command_first(args.into_iter().collect());
-    let cli = match Cli::try_parse_from(args) {
-        Ok(cli) => cli,
+    let done = match Cli::try_parse_from(args) {
+        Ok(cli) => run_command(&cli),
         Err(error) if !error.use_stderr() => {
             // Help and version.
             let printed = error.print().and_then(|()| io::stdout().flush());
-            return match printed {
-                Ok(()) => ExitCode::SUCCESS,
-                Err(error) => CliError::stdout(error).report(),
-            };
+            printed.map_err(CliError::stdout)
         }
-        Err(error) => return CliError::from(error).report(),
+        Err(error) => Err(error.into()),
     };
-    let done = match &cli.command {
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => error.report(),
+    }
+}
+
+fn run_command(cli: &Cli) -> Result<(), CliError> {
+    match &cli.command {
         Some(Command::Render(args)) => render::run(args),
         Some(Command::Pick(args)) => pick::run(args),
         Some(Command::List(args)) => list::run(args),
@@ -135,10 +139,6 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Some(Command::Doctor(args)) => doctor::run(args),
         Some(Command::InstallDesktop(args)) => desktop::run(args),
         None => window::run(&cli.window),
-    };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => error.report(),
     }
 }
 
@@ -185,6 +185,13 @@ fn load_with(args: &SceneArgs, detail: Detail) -> Result<Loaded, CliError> {
     Ok(loaded)
 }
 
+/// Prints a text to standard output.
+fn print(text: &str) -> Result<(), CliError> {
+    let mut out = io::stdout().lock();
+    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    written.map_err(CliError::stdout)
+}
+
 /// Builds the trees of the scene's meshes. They pay off for more than a few rays.
 fn build_trees(scene: &scene::Scene) {
     let start = Instant::now();
@@ -197,7 +204,11 @@ fn check_memory(size: Viewport, bytes_per_pixel: usize) -> Result<(), CliError> 
     let pixels = size.width() as usize * size.height() as usize;
     let bytes = pixels.saturating_mul(bytes_per_pixel);
     Vec::<u8>::new().try_reserve_exact(bytes).map_err(|_| {
-        let size = format!("{}x{}", size.width(), size.height());
-        CliError::TooLarge { size, bytes }
+        CliError::Usage(format!(
+            "a picture of {}x{} needs {} MB, more memory than is available: draw a smaller one",
+            size.width(),
+            size.height(),
+            bytes / 1_000_000
+        ))
     })
 }

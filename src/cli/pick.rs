@@ -1,10 +1,6 @@
 //! `sightline pick`: what is at a position of the picture.
 
-use super::{
-    CliError, SceneArgs, ViewArgs, build_trees,
-    in_file::{self, Wanted},
-    load_with, stored, value,
-};
+use super::{CliError, SceneArgs, ViewArgs, build_trees, in_file, load_with, stored, value};
 use crate::{
     camera::{View, Viewport},
     json,
@@ -142,12 +138,9 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
             At::Stdin => picker.pick_lines(BufReader::new(std::io::stdin().lock()))?,
         }
     }
-    let wanted = Wanted {
-        faces: &args.face,
-        vertices: &args.vertex,
-        object: args.object,
-    };
-    in_file::write(&mut picker.out, &wanted, &loaded, &view, &mut picker.files)?;
+    let numbers = (&*args.face, &*args.vertex);
+    let (out, files) = (&mut picker.out, &mut picker.files);
+    in_file::write(out, numbers, args.object, &loaded, &view, files)?;
     picker.flush()
 }
 
@@ -230,38 +223,35 @@ impl Picker<'_> {
         let snap = Snap::at(self.scene, self.view, px, radius_px, &mut faces);
         let file_error = file_error.filter(|_| snap.is_none());
         let line = self.measured.line(self.scene, px, snap, file_error);
-        self.print(json::text(&line))
+        json::write_line(&mut self.out, &line).map_err(CliError::stdout)
     }
 
     fn pick_in(&mut self, scene: &Scene, px: DVec2) -> Result<(), CliError> {
         let in_one_place = verify::in_one_place(scene, self.view, px);
-        let line = if self.all_hits {
+        let written = if self.all_hits {
             let mut hits = pick::pick_all(scene, self.view, px);
             for hit in &mut hits {
                 hit.in_file = self.files.in_file(hit.id - 1, hit.triangle);
             }
-            json::text(&PickLines {
+            let line = PickLines {
                 px,
                 hits,
                 in_one_place,
-            })
+            };
+            json::write_line(&mut self.out, &line)
         } else {
             let mut hit = pick::pick(scene, self.view, px);
             if let Some(hit) = &mut hit {
                 hit.in_file = self.files.in_file(hit.id - 1, hit.triangle);
             }
-            json::text(&PickLine {
+            let line = PickLine {
                 px,
                 hit,
                 in_one_place,
-            })
+            };
+            json::write_line(&mut self.out, &line)
         };
-        self.print(line)
-    }
-
-    fn print(&mut self, line: std::io::Result<String>) -> Result<(), CliError> {
-        line.and_then(|line| writeln!(self.out, "{line}"))
-            .map_err(CliError::stdout)
+        written.map_err(CliError::stdout)
     }
 
     /// Picks at each line's position. Flushes the answers before it waits for more input.

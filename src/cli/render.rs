@@ -35,7 +35,7 @@ pub struct RenderArgs {
     #[arg(long, value_name = "FILE.png", value_parser = value::png())]
     pub ids: Option<PathBuf>,
     /// Draw the four views side by side, or one of them, as the window does [default: picture]
-    #[arg(long, value_name = "VIEWS", value_parser = value::views(), conflicts_with_all = ["ids", "by"])]
+    #[arg(long, value_name = "VIEWS", value_parser = value::word(value::VIEWS), conflicts_with_all = ["ids", "by"])]
     pub views: Option<Views>,
     /// How to look at it.
     #[command(flatten)]
@@ -115,11 +115,14 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     log::info!("drew the picture in {:.1?}", start.elapsed());
     // Neither file is replaced unless both can be written.
     let ids = match (&args.ids, ids) {
-        (Some(path), Some(ids)) => Some(ids.write_png_beside(path)?),
+        (Some(path), Some(ids)) => Some((path, ids.write_png_beside(path)?)),
         _ => None,
     };
     colours.write_png(&args.output)?;
-    ids.map_or(Ok(()), |ids| Ok(ids.put_in_place()?))
+    ids.map_or(Ok(()), |(path, ids)| {
+        let placed = ids.put_in_place();
+        placed.map_err(|source| CliError::file(path, source))
+    })
 }
 
 fn raycast(scene: &Scene, view: &View, selection: Option<usize>) -> (Image<Id>, Image<Rgb>) {

@@ -5,9 +5,8 @@ use crate::{
     camera::View,
     geometry::{Mesh, Sides},
     json,
-    scene::{Object, Scene, Shape, matrix_rows},
+    scene::{Object, Scene, matrix_rows},
 };
-use glam::DVec3;
 use serde::{Serialize, Serializer};
 use std::{
     collections::HashMap,
@@ -15,64 +14,6 @@ use std::{
     ops::Range,
     sync::Arc,
 };
-
-#[derive(Serialize)]
-struct Line<M, O> {
-    stored: Stored<M, O>,
-}
-
-#[derive(Serialize)]
-struct Stored<M, O> {
-    camera: StoredCamera,
-    meshes: M,
-    objects: O,
-}
-
-/// The camera in world space. Lengths are in world units.
-#[derive(Serialize)]
-struct StoredCamera {
-    eye: DVec3,
-    right: DVec3,
-    up: DVec3,
-    forward: DVec3,
-    half_height: f64,
-    orthographic: bool,
-    near: f64,
-    far: f64,
-    /// Width and height in pixels.
-    size: [u32; 2],
-    /// Whether back faces are ignored.
-    cull: bool,
-    section: Option<StoredSection>,
-}
-
-/// The section plane in world space. Points with `normal . p + offset >= 0` are kept.
-#[derive(Serialize)]
-struct StoredSection {
-    normal: DVec3,
-    offset: f64,
-}
-
-/// A mesh in object space.
-#[derive(Serialize)]
-struct StoredMesh<'a, P> {
-    origin: DVec3,
-    positions: P,
-    triangles: &'a [[u32; 3]],
-}
-
-#[derive(Serialize)]
-struct StoredObject<'a> {
-    id: usize,
-    name: &'a str,
-    shape: &'static str,
-    visible: bool,
-    /// The model matrix's upper three rows, as scene files have them.
-    matrix: [[f64; 4]; 3],
-    mesh: Option<usize>,
-    /// The first triangle in the mesh, and the one after the last.
-    triangles: Option<[u32; 2]>,
-}
 
 /// A list that makes each item as it is written. All items of a large scene would not fit into memory.
 struct Each<F>(F);
@@ -91,29 +32,20 @@ pub(super) fn write(out: impl Write, scene: &Scene, view: &View) -> Result<(), C
         let numbered = (1..).zip(scene.objects());
         numbered.map(|(id, object)| stored_object(id, object, &places))
     };
-    let line = Line {
-        stored: Stored {
-            camera: stored_camera(view),
-            meshes: Each(|| scene.meshes().iter().map(|mesh| stored_mesh(mesh))),
-            objects: Each(objects),
-        },
+    let stored = json::object! {
+        camera: stored_camera(view),
+        meshes: Each(|| scene.meshes().iter().map(|mesh| stored_mesh(mesh))),
+        objects: Each(objects),
     };
-    json::write(&mut out, &line)
-        .and_then(|()| writeln!(out))
+    json::write_line(&mut out, &json::object! { stored: stored })
         .and_then(|()| out.flush())
         .map_err(CliError::stdout)
 }
 
-fn stored_camera(
-    View {
-        camera,
-        viewport,
-        sides,
-        section,
-    }: &View,
-) -> StoredCamera {
-    let lens = camera.lens();
-    StoredCamera {
+/// The camera in world space. Lengths are in world units.
+fn stored_camera(view: &View) -> impl Serialize {
+    let (camera, lens) = (&view.camera, view.camera.lens());
+    json::object! {
         eye: camera.eye(),
         right: camera.right(),
         up: camera.up(),
@@ -122,41 +54,41 @@ fn stored_camera(
         orthographic: lens.is_orthographic(),
         near: lens.near,
         far: lens.far,
-        size: [viewport.width(), viewport.height()],
-        cull: *sides == Sides::Front,
-        section: section.map(|section| StoredSection {
+        size: [view.viewport.width(), view.viewport.height()],
+        cull: view.sides == Sides::Front,
+        // Points with `normal . p + offset >= 0` are kept.
+        section: view.section.map(|section| json::object! {
             normal: section.normal(),
             offset: section.offset(),
         }),
     }
 }
 
+/// A mesh in object space.
 fn stored_mesh(mesh: &Mesh) -> impl Serialize {
     let data = mesh.data();
-    StoredMesh {
+    json::object! {
         origin: data.origin,
         positions: Each(|| data.positions.iter().map(|p| p.map(f64::from))),
         triangles: &data.triangles,
     }
 }
 
-fn stored_object<'a>(
+fn stored_object(
     id: usize,
-    object: &'a Object,
+    object: &Object,
     places: &HashMap<*const Mesh, usize>,
-) -> StoredObject<'a> {
-    let mesh = match &object.shape {
-        Shape::Mesh { mesh, .. } => places.get(&Arc::as_ptr(mesh)).copied(),
-        _ => None,
-    };
-    let triangles = object.shape.triangles();
-    StoredObject {
-        id,
+) -> impl Serialize {
+    let mesh = object.shape.mesh();
+    json::object! {
+        id: id,
         name: &object.name,
         shape: object.shape.kind(),
         visible: object.visible,
+        // The model matrix's upper three rows, as scene files have them.
         matrix: matrix_rows(object.placement.model()),
-        mesh,
-        triangles: triangles.map(|Range { start, end }| [start, end]),
+        mesh: mesh.and_then(|mesh| places.get(&Arc::as_ptr(mesh)).copied()),
+        // The first triangle in the mesh, and the one after the last.
+        triangles: object.shape.triangles().map(|Range { start, end }| [start, end]),
     }
 }

@@ -1,12 +1,12 @@
 //! `sightline study`: measures the speed and the accuracy of the known methods.
 
-use super::{CliError, SceneArgs, ViewArgs, load, terminal::start_log, value};
+use super::{CliError, SceneArgs, ViewArgs, load, print, terminal::start_log, value};
 use crate::{
     camera::{SectionChoice, View},
     study::{self, Effort, SceneRays},
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::{io::Write, path::PathBuf, time::Duration};
+use std::{path::PathBuf, time::Duration};
 
 /// The help text of SCENE.
 pub(super) const SCENES: &str = "What to study besides the study's own workloads: .obj or scene .toml files, or \
@@ -56,14 +56,12 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
             "view flags say how to look at a SCENE, and none is named".to_owned(),
         ));
     }
-    let effort = Effort {
-        seed: args.seed,
-        ..if args.quick {
-            Effort::QUICK
-        } else {
-            Effort::FULL
-        }
+    let mut effort = if args.quick {
+        Effort::QUICK
+    } else {
+        Effort::FULL
     };
+    effort.seed = args.seed;
     // The folder is created before the work, so that an invalid one is reported at once.
     if let Some(folder) = &args.out {
         std::fs::create_dir_all(folder).map_err(|source| CliError::file(folder, source))?;
@@ -74,12 +72,8 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     } else {
         let mut loaded = load(&args.scene)?;
         let view = uncut(args.view.apply(&mut loaded)?);
-        Some(SceneRays::new(
-            &loaded.scene,
-            view,
-            effort.cases,
-            effort.seed,
-        ))
+        let rays = SceneRays::new(&loaded.scene, view, effort.cases, effort.seed);
+        Some(rays)
     };
     let bar = progress_bar();
     let report = study::run(effort, own.as_ref(), &|share, step| {
@@ -92,9 +86,7 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
         bar.set_message(step.to_owned());
     });
     bar.finish_and_clear();
-    std::io::stdout()
-        .write_all(study::table(&report).as_bytes())
-        .map_err(CliError::stdout)?;
+    print(&study::table(&report))?;
     if let Some(folder) = &args.out {
         study::save(folder, &report)?;
     }
@@ -114,10 +106,7 @@ fn budget(args: &StudyArgs, px: f64) -> Result<(), CliError> {
         ..Effort::SCENE_ONLY
     };
     let report = study::run(effort, Some(&rays), &|_, _| {});
-    let page = study::budget(&rays, &view, &report, px);
-    std::io::stdout()
-        .write_all(page.as_bytes())
-        .map_err(CliError::stdout)
+    print(&study::budget(&rays, &view, &report, px))
 }
 
 /// A progress bar on stderr, if that is a terminal.

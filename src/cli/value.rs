@@ -24,10 +24,8 @@ pub(super) fn number(text: &str) -> Result<f64, String> {
 /// `N` finite numbers between commas.
 fn numbers<const N: usize>(text: &str, form: &str) -> Result<[f64; N], String> {
     let values: Result<Vec<f64>, _> = text.split(',').map(number).collect();
-    values
-        .ok()
-        .and_then(|values| values.try_into().ok())
-        .ok_or_else(|| format!("expected {form}: numbers with commas and no spaces"))
+    let values = values.ok().and_then(|values| values.try_into().ok());
+    values.ok_or_else(|| format!("expected {form}: numbers with commas and no spaces"))
 }
 
 /// `x,y,z`
@@ -41,18 +39,22 @@ pub(super) fn point(text: &str) -> Result<DVec2, String> {
 }
 
 /// Which views of a scene are shown.
-pub(super) fn views() -> impl TypedValueParser<Value = Views> {
-    const WORDS: [(&str, Views); 6] = [
-        ("picture", Views::Picture),
-        ("four", Views::Four),
-        ("object", Views::One(Stage::Object)),
-        ("world", Views::One(Stage::World)),
-        ("view", Views::One(Stage::View)),
-        ("ndc", Views::One(Stage::Ndc)),
-    ];
-    PossibleValuesParser::new(WORDS.map(|(word, _)| word)).map(|word| {
-        let named = WORDS.into_iter().find(|(name, _)| *name == word);
-        named.map_or(Views::Picture, |(_, views)| views)
+pub(super) const VIEWS: [(&str, Views); 6] = [
+    ("picture", Views::Picture),
+    ("four", Views::Four),
+    ("object", Views::One(Stage::Object)),
+    ("world", Views::One(Stage::World)),
+    ("view", Views::One(Stage::View)),
+    ("ndc", Views::One(Stage::Ndc)),
+];
+
+/// One of these words, for the value beside it.
+pub(super) fn word<T: Copy + Send + Sync + 'static, const N: usize>(
+    words: [(&'static str, T); N],
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(words.map(|(word, _)| word)).map(move |word| {
+        let place = words.iter().position(|(name, _)| *name == word);
+        words[place.unwrap_or(0)].1
     })
 }
 

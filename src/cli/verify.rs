@@ -122,48 +122,6 @@ struct Outcome<'a> {
     seconds: [f64; 2],
 }
 
-/// The report as a line of JSON; the field names are the JSON's.
-#[derive(Serialize)]
-struct Line<'a> {
-    size: [u32; 2],
-    pixels: usize,
-    drawn: usize,
-    picked: usize,
-    outline: usize,
-    outline_differ: usize,
-    same: usize,
-    edge: usize,
-    depth: usize,
-    section: usize,
-    f32_limit: usize,
-    beyond_f32: usize,
-    unexplained: usize,
-    in_one_place: usize,
-    share_of_outline: f64,
-    worst: Option<Worst<'a>>,
-    adapter: &'a str,
-    sub_pixel_bits: u32,
-    names_triangles: bool,
-    drawn_s: f64,
-    picked_s: f64,
-}
-
-/// The pixel hardest to explain.
-#[derive(Serialize)]
-struct Worst<'a> {
-    pixel: [u32; 2],
-    class: Class,
-    drawn: Option<Answer<'a>>,
-    picked: Option<Answer<'a>>,
-    /// The distance from the pixel's centre to the outline that explains the difference, or comes closest to it; `None`
-    /// if there is no such outline.
-    outline_px: Option<f64>,
-    /// How far drawing may move that outline.
-    outline_error_px: Option<f64>,
-    /// The distance that the explanation needs, divided by the distance allowed. The explanation holds up to 1.
-    strain: Option<f64>,
-}
-
 /// What the drawn or the picked side shows at a pixel. Ids count from 1 and triangles from 0, as in picks.
 #[derive(Serialize)]
 struct Answer<'a> {
@@ -177,33 +135,34 @@ struct Answer<'a> {
 impl<'a> Outcome<'a> {
     fn answer(&self, id: Id, depth: f64) -> Option<Answer<'a>> {
         let index = (id.object as usize).checked_sub(1)?;
+        let object = self.scene.objects().get(index);
         Some(Answer {
-            object: self
-                .scene
-                .objects()
-                .get(index)
-                .map_or("", |object| &object.name),
+            object: object.map_or("", |object| &object.name),
             id: id.object,
             triangle: id.triangle.checked_sub(1),
             depth: finite(depth),
         })
     }
 
-    fn worst(&self, at: &Disagreement) -> Worst<'a> {
-        Worst {
+    /// The pixel hardest to explain.
+    fn worst(&self, at: &Disagreement) -> impl Serialize {
+        json::object! {
             pixel: at.pixel,
             class: at.class,
             drawn: self.answer(at.drawn, at.depth[0]),
             picked: self.answer(at.picked, at.depth[1]),
+            // The distance from the pixel's centre to the outline that explains the difference, or comes closest to it.
             outline_px: finite(at.outline_px),
+            // How far drawing may move that outline.
             outline_error_px: finite(at.outline_px).and(finite(at.outline_error_px)),
+            // The distance that the explanation needs, divided by the distance allowed. The explanation holds up to 1.
             strain: finite(at.strain),
         }
     }
 
     fn json(&self) -> Result<String, CliError> {
         let report = self.report;
-        let line = Line {
+        let line = json::object! {
             size: self.size,
             pixels: report.pixels,
             drawn: report.drawn,
@@ -238,12 +197,8 @@ impl<'a> Outcome<'a> {
             report.drawn, report.picked, report.outline
         );
         let mut row = |name: &str, count: usize, what: &str| {
-            // Writing to a string cannot fail.
-            let _ = writeln!(
-                text,
-                "{}",
-                format!("{name:<13}{count:>9}  {what}").trim_end()
-            );
+            let row = format!("{name:<13}{count:>9}  {what}");
+            text.extend([row.trim_end(), "\n"]);
         };
         let painted = |colour: &str| {
             if with_image {
@@ -272,19 +227,13 @@ impl<'a> Outcome<'a> {
                 }
                 Class::Unexplained => "defects".to_owned(),
             };
-            row(
-                class.name(),
-                report.count(class),
-                &format!("{what}{}", painted(colour)),
-            );
+            let what = what + &painted(colour);
+            row(class.name(), report.count(class), &what);
         }
         let what = "of all the pixels above: surfaces closer together than drawing can tell apart";
-        let painted = painted(IN_ONE_PLACE.1);
-        row(
-            "in one place",
-            self.in_one_place,
-            &format!("{what}{painted}"),
-        );
+        let what = what.to_owned() + &painted(IN_ONE_PLACE.1);
+        row("in one place", self.in_one_place, &what);
+        // Writing to a string cannot fail.
         let _ = writeln!(
             text,
             "{} of {} outline pixels differ ({:.2} %), {} elsewhere",
@@ -314,14 +263,14 @@ impl<'a> Outcome<'a> {
             Some(answer) => {
                 let triangle = answer
                     .triangle
-                    .map_or(String::new(), |triangle| format!(", triangle {triangle}"));
-                let depth = answer
-                    .depth
-                    .map_or(String::new(), |depth| format!(", depth {depth}"));
+                    .map(|triangle| format!(", triangle {triangle}"));
+                let depth = answer.depth.map(|depth| format!(", depth {depth}"));
                 format!(
-                    "{} (id {}{triangle}{depth})",
+                    "{} (id {}{}{})",
                     answer.object.escape_debug(),
-                    answer.id
+                    answer.id,
+                    triangle.unwrap_or_default(),
+                    depth.unwrap_or_default()
                 )
             }
         };

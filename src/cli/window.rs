@@ -16,7 +16,7 @@ pub struct WindowArgs {
     #[arg(long)]
     pub print_picks: bool,
     /// What to show: the camera's picture, the four views side by side, or one of them [default: picture]
-    #[arg(long, value_name = "VIEWS", value_parser = value::views())]
+    #[arg(long, value_name = "VIEWS", value_parser = value::word(value::VIEWS))]
     pub views: Option<Views>,
     /// Open the demo and begin the tour of cameras and raycasting
     #[arg(long, conflicts_with = "scenes")]

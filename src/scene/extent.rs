@@ -33,27 +33,20 @@ fn bounds_and_work(mesh: &Mesh, triangles: &Range<u32>, placement: &Placement) -
             return found;
         }
         // The first and the last block may hold triangles of other objects too.
-        let block = (first + index) * BLOCK..(first + index + 1) * BLOCK;
-        let own = |&triangle: &u32| block.contains(&(triangle as usize));
-        let start = triangles
-            .start
-            .max(u32::try_from(block.start).unwrap_or(u32::MAX));
-        let corners = (start..triangles.end)
-            .take_while(own)
-            .flat_map(|i| mesh.corners(i));
+        let block = [index, index + 1].map(|index| (first + index) * BLOCK);
+        let [start, end] = block.map(|at| u32::try_from(at).unwrap_or(u32::MAX));
+        let own = triangles.start.max(start)..triangles.end.min(end);
+        let corners = own.flat_map(|triangle| mesh.corners(triangle));
         let corners = corners.map(|corner| placement.point_to_world(corner));
         found.union(Aabb::around(corners))
     };
     // The outermost blocks first: most others then lie within the box found so far.
     for axis in 0..3 {
-        let least = (0..around.len()).min_by(|&a, &b| {
-            let [a, b] = [a, b].map(|index| around[index].min[axis]);
-            a.total_cmp(&b)
-        });
-        let most = (0..around.len()).max_by(|&a, &b| {
-            let [a, b] = [a, b].map(|index| around[index].max[axis]);
-            a.total_cmp(&b)
-        });
+        let all = 0..around.len();
+        let min = |index: usize| around[index].min[axis];
+        let max = |index: usize| around[index].max[axis];
+        let least = (all.clone()).min_by(|&a, &b| min(a).total_cmp(&min(b)));
+        let most = all.max_by(|&a, &b| max(a).total_cmp(&max(b)));
         for index in least.into_iter().chain(most) {
             found = ask(index, found);
         }
@@ -130,10 +123,9 @@ mod tests {
     #[test]
     fn the_box_is_that_about_all_triangles_to_the_bit_and_few_are_asked() {
         let mut object = hill(200);
-        let Shape::Mesh { mesh, .. } = object.shape.clone() else {
-            panic!("a mesh");
-        };
+        let mesh = Arc::clone(object.shape.mesh().expect("a mesh"));
         let triangles = object.shape.triangles().expect("triangles");
+        let bits = |b: Aabb| [b.min, b.max].map(|v| v.to_array().map(f64::to_bits));
         let mut asked = 0;
         for i in 0..60_i32 {
             let turn = f64::from(i);
@@ -146,14 +138,7 @@ mod tests {
             object.placement = Placement::new(model).expect("invertible");
             let (bounds, work) = bounds_and_work(&mesh, &triangles, &object.placement);
             let whole = object.bounds_world();
-            assert_eq!(
-                bounds.min.to_array().map(f64::to_bits),
-                whole.min.to_array().map(f64::to_bits)
-            );
-            assert_eq!(
-                bounds.max.to_array().map(f64::to_bits),
-                whole.max.to_array().map(f64::to_bits)
-            );
+            assert_eq!(bits(bounds), bits(whole));
             asked += work;
         }
         // All blocks along a border reach equally far out.

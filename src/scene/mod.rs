@@ -396,11 +396,7 @@ impl FromIterator<Object> for Scene {
 /// Each mesh of the objects once.
 fn meshes(objects: &[Object]) -> Vec<Arc<Mesh>> {
     let mut seen = HashSet::new();
-    let shapes = objects.iter().map(|object| &object.shape);
-    let meshes = shapes.filter_map(|shape| match shape {
-        Shape::Mesh { mesh, .. } => Some(mesh),
-        _ => None,
-    });
+    let meshes = objects.iter().filter_map(|object| object.shape.mesh());
     let first = meshes.filter(|mesh| seen.insert(Arc::as_ptr(mesh)));
     first.cloned().collect()
 }
@@ -418,17 +414,10 @@ fn batches(objects: &[Object]) -> Vec<Range<usize>> {
 
 /// Whether `object` is the next part of the mesh that `before` is a part of, in the same place.
 fn continues(before: &Object, object: &Object) -> bool {
-    let (
-        Shape::Mesh { mesh, part },
-        Shape::Mesh {
-            mesh: next_mesh,
-            part: next_part,
-        },
-    ) = (&before.shape, &object.shape)
+    let (Shape::Mesh { mesh: a, part: i }, Shape::Mesh { mesh: b, part: j }) =
+        (&before.shape, &object.shape)
     else {
         return false;
     };
-    Arc::ptr_eq(mesh, next_mesh)
-        && part.checked_add(1) == Some(*next_part)
-        && before.placement == object.placement
+    Arc::ptr_eq(a, b) && i.checked_add(1) == Some(*j) && before.placement == object.placement
 }

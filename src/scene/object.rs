@@ -37,6 +37,15 @@ impl Shape {
         }
     }
 
+    /// The mesh that it is a part of; `None` for analytic shapes.
+    #[must_use]
+    pub fn mesh(&self) -> Option<&Arc<Mesh>> {
+        match self {
+            Self::Mesh { mesh, .. } => Some(mesh),
+            _ => None,
+        }
+    }
+
     /// The triangles of its part of the mesh; `None` for analytic shapes.
     #[must_use]
     pub fn triangles(&self) -> Option<Range<u32>> {
@@ -114,12 +123,8 @@ impl Object {
         match &self.shape {
             Shape::Sphere => {
                 let rows = self.placement.model().matrix3.transpose();
-                let half = Sphere::RADIUS
-                    * DVec3::new(
-                        rows.x_axis.length(),
-                        rows.y_axis.length(),
-                        rows.z_axis.length(),
-                    );
+                let lengths = [rows.x_axis, rows.y_axis, rows.z_axis].map(DVec3::length);
+                let half = Sphere::RADIUS * DVec3::from_array(lengths);
                 let center = to_world(DVec3::ZERO);
                 Aabb {
                     min: center - half,

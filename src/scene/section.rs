@@ -139,11 +139,11 @@ fn along(object: &Object, face: &Face) -> Result<Section, SectionError> {
         [a, c, b]
     };
     let section = Section::through_points(points)?;
-    let near = match &object.shape {
-        Shape::Mesh { mesh, .. } => vertices_near(mesh, placement, &section),
-        _ => Vec::new(),
-    };
-    let points = face.corners.iter().chain(&face.others).chain(&near);
+    let mesh = object.shape.mesh();
+    let near = mesh.map(|mesh| vertices_near(mesh, placement, &section));
+    let points = (face.corners.iter())
+        .chain(&face.others)
+        .chain(near.iter().flatten());
     section.moved_to_keep(placement, face.origin, points.copied())
 }
 

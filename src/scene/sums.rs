@@ -101,16 +101,13 @@ impl Sums {
         bounds: &[Aabb],
         holds: impl Fn(&Aabb) -> bool,
     ) -> bool {
-        let runs = self
-            .runs
-            .iter()
-            .zip(objects.chunks(RUN).zip(bounds.chunks(RUN)));
+        let each = objects.chunks(RUN).zip(bounds.chunks(RUN));
+        let runs = self.runs.iter().zip(each);
         let may = runs.filter(|(sum, _)| holds(&sum.visible_bounds));
         let asked = may.flat_map(|(_, (objects, bounds))| objects.iter().zip(bounds));
         let is_it = |(object, bounds): (&Object, &Aabb)| object.visible && holds(bounds);
-        (0..)
-            .zip(asked)
-            .any(|(at, each)| at >= MOST_ASKED || is_it(each))
+        let mut numbered = (0..).zip(asked);
+        numbered.any(|(at, each)| at >= MOST_ASKED || is_it(each))
     }
 
     /// Recomputes the sums after an object was moved, shown or hidden.

@@ -306,16 +306,13 @@ fn leaf(batch: usize, object: &Object, bounds: Aabb) -> Option<Node> {
     let grown = room * (largest[0].max(largest[1]) + largest[2]);
     // Where the slack overflows, the box is all of space and rejects no ray.
     let everything = !grown.is_finite();
-    let bounds = if everything {
-        Aabb {
-            min: DVec3::NEG_INFINITY,
-            max: DVec3::INFINITY,
-        }
+    let (min, max) = if everything {
+        (DVec3::NEG_INFINITY, DVec3::INFINITY)
     } else {
-        bounds.grown(DVec3::splat(grown))
+        (bounds.min - grown, bounds.max + grown)
     };
     Some(Node {
-        bounds,
+        bounds: Aabb { min, max },
         room: if everything { 0.0 } else { room },
         content: Content::Batch(batch),
     })

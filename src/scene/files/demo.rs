@@ -15,22 +15,14 @@ pub(super) fn demo(progress: &Progress) -> Result<Loaded, LoadError> {
     let mut meshes = MeshFiles::default();
     meshes.insert(Path::new(RING), ring());
     let mut warnings = Vec::new();
-    let description = description::parse(
-        DEMO,
-        Path::new("demo.toml"),
-        &mut meshes,
-        progress,
-        &mut warnings,
-    )?;
+    let file = Path::new("demo.toml");
+    let description = description::parse(DEMO, file, &mut meshes, progress, &mut warnings)?;
     Ok(Loaded {
         scene: Scene::new(description.objects),
         camera: description.camera.unwrap_or_default(),
-        camera_from: None,
         warnings,
-        meshes: Vec::new(),
-        materials: Vec::new(),
         title: "demo".to_owned(),
-        exhibit: None,
+        ..Loaded::default()
     })
 }
 

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use std::{collections::HashMap, path::Path, sync::Arc};
 
 /// What a scene file says about one object, or about all objects of a mesh file.
-#[derive(Serialize, Deserialize)]
+#[derive(Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Entry {
     name: Option<String>,
@@ -120,11 +120,8 @@ impl Entry {
             return Err(Problem::NotAMesh("part"));
         }
         let name = self.name.as_deref().unwrap_or(kind);
-        Ok(vec![self.object(
-            name.to_owned(),
-            shape,
-            self.placement(name)?,
-        )])
+        let object = self.object(name.to_owned(), shape, self.placement(name)?);
+        Ok(vec![object])
     }
 
     fn mesh_objects(
@@ -206,14 +203,9 @@ impl Entry {
                 Shape::Square => ShapeWord::Square,
                 Shape::Mesh { .. } => ShapeWord::Mesh,
             }),
-            file: None,
-            part: None,
             colour: object.colour.map(Colour),
-            position: None,
-            rotation: None,
-            scale: None,
-            matrix: None,
             visible: (!object.visible).then_some(false),
+            ..Self::default()
         };
         if let Shape::Mesh { mesh, part } = &object.shape {
             let known = meshes.get(&address(mesh));

@@ -1,7 +1,7 @@
 //! The files of a scene's meshes, read again for their source text.
 
 use super::{
-    MeshFile, Progress, Scene, Shape,
+    MeshFile, Progress, Scene,
     mesh_files::address,
     obj::{Again, AgainError, FaceInFile, InFile},
 };
@@ -42,12 +42,11 @@ impl<'a> FilesAgain<'a> {
     /// When there is no object of this index.
     pub fn in_file(&mut self, object: usize, triangle: Option<u32>) -> InFile {
         let shape = &self.scene.objects()[object].shape;
-        if let (Shape::Mesh { mesh, .. }, Some(triangle)) = (shape, triangle)
-            && let Some(again) = self.of(mesh)
-        {
-            return again.in_file(shape.first_triangle() + triangle);
-        }
-        InFile::default()
+        let again = shape.mesh().and_then(|mesh| self.of(mesh));
+        let found = again
+            .zip(triangle)
+            .map(|(again, triangle)| again.in_file(shape.first_triangle() + triangle));
+        found.unwrap_or_default()
     }
 
     /// The face of a triangle, counted over the whole mesh of an object; `None` where the mesh is from no file.
@@ -62,10 +61,8 @@ impl<'a> FilesAgain<'a> {
         object: usize,
         triangle: u32,
     ) -> Result<Option<FaceInFile>, AgainError> {
-        let Shape::Mesh { mesh, .. } = &self.scene.objects()[object].shape else {
-            return Ok(None);
-        };
-        let face = self.of(mesh).map(|again| again.face_of(triangle));
-        face.transpose()
+        let mesh = self.scene.objects()[object].shape.mesh();
+        let again = mesh.and_then(|mesh| self.of(mesh));
+        again.map(|again| again.face_of(triangle)).transpose()
     }
 }

@@ -145,11 +145,8 @@ pub(crate) fn is_scene_file(path: &Path) -> bool {
 fn mesh_objects(mesh: &Arc<Mesh>) -> impl Iterator<Item = Object> {
     (0..).zip(&mesh.data().parts).map(|(part, in_file)| {
         let mesh = Arc::clone(mesh);
-        Object::new(
-            in_file.name.as_str(),
-            Shape::Mesh { mesh, part },
-            Placement::IDENTITY,
-        )
+        let shape = Shape::Mesh { mesh, part };
+        Object::new(in_file.name.as_str(), shape, Placement::IDENTITY)
     })
 }
 

@@ -1,7 +1,7 @@
 //! Saves a scene as a scene file, and each mesh that has no file as an OBJ file beside it.
 
 use super::{
-    MeshFile, MeshFiles, Progress, SaveError, Scene, Shape,
+    MeshFile, MeshFiles, Progress, SaveError, Scene,
     description::to_toml,
     file::{absolute, holds},
     mesh_files::address,
@@ -9,7 +9,6 @@ use super::{
 };
 use crate::{camera::CameraChoice, geometry::Mesh, replace::replace};
 use std::{
-    collections::HashSet,
     fs,
     io::Write,
     path::{Component, Path, PathBuf},
@@ -33,14 +32,8 @@ pub fn save(
     let path = absolute(path);
     let mut made = Made(Vec::new());
     let mut files: Vec<MeshFile> = Vec::new();
-    let (by_mesh, mut seen) = (MeshFile::by_mesh(meshes), HashSet::new());
-    for object in scene.objects() {
-        let Shape::Mesh { mesh, .. } = &object.shape else {
-            continue;
-        };
-        if !seen.insert(address(mesh)) {
-            continue;
-        }
+    let by_mesh = MeshFile::by_mesh(meshes);
+    for mesh in scene.meshes() {
         let known = by_mesh.get(&address(mesh)).copied();
         files.push(match known.and_then(MeshFile::now) {
             Some(file) => file,
@@ -83,11 +76,8 @@ fn from(folder: &Path, file: &Path) -> PathBuf {
     };
     // The file itself may be a link: its own name stays.
     let resolved = || {
-        Some(
-            fs::canonicalize(file.parent()?)
-                .ok()?
-                .join(file.file_name()?),
-        )
+        let folder = fs::canonicalize(file.parent()?).ok()?;
+        Some(folder.join(file.file_name()?))
     };
     let inside =
         below(folder, file).or_else(|| below(&fs::canonicalize(folder).ok()?, &resolved()?));
@@ -110,32 +100,21 @@ fn write_mesh(
     mesh: &Arc<Mesh>,
     made: &mut Made,
 ) -> Result<MeshFile, SaveError> {
-    let stem = |path: &Path| {
-        path.file_stem()
-            .map(|stem| stem.to_string_lossy().into_owned())
-    };
+    let stem = |path: &Path| Some(path.file_stem()?.to_string_lossy().into_owned());
     let part = mesh.data().parts.first().map(|part| part.name.clone());
     let name = was.and_then(stem).or(part).unwrap_or_default();
-    let plain = |c: char| {
-        if c.is_alphanumeric() || "-_".contains(c) {
-            c
-        } else {
-            '_'
-        }
-    };
-    let mut name: String = name.chars().map(plain).collect();
+    let is_plain = |c: char| c.is_alphanumeric() || "-_".contains(c);
+    let mut name = name.replace(|c: char| !is_plain(c), "_");
     let scene = stem(scene_file).unwrap_or_default();
     let rest = scene.len() + "--1000000.obj".len();
     name.truncate(name.floor_char_boundary(LONGEST_NAME.saturating_sub(rest)));
     let not_exact = || SaveError::NotExact(name.clone());
     let colours = write::materials(mesh);
     for number in 1.. {
-        let number = if number == 1 {
-            String::new()
-        } else {
-            format!("-{number}")
+        let base = match number {
+            1 => format!("{scene}-{name}"),
+            _ => format!("{scene}-{name}-{number}"),
         };
-        let base = format!("{scene}-{name}{number}");
         let [file, library] =
             ["obj", "mtl"].map(|ending| scene_file.with_file_name(format!("{base}.{ending}")));
         let library_name = colours.as_ref().map(|_| format!("{base}.mtl"));
@@ -144,11 +123,8 @@ fn write_mesh(
         if !is_free(&file, &text) || !colours.as_ref().is_none_or(|text| is_free(&library, text)) {
             continue;
         }
-        for (path, text) in colours
-            .iter()
-            .map(|text| (&library, text))
-            .chain([(&file, &text)])
-        {
+        let library = colours.iter().map(|text| (&library, text));
+        for (path, text) in library.chain([(&file, &text)]) {
             if !path.exists() {
                 write_file(path, text)?;
                 made.0.push(path.clone());

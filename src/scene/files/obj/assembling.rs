@@ -1,4 +1,4 @@
-//! Builds one mesh from the blocks that `tobj` parsed and from the survey of all other lines.
+//! Builds one mesh from the blocks of its pieces and from the survey of all other lines.
 
 use super::{
     ObjError, ObjFile,
@@ -135,11 +135,8 @@ impl Triangles {
             let corners = at..at + arity;
             at += arity;
             places.clear();
-            places.extend(
-                faces.corners[corners.clone()]
-                    .iter()
-                    .map(|&v| vertices.place(v)),
-            );
+            let named = faces.corners[corners.clone()].iter();
+            places.extend(named.map(|&vertex| vertices.place(vertex)));
             if vertices.any_nowhere(&places) {
                 all.left_out.nowhere += 1;
                 continue;

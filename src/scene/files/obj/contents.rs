@@ -69,8 +69,7 @@ impl Contents {
     pub(super) fn new(pieces: impl Iterator<Item = [Counts; 2]>) -> Self {
         let start = |counts| Start {
             counts,
-            triangles: 0,
-            is_plain: false,
+            ..Start::default()
         };
         let mut starts = Vec::new();
         for [before, after] in pieces {
@@ -79,8 +78,7 @@ impl Contents {
         }
         Self {
             starts,
-            stamp: None,
-            libraries: Vec::new(),
+            ..Self::default()
         }
     }
 
@@ -100,8 +98,8 @@ impl Contents {
         Some(self.stamp.as_ref()?.bytes)
     }
 
-    /// Records how many triangles come before a piece. Of its faces, `faces` were given to `tobj`; `are_plain` says
-    /// that each of those has two triangles fewer than corners.
+    /// Records how many triangles come before a piece. Of its faces, `faces` were read; `are_plain` says that
+    /// each of those has two triangles fewer than corners.
     pub(super) fn begin(
         &mut self,
         piece: usize,

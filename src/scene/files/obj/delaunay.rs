@@ -87,20 +87,16 @@ pub(super) fn delaunay(flat: &[[f64; 2]]) -> Option<Vec<u32>> {
     }
     let faces = all.inner_faces();
     let faces = faces.filter(|face| inside[face.index()] == Some(true));
-    Some(
-        faces
-            .flat_map(|face| face.vertices().map(|vertex| vertex.data().index))
-            .collect(),
-    )
+    let corners = faces.flat_map(|face| face.vertices().map(|vertex| vertex.data().index));
+    Some(corners.collect())
 }
 
 /// Three corners that are not on a line.
 fn first_triangle(flat: &[[f64; 2]]) -> Option<[usize; 3]> {
     let &[x, y] = flat.first()?;
     let apart = |&[px, py]: &[f64; 2]| [px - x, py - y];
-    let b = flat
-        .iter()
-        .position(|p| apart(p).iter().any(|c| c.abs() > 0.0))?;
+    let is_apart = |p: &[f64; 2]| apart(p).iter().any(|c| c.abs() > 0.0);
+    let b = flat.iter().position(is_apart)?;
     let [bx, by] = apart(&flat[b]);
     let off_line = |p: &[f64; 2]| {
         let [px, py] = apart(p);

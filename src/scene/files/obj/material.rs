@@ -16,7 +16,7 @@ use crate::{
 use std::{
     collections::{HashMap, HashSet},
     fs::{self, File},
-    io::{self, BufRead, BufReader, ErrorKind, Read},
+    io::{self, BufReader, ErrorKind, Read},
     path::{Path, PathBuf},
 };
 
@@ -73,9 +73,8 @@ pub(super) fn read_libraries(
         materials
             .files
             .push((absolute(&file), Stamp::of(&file).ok()));
-        let read = open(&file, &mut bytes_left)
-            .and_then(|input| text(input).map_err(|error| cannot_be_read(&error)))
-            .map(|text| materials.add(&file, Lines::new(&text, 0), progress));
+        let text = read(&file, &mut bytes_left);
+        let read = text.map(|text| materials.add(&file, Lines::new(&text, 0), progress));
         let why = match read {
             Ok(count) if count? == 0 => "has no materials in it".to_owned(),
             Ok(_) => continue,
@@ -141,8 +140,8 @@ fn files(folder: &Path, named: &str) -> Vec<(String, PathBuf)> {
     }
 }
 
-/// Opens a file, limited to the size that it has now, because it may grow without end.
-fn open(file: &Path, bytes_left: &mut u64) -> Result<impl BufRead + Send, String> {
+/// The text of a file, limited to the size that it has now, because it may grow without end.
+fn read(file: &Path, bytes_left: &mut u64) -> Result<Vec<u8>, String> {
     let about = fs::metadata(file).map_err(|error| match error.kind() {
         ErrorKind::NotFound => "does not exist".to_owned(),
         _ => cannot_be_read(&error),
@@ -153,12 +152,10 @@ fn open(file: &Path, bytes_left: &mut u64) -> Result<impl BufRead + Send, String
     let left = bytes_left.checked_sub(about.len());
     *bytes_left = left.ok_or("is too large")?;
     let opened = File::open(file).map_err(|error| cannot_be_read(&error))?;
-    Ok(BufReader::new(opened).take(about.len()))
-}
-
-fn text(input: impl BufRead + Send) -> io::Result<Vec<u8>> {
     let mut text = Vec::new();
-    decode(input)?.read_to_end(&mut text)?;
+    let read = decode(BufReader::new(opened).take(about.len()))
+        .and_then(|mut input| input.read_to_end(&mut text));
+    read.map_err(|error| cannot_be_read(&error))?;
     Ok(text)
 }
 

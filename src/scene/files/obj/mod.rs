@@ -3,9 +3,8 @@
 //! Loading has these steps:
 //!
 //! 1. The file is cut into pieces of whole lines (`pieces`), which are read on all cores.
-//! 2. The lines of each piece (`text_lines`, `words`) are cleaned and written as a small OBJ file (`wash`, `places`).
-//!    `tobj` parses that file into vertices and faces (`block`). The other lines of the piece are collected (`survey`,
-//!    `names`).
+//! 2. The lines of each piece (`text_lines`, `words`) are read into vertices and faces (`block`, `corners`). `tobj`
+//!    reads the coordinates of vertices. The other lines of the piece are collected (`survey`, `names`).
 //! 3. Vertices are converted to `f32` (`vertices`), polygons are split into triangles (`triangulation`, `delaunay`),
 //!    and colours are read from the MTL files (`material`). `assembling` makes the mesh.
 //!
@@ -35,14 +34,12 @@ mod material;
 mod names;
 mod notes;
 mod pieces;
-mod places;
 mod survey;
 #[cfg(test)]
 mod tests;
 mod text_lines;
 mod triangulation;
 mod vertices;
-mod wash;
 mod words;
 pub(super) mod write;
 
@@ -179,28 +176,17 @@ enum Stop {
     Binary,
 }
 
-/// Whether a file could not be read on because it changed.
-fn is_of_change(error: &io::Error) -> bool {
-    matches!(error.get_ref(), Some(why) if why.is::<Changed>())
-}
-
 impl Stop {
     fn at(self, path: &Path) -> ObjError {
+        let file = path.to_owned();
+        let looks_like = BINARY;
         match self {
             Self::Cancelled(cancelled) => cancelled.into(),
-            Self::Unreadable(source) if is_of_change(&source) => {
-                ObjError::File(FileError::Changed {
-                    file: path.to_owned(),
-                })
-            }
-            Self::Unreadable(source) => ObjError::File(FileError::Unreadable {
-                file: path.to_owned(),
-                source,
-            }),
-            Self::Binary => ObjError::NotObj {
-                file: path.to_owned(),
-                looks_like: BINARY,
+            Self::Unreadable(source) => match source.get_ref() {
+                Some(why) if why.is::<Changed>() => FileError::Changed { file }.into(),
+                _ => FileError::Unreadable { file, source }.into(),
             },
+            Self::Binary => ObjError::NotObj { file, looks_like },
         }
     }
 }
@@ -263,16 +249,12 @@ fn read<R: BufRead + Send>(
                 looks_like,
             });
         }
-        let (blocks, survey) = decode(input)
-            .map_err(Stop::Unreadable)
-            .and_then(|input| {
-                read_pieces(
-                    Pieces::new(input, piece, progress),
-                    (known, detail),
-                    progress,
-                )
-            })
-            .map_err(|stop| stop.at(path))?;
+        let input = decode(input).map_err(Stop::Unreadable);
+        let read = input.and_then(|input| {
+            let pieces = Pieces::new(input, piece, progress);
+            read_pieces(pieces, (known, detail), progress)
+        });
+        let (blocks, survey) = read.map_err(|stop| stop.at(path))?;
         // The number of vertices is known only at the end. If a face names a vertex past the last one, the file is read
         // again with this number.
         if survey.highest_vertex <= survey.vertices {
@@ -302,8 +284,7 @@ fn read<R: BufRead + Send>(
     Ok(built)
 }
 
-/// Parses the pieces of a file on all cores. Returns the blocks from `tobj`, and the survey of all lines that `tobj`
-/// did not get.
+/// Reads the pieces of a file on all cores. Returns the blocks, and the survey of all other lines.
 fn read_pieces(
     pieces: Pieces,
     (known, detail): (Option<usize>, Detail),
@@ -331,15 +312,13 @@ fn open<'a>(
     path: &'a Path,
     stamp: &'a Stamp,
 ) -> Result<(impl BufRead + Send + use<'a>, u64), ObjError> {
-    match file::open(path, MOST_BYTES)? {
-        (_, 0) => Err(ObjError::Empty {
-            file: path.to_owned(),
-        }),
-        (opened, bytes) => {
-            let input = opened.take(bytes);
-            Ok((BufReader::new(Unchanged { input, path, stamp }), bytes))
-        }
+    let (opened, bytes) = file::open(path, MOST_BYTES)?;
+    if bytes == 0 {
+        let file = path.to_owned();
+        return Err(ObjError::Empty { file });
     }
+    let input = opened.take(bytes);
+    Ok((BufReader::new(Unchanged { input, path, stamp }), bytes))
 }
 
 /// The file has another stamp than before it was read.

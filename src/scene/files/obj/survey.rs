@@ -1,9 +1,9 @@
-//! Collects what `tobj` does not get from a file or from a piece of it: names, materials, counts and bad lines.
+//! Collects what a file, or a piece of it, holds besides vertices and faces: names, materials, counts and bad lines.
 
 use super::{BadLine, names::Said};
 
-/// What the lines say besides vertices and faces. Faces are numbered from 0 and counted as `tobj` gets them, without
-/// those that are left out.
+/// What the lines say besides vertices and faces. Faces are numbered from 0 and counted without those that are left
+/// out.
 #[derive(Default)]
 pub(super) struct Survey {
     /// The number of vertices.

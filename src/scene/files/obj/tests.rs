@@ -7,7 +7,7 @@ mod shortcuts;
 
 use super::{ObjError, ObjFile, PIECE, Stamp, decode, load, open, read};
 use crate::{
-    geometry::{CornerNormals, MeshData, random::Random},
+    geometry::{CornerNormals, random::Random},
     scene::{Detail, Progress},
 };
 use glam::{DVec3, Vec3};
@@ -17,14 +17,37 @@ use std::{
     fmt::Write as _,
     fs,
     io::{self, BufReader, Cursor, Read, Write as _},
-    path::Path,
+    path::{Path, PathBuf},
     sync::atomic::{AtomicU64, Ordering::Relaxed},
 };
 
 fn read_in(piece: usize, path: &Path, bytes: &[u8]) -> Result<ObjFile, ObjError> {
-    read(path, &Progress::default(), (piece, Detail::All), || {
+    read_as((piece, Detail::All), path, bytes, &Progress::default())
+}
+
+fn read_as(
+    options: (usize, Detail),
+    path: &Path,
+    bytes: &[u8],
+    progress: &Progress,
+) -> Result<ObjFile, ObjError> {
+    read(path, progress, options, || {
         Ok((Cursor::new(bytes), bytes.len() as u64))
     })
+}
+
+/// The OBJ files from elsewhere; `None` where they are absent.
+fn foreign_files() -> Option<Vec<PathBuf>> {
+    let folder = real_files()?;
+    let folders = ["models", "hostile"].map(|name| folder.join(name));
+    let entries = (folders.iter()).flat_map(|at| fs::read_dir(at).expect("a folder"));
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    let is_obj = |path: &PathBuf| path.extension().is_some_and(|end| end == "obj");
+    Some(
+        paths
+            .filter(|path| is_obj(path) && path.is_file())
+            .collect(),
+    )
 }
 
 /// Counts the bytes that are read.
@@ -253,20 +276,11 @@ fn a_file_is_the_same_in_pieces_of_any_size() {
 
 #[test]
 fn files_from_elsewhere_are_the_same_in_pieces() {
-    let Some(folder) = real_files() else {
+    let Some(files) = foreign_files() else {
         return;
     };
-    let folders = ["models", "hostile"].map(|name| folder.join(name));
-    let files = folders
-        .iter()
-        .flat_map(|folder| fs::read_dir(folder).expect("a folder"));
     let mut count = 0;
-    for file in files {
-        let path = file.expect("an entry").path();
-        let is_obj = path.extension().is_some_and(|extension| extension == "obj");
-        if !is_obj || !path.is_file() {
-            continue;
-        }
+    for path in files {
         let bytes = fs::read(&path).expect("a file");
         let sizes: &[usize] = match bytes.len() {
             0..10_000 => &[1, 7, 64, 333, 1024],
@@ -391,10 +405,8 @@ fn every_step_of_a_load_reports_and_can_be_the_last() {
     let load = |stopped_at: u64| {
         let progress = Progress::default();
         progress.stopped_at.store(stopped_at, Relaxed);
-        let options = (PIECE, Detail::Drawn);
-        let loaded = read(Path::new("some.obj"), &progress, options, || {
-            Ok((Cursor::new(text.as_bytes()), text.len() as u64))
-        });
+        let (options, path) = ((PIECE, Detail::Drawn), Path::new("some.obj"));
+        let loaded = read_as(options, path, text.as_bytes(), &progress);
         (loaded, progress)
     };
     let (loaded, progress) = load(0);
@@ -426,20 +438,12 @@ fn what_shades_is_left_out_where_nothing_is_shaded() {
     let (mut shaded, mut coloured) = (0, 0);
     for seed in 0..200 {
         let text = any_file(seed);
-        let read_as = |detail| {
-            read(path, &Progress::default(), (99, detail), || {
-                Ok((Cursor::new(text.as_bytes()), text.len() as u64))
-            })
-        };
+        let read_as = |detail| read_as((99, detail), path, text.as_bytes(), &Progress::default());
         let outcome = |file: &Result<ObjFile, ObjError>| match file {
             Ok(file) => {
-                let MeshData {
-                    positions,
-                    triangles,
-                    parts,
-                    ..
-                } = file.mesh.data();
-                format!("{positions:?}{triangles:?}{parts:?}{:?}", file.warnings)
+                let data = file.mesh.data();
+                let rest = (&data.parts, &file.warnings);
+                format!("{:?}{:?}{rest:?}", data.positions, data.triangles)
             }
             Err(error) => error.to_string(),
         };

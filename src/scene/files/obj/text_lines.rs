@@ -126,10 +126,8 @@ impl<R: Read> Read for Utf16<R> {
             return Ok(read);
         }
         let mut bytes = Vec::new();
-        self.input
-            .by_ref()
-            .take(UTF16_BLOCK)
-            .read_to_end(&mut bytes)?;
+        let mut block = self.input.by_ref().take(UTF16_BLOCK);
+        block.read_to_end(&mut bytes)?;
         let (units, _) = bytes.as_chunks::<2>();
         let mut units: Vec<u16> = (self.half.take().into_iter())
             .chain(units.iter().map(|&bytes| (self.unit)(bytes)))

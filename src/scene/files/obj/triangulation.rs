@@ -50,9 +50,7 @@ impl Splitter {
         polygon.clear();
         polygon.extend(vertices.iter().map(|&vertex| position(vertex)));
         match without_spikes(&polygon) {
-            None => {
-                self.split(&polygon);
-            }
+            None => self.split(&polygon),
             Some(places) => self.split_without_spikes(&polygon, &places),
         }
         self.polygon = polygon;
@@ -85,19 +83,17 @@ impl Splitter {
     /// triangle (earcut cuts no ear past it), because the adjacent polygon has this corner, too. Only corners that
     /// coincide give triangles without area; for large polygons these triangles are left out. An outline that crosses
     /// itself, as that of a twisted quad may, has no well-defined inside, so it is split as a fan.
-    pub fn split(&mut self, corners: &[DVec3]) -> &[[u32; 3]] {
+    fn split(&mut self, corners: &[DVec3]) {
         self.triangles.clear();
         let normal = newell(corners);
         if let &[a, b, c, d] = corners {
             let turns = |p: DVec3, q: DVec3, r: DVec3| (q - p).cross(r - p).dot(normal) > 0.0;
             // A diagonal lies inside the quad if the triangles on both sides of it have the quad's winding.
             if turns(a, b, c) && turns(a, c, d) {
-                self.triangles.extend([[0, 1, 2], [0, 2, 3]]);
-                return &self.triangles;
+                return self.triangles.extend([[0, 1, 2], [0, 2, 3]]);
             }
             if turns(b, c, d) && turns(b, d, a) {
-                self.triangles.extend([[0, 1, 3], [1, 2, 3]]);
-                return &self.triangles;
+                return self.triangles.extend([[0, 1, 3], [1, 2, 3]]);
             }
         }
         self.flat.clear();
@@ -111,15 +107,13 @@ impl Splitter {
         }
         if deviation(self.flat.iter().copied(), &[], &self.indices) > CROSSES {
             let fan = (1..).zip(2..).take(corners.len() - 2);
-            self.triangles.extend(fan.map(|(b, c)| [0, b, c]));
-            return &self.triangles;
+            return self.triangles.extend(fan.map(|(b, c)| [0, b, c]));
         }
         self.triangles.extend(self.indices.as_chunks::<3>().0);
         if corners.len() <= LARGE && self.triangles.len() + 2 < corners.len() {
             let corners = u32::try_from(corners.len()).unwrap_or(u32::MAX);
             close_gaps(&mut self.triangles, corners);
         }
-        &self.triangles
     }
 }
 

@@ -1,13 +1,17 @@
 //! Tests that a face read again equals the text of the file, as a simple reader without pieces finds it.
 
 use super::{
-    super::{Again, AgainError, Stamp, text_lines::Text},
-    any_file, read_in,
-    real_files::real_files,
+    super::{Again, AgainError, ObjFile, Stamp, is_utf16, text_lines::Text},
+    any_file, foreign_files, read_in,
 };
 use crate::scene::{FileError, Progress};
 use glam::DVec3;
-use std::{fmt::Write as _, fs, path::Path};
+use std::{
+    fmt::Write as _,
+    fs,
+    path::{Path, PathBuf},
+};
+use tempfile::TempDir;
 
 /// The lines of a text, with any of the three line ends, as an editor numbers them.
 fn editor_lines(text: &str) -> Vec<String> {
@@ -31,6 +35,16 @@ fn joined(lines: &[String], at: usize) -> String {
         }
     }
     text.split('#').next().unwrap_or_default().to_owned()
+}
+
+/// Writes a file and loads it. It is removed with its folder.
+fn loaded(piece: usize, bytes: &[u8]) -> (TempDir, PathBuf, ObjFile) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("some.obj");
+    fs::write(&path, bytes).expect("written");
+    let mut file = read_in(piece, &path, bytes).expect("it loads");
+    file.contents.stamp = Stamp::of(&path).ok();
+    (folder, path, file)
 }
 
 /// Reads every `step`th triangle again, and every face if there are not too many. Counts the triangles, and the faces
@@ -139,41 +153,30 @@ fn every_triangle_is_found_in_its_line() {
 
 #[test]
 fn files_from_elsewhere_say_where_a_triangle_is_from() {
-    let Some(shared) = real_files() else {
+    let Some(files) = foreign_files() else {
         return;
     };
     let mut counts = [0, 0, 0];
-    for folder in ["models", "hostile"] {
-        for entry in fs::read_dir(shared.join(folder)).expect("a folder") {
-            let path = entry.expect("an entry").path();
-            let is_obj = path.extension().is_some_and(|extension| extension == "obj");
-            if !is_obj || !path.is_file() {
-                continue;
-            }
-            let bytes = fs::read(&path).expect("a file");
-            if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-                continue;
-            }
-            let (piece, step) = match bytes.len() {
-                0..100_000 => (333, 1),
-                _ => (1 << 18, 997),
-            };
-            let [triangles, polygons] = assert_read_again(&path, &bytes, piece, step);
-            counts = [counts[0] + 1, counts[1] + triangles, counts[2] + polygons];
+    for path in files {
+        let bytes = fs::read(&path).expect("a file");
+        if is_utf16(&bytes) {
+            continue;
         }
+        let (piece, step) = match bytes.len() {
+            0..100_000 => (333, 1),
+            _ => (1 << 18, 997),
+        };
+        let [triangles, polygons] = assert_read_again(&path, &bytes, piece, step);
+        counts = [counts[0] + 1, counts[1] + triangles, counts[2] + polygons];
     }
-    assert!(
-        counts[0] > 80 && counts[1] > 3_500 && counts[2] > 3_000,
-        "{counts:?}"
-    );
+    let are_many = counts[0] > 80 && counts[1] > 3_500 && counts[2] > 3_000;
+    assert!(are_many, "{counts:?}");
 }
 
 /// Where no face is left out, faces are not split again, so their other vertices are not needed.
 #[test]
 fn a_triangle_takes_the_pieces_of_its_face_and_of_its_vertices_alone() {
     const COUNT: usize = 1_999;
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("some.obj");
     // On a parabola no three vertices are in line. Faces that follow each other are far apart.
     let mut vertices = String::new();
     for x in 0..=COUNT + 3 {
@@ -186,10 +189,7 @@ fn a_triangle_takes_the_pieces_of_its_face_and_of_its_vertices_alone() {
     let faces: String = (0..COUNT).map(face).collect();
     let with_flat = faces.replace("9 ", "9 1 1 ");
     for (faces, is_plain) in [(faces, true), (with_flat, false)] {
-        let text = format!("{vertices}{faces}");
-        fs::write(&path, &text).expect("written");
-        let mut file = read_in(1 << 10, &path, text.as_bytes()).expect("it loads");
-        file.contents.stamp = Stamp::of(&path).ok();
+        let (_folder, path, file) = loaded(1 << 10, format!("{vertices}{faces}").as_bytes());
         let count = u32::try_from(file.mesh.data().triangles.len()).expect("few");
         let mut most = 0;
         for triangle in (0..count).step_by(97) {
@@ -210,13 +210,9 @@ fn a_triangle_takes_the_pieces_of_its_face_and_of_its_vertices_alone() {
 
 #[test]
 fn a_file_in_utf_16_is_read_again_too() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("wide.obj");
     let text = "\u{feff}v 0 0 0\nv 1 0 0.1\nv 0 1 0\nf 1 2 3\n";
     let bytes: Vec<u8> = text.encode_utf16().flat_map(u16::to_be_bytes).collect();
-    fs::write(&path, &bytes).expect("written");
-    let mut file = read_in(5, &path, &bytes).expect("it loads");
-    file.contents.stamp = Stamp::of(&path).ok();
+    let (_folder, path, file) = loaded(5, &bytes);
     let progress = Progress::default();
     let mut again = Again::new(&path, &file.contents, &file.mesh, &progress);
     let face = again.face_of(0).expect("it is there");
@@ -232,12 +228,8 @@ fn a_file_in_utf_16_is_read_again_too() {
 
 #[test]
 fn a_changed_file_is_said_to_be_one() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("some.obj");
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    fs::write(&path, text).expect("written");
-    let mut file = read_in(1 << 18, &path, text.as_bytes()).expect("it loads");
-    file.contents.stamp = Stamp::of(&path).ok();
+    let (_folder, path, file) = loaded(1 << 18, text.as_bytes());
     let progress = Progress::default();
     let face = || Again::new(&path, &file.contents, &file.mesh, &progress).face_of(0);
     assert_eq!(face().expect("unchanged").line, 4);
@@ -262,17 +254,13 @@ fn a_changed_file_is_said_to_be_one() {
 /// UTF-16 is read whole, but no further than the size that was found on opening.
 #[test]
 fn of_utf16_that_grows_no_more_is_read() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("some.obj");
     let text = |text: &str| -> Vec<u8> {
         let units = ['\u{feff}'].into_iter().chain(text.chars());
         let bytes = units.map(|c| u16::try_from(c).expect("one unit").to_le_bytes());
         bytes.flatten().collect()
     };
     let bytes = text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    fs::write(&path, &bytes).expect("written");
-    let mut file = read_in(1 << 18, &path, &bytes).expect("it loads");
-    file.contents.stamp = Stamp::of(&path).ok();
+    let (_folder, path, file) = loaded(1 << 18, &bytes);
     let progress = Progress::default();
     let face = || Again::new(&path, &file.contents, &file.mesh, &progress).face_of(0);
     assert_eq!(face().expect("unchanged").line, 4);
@@ -289,12 +277,9 @@ fn of_utf16_that_grows_no_more_is_read() {
 /// Pieces that were read stay in memory, but are not used once the file has changed.
 #[test]
 fn a_change_after_the_first_answer_is_said_too() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let [path, other] = ["some.obj", "other.obj"].map(|name| folder.path().join(name));
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    fs::write(&path, text).expect("written");
-    let mut file = read_in(1 << 18, &path, text.as_bytes()).expect("it loads");
-    file.contents.stamp = Stamp::of(&path).ok();
+    let (folder, path, file) = loaded(1 << 18, text.as_bytes());
+    let other = folder.path().join("other.obj");
     let progress = Progress::default();
     let mut again = Again::new(&path, &file.contents, &file.mesh, &progress);
     assert_eq!(again.face_of(0).expect("unchanged").line, 4);
@@ -327,12 +312,8 @@ fn a_change_after_the_first_answer_is_said_too() {
 
 #[test]
 fn numbers_that_a_file_has_not_are_refused() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("some.obj");
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\nf 1 1 2\nf 1 2 9\nv 1 nan 2\n";
-    fs::write(&path, text).expect("written");
-    let mut file = read_in(1 << 18, &path, text.as_bytes()).expect("it loads");
-    file.contents.stamp = Stamp::of(&path).ok();
+    let (_folder, path, file) = loaded(1 << 18, text.as_bytes());
     let progress = Progress::default();
     let mut again = Again::new(&path, &file.contents, &file.mesh, &progress);
     for number in [0, 5, usize::MAX] {
