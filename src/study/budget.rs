@@ -31,19 +31,13 @@ fn total(chain: &[Estimate], of: fn(&Estimate) -> f64) -> f64 {
     steps + shapes.into_iter().map(of).fold(0.0, f64::max)
 }
 
-fn px(estimate: &Estimate) -> f64 {
-    estimate.px
-}
-
 /// Starts with every step in `f32` and moves the one with the largest error to `f64` until the total is within the
 /// budget.
 fn chain(narrow: &[Estimate], wide: &[Estimate], budget_px: f64) -> Vec<Estimate> {
     let mut chain = narrow.to_vec();
-    while total(&chain, px) > budget_px {
-        let steps = chain
-            .iter_mut()
-            .zip(wide)
-            .filter(|(step, _)| step.precision == F32);
+    while total(&chain, |step| step.px) > budget_px {
+        let steps = chain.iter_mut().zip(wide);
+        let steps = steps.filter(|(step, _)| step.precision == F32);
         let Some((step, wide)) = steps.max_by(|a, b| a.0.px.total_cmp(&b.0.px)) else {
             break;
         };
@@ -62,7 +56,7 @@ fn pixels(px: f64) -> String {
 }
 
 fn methods(chain: &[Estimate], budget_px: f64) -> String {
-    let px = total(chain, px);
+    let px = total(chain, |step| step.px);
     let words = |precision: Precision| {
         let steps = chain.iter().filter(|step| step.precision == precision);
         let steps = steps.map(|step| format!("{} by {}", step.step, step.method));
@@ -81,14 +75,14 @@ fn largest(chain: &[Estimate], narrow: &[Estimate], wide: &[Estimate]) -> String
         let (name, precision, px) = (step.step, step.precision, pixels(step.px));
         format!("Most of it is {name} in {precision}, {px}. ")
     });
-    let [narrow, wide] = [narrow, wide].map(|chain| pixels(total(chain, px)));
+    let [narrow, wide] = [narrow, wide].map(|chain| pixels(total(chain, |step| step.px)));
     format!("{most}All in f32: {narrow}; all in f64: {wide}; Sightline decides exactly.")
 }
 
 /// How far the whole scene can move from the world's origin before the chain exceeds the budget.
 fn reach(chain: &[Estimate], view: &View, budget_px: f64) -> String {
     let now = view.camera.eye().length();
-    let px = total(chain, px);
+    let px = total(chain, |step| step.px);
     let unmoved = total(chain, |step| step.px - step.px_by_origin[0]);
     let per_unit = total(chain, |step| step.px_by_origin[1]);
     let here = format!("the eye is {} units from it now", number(now));
@@ -100,42 +94,29 @@ fn reach(chain: &[Estimate], view: &View, budget_px: f64) -> String {
     if per_unit == 0.0 {
         return format!("That holds at any distance from the world's origin; {here}.");
     }
-    let most = (budget_px - unmoved) / per_unit;
-    format!(
-        "That holds until eye and objects are {} units from the world's origin; {here}.",
-        number(0.95 * most)
-    )
+    let most = number(0.95 * ((budget_px - unmoved) / per_unit));
+    format!("That holds until eye and objects are {most} units from the world's origin; {here}.")
 }
 
 /// How much time `f32` saves in these steps, compared with the time of a whole pick.
 fn savings(report: &Report, steps: &[Estimate]) -> String {
     /// The least share of a pick's time that counts.
     const WORTH: f64 = 0.05;
-    let ns = |step: &Estimate, precision: Precision| {
-        let mut rows = report.of_scene(step.step);
-        let row = rows.find(|row| row.info.key() == (step.method, precision))?;
-        Some(row.time?.ns)
-    };
-    let saved = steps
-        .iter()
-        .filter_map(|step| Some(ns(step, F64)? - ns(step, F32)?));
-    let saved: f64 = saved.sum();
+    let ns = |step: &Estimate, precision| Some(row(report, step, precision)?.time?.ns);
+    let saved = |step| Some(ns(step, F64)? - ns(step, F32)?);
+    let saved: f64 = steps.iter().filter_map(saved).sum();
     let pick = report.of_scene("pick").find(|row| row.info.ours);
     let Some(pick) = pick.and_then(|row| row.time) else {
         return "Nothing is picked here, so nothing was timed.".to_owned();
     };
-    let verdict = if saved > WORTH * pick.ns {
-        "worth having"
-    } else {
-        "not worth having"
-    };
+    let not = if saved > WORTH * pick.ns { "" } else { "not " };
     let amount = if saved > 0.0 {
         format!("saves {} ns", number(saved))
     } else {
         "saves nothing".to_owned()
     };
     format!(
-        "With each step done once, f32 in place of f64 {amount} of the {} ns that a pick takes here: {verdict}.",
+        "With each step done once, f32 in place of f64 {amount} of the {} ns that a pick takes here: {not}worth having.",
         number(pick.ns)
     )
 }
@@ -157,11 +138,13 @@ fn sample<'a>(report: &Report, estimates: impl Iterator<Item = &'a Estimate>) ->
 /// The measured error of an estimate's method on the scene's own rays, in pixels.
 #[must_use]
 pub fn measured(report: &Report, step: &Estimate) -> Option<f64> {
+    let row = row(report, step, step.precision)?;
+    let errors = [row.worst_error, row.worst_wrong];
+    Some(errors[usize::from(step.is_of_shape())])
+}
+
+/// The row of an estimate's method on the scene's own rays, in a precision.
+fn row<'a>(report: &'a Report, step: &Estimate, precision: Precision) -> Option<&'a Row> {
     let mut rows = report.of_scene(step.step);
-    let row = rows.find(|row| row.info.key() == (step.method, step.precision))?;
-    Some(if step.is_of_shape() {
-        row.worst_wrong
-    } else {
-        row.worst_error
-    })
+    rows.find(|row| row.info.key() == (step.method, precision))
 }

@@ -15,8 +15,8 @@
 //!
 //! This distance, divided by the distance of the nearest edge, is an angle at the eye.
 
-use super::{methods::TriangleCase, prelude::*, scene_rays::px_angle};
-use crate::{camera::View, scene::Shape};
+use super::{prelude::*, scene_rays::px_angle};
+use crate::{camera::View, geometry::Placement, scene::Shape};
 use glam::DVec3;
 
 /// Each step's key, and its sound method.
@@ -67,7 +67,7 @@ pub fn estimates(
         bounds.fold(0.0, f64::max) * u / UNIT
     };
     let of = |(step, method): (&'static str, &'static str)| {
-        let by_origin = match (precision, step) {
+        let px_by_origin = match (precision, step) {
             (F32, "ray") => eye(view, u),
             (F32, "object-space") => places(rays, u),
             (F32, "square") => squares(rays, u),
@@ -84,8 +84,8 @@ pub fn estimates(
             step,
             method,
             precision,
-            px: own + by_origin[0],
-            px_by_origin: by_origin,
+            px: own + px_by_origin[0],
+            px_by_origin,
         }
     };
     let steps = SOUND.into_iter();
@@ -96,13 +96,12 @@ pub fn estimates(
 /// The error from the eye's rounded coordinates. They matter only where parallel rays start at world positions.
 fn eye(view: &View, u: f64) -> [f64; 2] {
     let camera = &view.camera;
+    if !camera.lens().is_orthographic() {
+        return [0.0; 2];
+    }
     let distance = camera.eye().distance(camera.target());
     let unit = u / distance / px_angle(view, distance);
-    if camera.lens().is_orthographic() {
-        [unit * camera.eye().length(), unit]
-    } else {
-        [0.0; 2]
-    }
+    [unit * camera.eye().length(), unit]
 }
 
 /// The error from the rounded world coordinates of rays and objects.
@@ -130,7 +129,7 @@ fn larger(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0].max(b[0]), a[1].max(b[1])]
 }
 
-fn rim(placement: &crate::geometry::Placement) -> [DVec3; 4] {
+fn rim(placement: &Placement) -> [DVec3; 4] {
     let model = placement.model();
     [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)]
         .map(|(x, y)| model.transform_point3(DVec3::new(x, y, 0.0)))
@@ -142,23 +141,21 @@ fn shapes(rays: &SceneRays, step: &str, u: f64) -> f64 {
         "box" => |shape| matches!(shape, Shape::Cube),
         _ => |shape| matches!(shape, Shape::Square),
     };
-    let each = rays
-        .rays_at(wanted)
-        .into_iter()
-        .map(|(placement, ray, px)| {
-            let from = placement.ray_to_object(&ray).origin;
-            let off = match step {
-                // The outline is a tangent's length away; from inside there is none.
-                "sphere" if from.length() <= 0.5 => 0.0,
-                "sphere" => 14.0 * from.length() / (from.length_squared() - 0.25).sqrt(),
-                "box" => 10.0 * (from.length() + 1.0) / nearest_edge(from),
-                _ => {
-                    let rim = rim(placement);
-                    12.0 * furthest(ray.origin, &rim) / nearest(ray.origin, &rim)
-                }
-            };
-            u * off / px
-        });
+    let each = rays.rays_at(wanted).into_iter();
+    let each = each.map(|(placement, ray, px)| {
+        let from = placement.ray_to_object(&ray).origin;
+        let off = match step {
+            // The outline is a tangent's length away; from inside there is none.
+            "sphere" if from.length() <= 0.5 => 0.0,
+            "sphere" => 14.0 * from.length() / (from.length_squared() - 0.25).sqrt(),
+            "box" => 10.0 * (from.length() + 1.0) / nearest_edge(from),
+            _ => {
+                let rim = rim(placement);
+                12.0 * furthest(ray.origin, &rim) / nearest(ray.origin, &rim)
+            }
+        };
+        u * off / px
+    });
     each.fold(0.0, f64::max)
 }
 

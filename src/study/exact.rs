@@ -129,29 +129,25 @@ impl Exact3 {
     }
 
     /// Scalar product.
-    #[must_use]
-    pub fn dot(&self, o: &Self) -> Exact {
+    pub(super) fn dot(&self, o: &Self) -> Exact {
         let [a, b] = [&self.0, &o.0];
         &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
     }
 
     /// Vector product.
-    #[must_use]
-    pub fn cross(&self, o: &Self) -> Self {
+    pub(super) fn cross(&self, o: &Self) -> Self {
         let [a, b] = [&self.0, &o.0];
         let entry = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
         Self([entry(1, 2), entry(2, 0), entry(0, 1)])
     }
 
     /// Times a number.
-    #[must_use]
-    pub fn times(&self, s: &Exact) -> Self {
+    pub(super) fn times(&self, s: &Exact) -> Self {
         Self(self.0.each_ref().map(|c| c * s))
     }
 
     /// Length, to 320 bits.
-    #[must_use]
-    pub fn length(&self) -> Exact {
+    pub(super) fn length(&self) -> Exact {
         self.dot(self).sqrt()
     }
 }

@@ -88,6 +88,11 @@ mod prelude {
     pub use super::{
         effort::Effort,
         exact::{self, Exact, Exact3},
+        methods::{
+            boxes::BoxCase, clipping::ClipCase, depth::DepthCase, normals::NormalCase,
+            object_space::PlacedCase, rays::PixelCase, spheres::SphereCase, squares::SquareCase,
+            triangles::TriangleCase,
+        },
         random::Random,
         real::{M3, Real, Ring, V3, through_f32, through_f32_each},
         run::{Report, Row, SCENE},

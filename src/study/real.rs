@@ -5,34 +5,19 @@ use num_traits::Float;
 use std::ops::{Add, Index, Mul, Neg, Sub};
 
 /// A floating-point number of the hardware.
-pub trait Real: Float {
+pub trait Real: Float + Into<f64> {
     /// The nearest number of this kind.
-    fn of(value: f64) -> Self;
+    fn of(value: f64) -> Self {
+        num_traits::cast(value).unwrap_or_else(Self::nan)
+    }
     /// The same value in `f64`: exact.
-    fn wide(self) -> f64;
-}
-
-impl Real for f32 {
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "the rounding that is studied"
-    )]
-    fn of(value: f64) -> Self {
-        value as Self
-    }
     fn wide(self) -> f64 {
-        f64::from(self)
+        self.into()
     }
 }
 
-impl Real for f64 {
-    fn of(value: f64) -> Self {
-        value
-    }
-    fn wide(self) -> f64 {
-        self
-    }
-}
+impl Real for f32 {}
+impl Real for f64 {}
 
 /// The `f32` nearest to a value, as `f64`: workloads give methods of both precisions the same numbers.
 #[must_use]
@@ -84,8 +69,7 @@ impl<T: Ring> V3<T> {
 
     /// Vector product.
     #[inline]
-    #[must_use]
-    pub fn cross(self, o: Self) -> Self {
+    pub(super) fn cross(self, o: Self) -> Self {
         Self::new(
             self.y * o.z - self.z * o.y,
             self.z * o.x - self.x * o.z,
@@ -102,7 +86,27 @@ impl<T: Ring> V3<T> {
     pub fn map<U>(self, of: impl Fn(T) -> U) -> V3<U> {
         V3::new(of(self.x), of(self.y), of(self.z))
     }
+
+    /// Each coordinate with the other's.
+    fn zip(self, o: Self, of: impl Fn(T, T) -> T) -> Self {
+        Self::new(of(self.x, o.x), of(self.y, o.y), of(self.z, o.z))
+    }
 }
+
+/// Operators on two of a type of numbers, number by number.
+macro_rules! each {
+    ($type:ident: $($trait:ident $name:ident $op:tt),+) => {$(
+        impl<T: Ring> $trait for $type<T> {
+            type Output = Self;
+            fn $name(self, o: Self) -> Self {
+                self.zip(o, |a, b| a $op b)
+            }
+        }
+    )+};
+}
+pub(super) use each;
+
+each!(V3: Add add +, Sub sub -);
 
 impl<T: Real> V3<T> {
     /// Each coordinate rounded from `f64`.
@@ -116,35 +120,24 @@ impl<T: Real> V3<T> {
         V3::new(self.x.wide(), self.y.wide(), self.z.wide())
     }
 
+    /// Whether each coordinate is neither infinite nor NaN.
+    pub fn is_finite(self) -> bool {
+        self.array().iter().all(|c| c.is_finite())
+    }
+
     /// Length; overflows where its square does.
     pub fn length(self) -> T {
         self.dot(self).sqrt()
     }
 
     /// Divided by its length.
-    #[must_use]
-    pub fn normalize(self) -> Self {
+    pub(super) fn normalize(self) -> Self {
         self * (T::one() / self.length())
     }
 
     /// Each coordinate's magnitude.
-    #[must_use]
-    pub fn abs(self) -> Self {
+    pub(super) fn abs(self) -> Self {
         Self::new(self.x.abs(), self.y.abs(), self.z.abs())
-    }
-}
-
-impl<T: Ring> Add for V3<T> {
-    type Output = Self;
-    fn add(self, o: Self) -> Self {
-        Self::new(self.x + o.x, self.y + o.y, self.z + o.z)
-    }
-}
-
-impl<T: Ring> Sub for V3<T> {
-    type Output = Self;
-    fn sub(self, o: Self) -> Self {
-        Self::new(self.x - o.x, self.y - o.y, self.z - o.z)
     }
 }
 
@@ -213,15 +206,13 @@ impl<T: Real> M3<T> {
     }
 
     /// The transpose.
-    #[must_use]
-    pub fn transpose(&self) -> Self {
+    pub(super) fn transpose(&self) -> Self {
         let row = |i: usize| V3::new(self.0[0][i], self.0[1][i], self.0[2][i]);
         Self([row(0), row(1), row(2)])
     }
 
     /// The cofactors: `det * inverse transpose`, without a division.
-    #[must_use]
-    pub fn cofactors(&self) -> Self {
+    pub(super) fn cofactors(&self) -> Self {
         let [a, b, c] = self.0;
         Self([b.cross(c), c.cross(a), a.cross(b)])
     }
@@ -232,8 +223,7 @@ impl<T: Real> M3<T> {
     }
 
     /// Inverse by cofactors and determinant; not finite for a singular matrix.
-    #[must_use]
-    pub fn inverse(&self) -> Self {
+    pub(super) fn inverse(&self) -> Self {
         let scale = T::one() / self.determinant();
         Self(self.cofactors().transpose().0.map(|column| column * scale))
     }

@@ -1,19 +1,16 @@
 //! Runs the study: every method of every step over every workload, compared with the truth and timed.
 
 use super::{
-    effort::Effort,
     methods::{Visitor, each_step, registry},
-    random::Random,
-    scene_rays::SceneRays,
+    prelude::*,
     statistics::{interval, quantile, rate},
-    step::{Case, Family, Method, MethodInfo, Verdict},
     timing::{self, Time},
 };
 use crate::geometry::shares::on_all_cores;
 use std::iter;
 
 /// What a method did at one value of one family's parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Row {
     /// The method.
     pub info: MethodInfo,
@@ -50,29 +47,6 @@ pub struct Row {
 }
 
 impl Row {
-    /// A method before its first case.
-    fn new<C>(info: MethodInfo, work: &Workload<'_, C>, cases: usize) -> Self {
-        let bound = info.ours.then_some(0.0);
-        Self {
-            info,
-            family: work.family,
-            parameter: work.parameter,
-            value: work.value,
-            cases,
-            missed: 0,
-            phantoms: 0,
-            others: 0,
-            ties: 0,
-            worst_wrong: 0.0,
-            median_error: 0.0,
-            p999_error: 0.0,
-            worst_error: 0.0,
-            of_bound: bound,
-            bound,
-            time: None,
-        }
-    }
-
     /// How many decisions were wrong.
     #[must_use]
     pub fn wrong(&self) -> usize {
@@ -199,7 +173,17 @@ impl Run<'_> {
 
 /// Every family's workloads, and last that of a scene's own rays.
 fn all_workloads<C: Case>(effort: Effort, scene: Option<&SceneRays>) -> Vec<Workload<'_, C>> {
-    let families = C::FAMILIES.iter();
+    let at = |family: &'static Family<C>, value: f64| Workload {
+        family: family.name,
+        parameter: family.parameter,
+        value,
+        make: Box::new(move |most| {
+            let names = [C::ABOUT.key, family.name, &value.to_string()];
+            let mut random = Random::named(effort.seed, &names);
+            let cases = 0..C::count(effort).min(most);
+            cases.map(|_| (family.make)(&mut random, value)).collect()
+        }),
+    };
     let own = scene.map(|scene| Workload {
         family: SCENE,
         parameter: "-",
@@ -210,27 +194,9 @@ fn all_workloads<C: Case>(effort: Effort, scene: Option<&SceneRays>) -> Vec<Work
             cases
         }),
     });
-    let general = families.flat_map(|family| workloads(family, effort));
+    let families = C::FAMILIES.iter();
+    let general = families.flat_map(|family| family.values.iter().map(|value| at(family, *value)));
     general.chain(own).collect()
-}
-
-/// The workloads of a family, one for each value of its parameter.
-fn workloads<'a, C: Case>(
-    family: &'static Family<C>,
-    effort: Effort,
-) -> impl Iterator<Item = Workload<'a, C>> {
-    family.values.iter().map(move |&value| Workload {
-        family: family.name,
-        parameter: family.parameter,
-        value,
-        make: Box::new(move |most| {
-            let names = [C::ABOUT.key, family.name, &value.to_string()];
-            let mut random = Random::named(effort.seed, &names);
-            (0..C::count(effort).min(most))
-                .map(|_| (family.make)(&mut random, value))
-                .collect()
-        }),
-    })
 }
 
 /// The rows that [`run`] has for one family of a step, and for the family [`SCENE`] of a scene; untimed. `go_on` is
@@ -254,7 +220,17 @@ fn judge<C: Case>(work: &Workload<'_, C>) -> Vec<Row> {
     let can_run = |method: &&Method<C>| cases.first().is_some_and(|case| case.can_run(method));
     let methods = C::methods().filter(can_run);
     let rows = methods.map(|method| {
-        let mut row = Row::new(method.info, work, cases.len());
+        let bound = method.info.ours.then_some(0.0);
+        let mut row = Row {
+            info: method.info,
+            family: work.family,
+            parameter: work.parameter,
+            value: work.value,
+            cases: cases.len(),
+            of_bound: bound,
+            bound,
+            ..Row::default()
+        };
         let mut errors = Vec::with_capacity(cases.len());
         for (case, truth) in iter::zip(&cases, &truths) {
             let verdict = case.judge(truth, &(method.run)(case));

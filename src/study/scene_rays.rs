@@ -49,10 +49,8 @@ impl SceneRays {
 
     /// Every ray that hits, with the object and the hit.
     pub(super) fn objects(&self) -> impl Iterator<Item = (&Ray, &Object, &SceneHit)> {
-        let objects = self.world.scene.objects();
-        self.hits
-            .iter()
-            .map(|(ray, hit)| (ray, &objects[hit.object], hit))
+        let (objects, hits) = (self.world.scene.objects(), self.hits.iter());
+        hits.map(|(ray, hit)| (ray, &objects[hit.object], hit))
     }
 
     /// Every ray in world space with a random visible object of a wanted shape, hit or not, and [`px_angle`] at its

@@ -3,9 +3,10 @@
 use super::{effort::Effort, random::Random, scene_rays::SceneRays};
 
 /// The arithmetic that a method uses.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Precision {
     /// 24 bits.
+    #[default]
     F32,
     /// 53 bits.
     F64,
@@ -24,7 +25,7 @@ impl std::fmt::Display for Precision {
 }
 
 /// What is known about a method without running it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MethodInfo {
     /// Its step.
     pub step: About,
@@ -103,9 +104,9 @@ impl<C: Case> Method<C> {
 /// A step's methods, in groups: a formula in both precisions, or single methods.
 pub type Methods<C> = &'static [&'static [Method<C>]];
 
-/// A formula in both precisions: applied to a case's `narrow`, and to its `wide`.
+/// A formula in both precisions, by name and source: applied to a case's `narrow`, and to its `wide`.
 macro_rules! both {
-    ($name:expr, $source:expr, $formula:expr $(, $more:expr)*) => {
+    ($name:literal: $source:expr, $formula:expr $(, $more:expr)*) => {
         [
             Method::new($name, F32, $source, |case: &Self| $formula(&case.narrow $(, $more)*)),
             Method::new($name, F64, $source, |case: &Self| $formula(&case.wide $(, $more)*)),
@@ -117,7 +118,12 @@ pub(super) use both;
 /// A family as one line: name, parameter, its values, and the function that makes a case.
 macro_rules! family {
     ($name:literal, $parameter:literal $values:tt => $make:expr) => {
-        Family::new($name, $parameter, &$values, $make)
+        Family {
+            name: $name,
+            parameter: $parameter,
+            values: &$values,
+            make: $make,
+        }
     };
 }
 pub(super) use family;
@@ -137,43 +143,23 @@ pub struct Family<C> {
 }
 
 impl<C> Family<C> {
-    /// A family.
-    pub(super) const fn new(
-        name: &'static str,
-        parameter: &'static str,
-        values: &'static [f64],
-        make: fn(&mut Random, f64) -> C,
-    ) -> Self {
-        Self {
-            name,
-            parameter,
-            values,
-            make,
-        }
-    }
-
     /// Ordinary cases: a step's first family. Methods are compared by their times on it.
     pub(super) const fn ordinary(make: fn(&mut Random, f64) -> C) -> Self {
-        Self::new("ordinary", "-", &[1.0], make)
+        family!("ordinary", "-" [1.0] => make)
     }
 }
 
 impl<C: Case<Truth = Option<f64>>> Family<C> {
     /// Ordinary cases of which a given share hits. They show how speed depends on the share of hits.
-    pub(super) const HIT_RATE: Self = Self::new(
-        "hit rate",
-        "share of hits",
-        &[0.0, 0.25, 0.5, 0.75, 1.0],
-        |random, rate| {
-            let hits = random.unit() < rate;
-            loop {
-                let case = (C::FAMILIES[0].make)(random, 1.0);
-                if case.truth().is_some() == hits {
-                    return case;
-                }
+    pub(super) const HIT_RATE: Self = family!("hit rate", "share of hits" [0.0, 0.25, 0.5, 0.75, 1.0] => |random, rate| {
+        let hits = random.unit() < rate;
+        loop {
+            let case = (C::FAMILIES[0].make)(random, 1.0);
+            if case.truth().is_some() == hits {
+                return case;
             }
-        },
-    );
+        }
+    });
 }
 
 /// How an answer compares with the truth.
@@ -192,7 +178,7 @@ pub enum Verdict {
 }
 
 /// Names and units of a step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct About {
     /// What the step does.
     pub name: &'static str,

@@ -54,7 +54,6 @@ impl<'a> Summary<'a> {
     }
 
     /// Its time on the ordinary workload, in nanoseconds, where it was timed.
-    #[must_use]
     pub fn ns(&self) -> Option<f64> {
         self.method.time.map(|time| time.ns)
     }
@@ -114,17 +113,13 @@ impl Report {
 
     /// The rows of each method of a step.
     pub(super) fn summaries(&self, step: About) -> Vec<Summary<'_>> {
-        let mut methods: Vec<Summary<'_>> = Vec::new();
-        for row in self.of_step(step) {
-            let key = row.info.key();
-            let known = methods.iter_mut().find(|of| of.method.info.key() == key);
-            if let Some(known) = known {
-                known.rows.push(row);
-            } else {
-                let (method, rows) = (row, vec![row]);
-                methods.push(Summary { method, rows });
-            }
-        }
-        methods
+        let methods = distinct(self.of_step(step).map(|row| row.info.key()));
+        let summary = |key| {
+            let rows = self.of_step(step).filter(|row| row.info.key() == key);
+            let rows: Vec<&Row> = rows.collect();
+            let method = rows[0];
+            Summary { method, rows }
+        };
+        methods.into_iter().map(summary).collect()
     }
 }

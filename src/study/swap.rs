@@ -1,14 +1,7 @@
 //! Makes a whole pick in which a method of the registry does one step and Sightline does all others. This shows the
 //! method's mistakes on a scene.
 
-use super::{
-    methods::{
-        BoxCase, ClipCase, DepthCase, NormalCase, PixelCase, PlacedCase, SphereCase, SquareCase,
-        TriangleCase, rays::PixelRay,
-    },
-    prelude::*,
-    run,
-};
+use super::{methods::rays::PixelRay, prelude::*, run};
 use crate::{
     camera::View,
     geometry::{Cuboid, Hit, Mesh, OnTriangle, Ray, Sphere, Square, WorldRay},
@@ -53,7 +46,9 @@ pub struct AnyStep {
     pub about: About,
     methods: fn() -> Vec<MethodInfo>,
     pick: fn(usize, &Click<'_>) -> Option<Found>,
-    rows: FamilyRows,
+    /// The rows of all its methods in one of its families, and on a scene's own rays. `None` once the last argument,
+    /// which is asked now and then, says no.
+    pub rows: FamilyRows,
 }
 
 impl AnyStep {
@@ -72,19 +67,6 @@ impl AnyStep {
     #[must_use]
     pub fn methods(self) -> Vec<MethodInfo> {
         (self.methods)()
-    }
-
-    /// The rows of all its methods in one of its families, and on a scene's own rays. `None` once `go_on`, which is
-    /// asked now and then, says no.
-    #[must_use]
-    pub fn rows(
-        self,
-        family: &str,
-        effort: Effort,
-        scene: Option<&SceneRays>,
-        go_on: &dyn Fn() -> bool,
-    ) -> Option<Vec<Row>> {
-        (self.rows)(family, effort, scene, go_on)
     }
 }
 
@@ -127,12 +109,11 @@ impl Found {
 
 impl<'a> Click<'a> {
     fn new(scene: &'a Scene, view: &'a View, px: DVec2) -> Self {
-        let ray = view.ray(px);
         Self {
             scene,
             view,
             px,
-            ray,
+            ray: view.ray(px),
         }
     }
 
@@ -316,12 +297,8 @@ fn analytic(local: &Ray, t: f64, normal: DVec3) -> Hit {
 impl Step for ClipCase {
     fn pick(click: &Click<'_>, run: fn(&Self) -> bool) -> Option<Found> {
         let Click { view, ray, .. } = click;
-        let [t_min, t_max] = [f64::NEG_INFINITY, f64::INFINITY];
-        let endless = Ray {
-            t_min,
-            t_max,
-            ..**ray
-        };
+        let mut endless = **ray;
+        [endless.t_min, endless.t_max] = [f64::NEG_INFINITY, f64::INFINITY];
         let mut hits = pick::all(click.scene, endless, view.sides).into_iter();
         let shown = |hit: &SceneHit| run(&Self::of_camera(&view.camera, **ray, hit.hit.t));
         Some(click.found(ray, hits.find(shown)?))
@@ -330,24 +307,20 @@ impl Step for ClipCase {
 
 impl Step for NormalCase {
     fn pick(click: &Click<'_>, run: fn(&Self) -> [f64; 3]) -> Option<Found> {
-        let own = click.sightlines()?;
+        let mut own = click.sightlines()?;
         let model = click.scene.objects()[own.hit.object].placement.model();
         let case = Self::new(model.matrix3.into(), own.hit.hit.normal.into())?;
-        Some(Found {
-            normal_world: DVec3::from(run(&case)).normalize(),
-            ..own
-        })
+        own.normal_world = DVec3::from(run(&case)).normalize();
+        Some(own)
     }
 }
 
 impl Step for DepthCase {
     fn pick(click: &Click<'_>, run: fn(&Self) -> f64) -> Option<Found> {
-        let own = click.sightlines()?;
+        let mut own = click.sightlines()?;
         let (camera, ray) = (&click.view.camera, &click.ray);
         let read = run(&Self::of_hit(camera, ray, own.hit.hit.t));
-        Some(Found {
-            point_world: ray.at(read / ray.direction.dot(camera.forward())),
-            ..own
-        })
+        own.point_world = ray.at(read / ray.direction.dot(camera.forward()));
+        Some(own)
     }
 }

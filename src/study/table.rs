@@ -1,10 +1,7 @@
 //! The study as text: a table for each step.
 
 use super::{
-    methods::{
-        reading::{self, FileCase},
-        registry,
-    },
+    methods::{reading, registry},
     prelude::*,
     timing::{Time, processor},
 };
@@ -77,13 +74,11 @@ fn columns(step: About, summaries: &[Summary<'_>]) -> Vec<Vec<String>> {
     let [decides, measures] = [step.wrong_unit, step.error_unit].map(|unit| !unit.is_empty());
     if decides || !measures {
         let [wrong, found] = at_worst("wrong %", Row::wrong_percent, percent);
-        let within = column(
-            "95 %",
-            &|of| match of.worst(Row::wrong_percent).wrong_percent_within() {
-                [0.0, high] => format!("<{}", percent(high)),
-                [low, high] => format!("{}..{}", percent(low), percent(high)),
-            },
-        );
+        let worst = |of: &Summary<'_>| of.worst(Row::wrong_percent).wrong_percent_within();
+        let within = column("95 %", &|of| match worst(of) {
+            [0.0, high] => format!("<{}", percent(high)),
+            [low, high] => format!("{}..{}", percent(low), percent(high)),
+        });
         let ties = column("ties %", &|of| percent(100.0 * of.tie_rate()));
         columns.extend([wrong, within, found, ties]);
     }
@@ -98,16 +93,12 @@ fn columns(step: About, summaries: &[Summary<'_>]) -> Vec<Vec<String>> {
         columns.extend(at_worst(&header, |row| row.worst_error, number));
     }
     let share = |of: &Summary<'_>| of.of_bound().map(|share| format!("{share:.2}"));
-    columns.push(column("of bound", &|of| {
-        share(of).unwrap_or("-".to_owned())
-    }));
+    let share = |of: &Summary<'_>| share(of).unwrap_or("-".to_owned());
+    columns.push(column("of bound", &share));
     // Methods that cannot run on this machine.
-    let ran = |method: &MethodInfo| {
-        let mut known = summaries.iter().map(|summary| summary.method.info.key());
-        known.any(|known| known == method.key())
-    };
+    let ran: Vec<_> = summaries.iter().map(|of| of.method.info.key()).collect();
     let mut absent = registry();
-    absent.retain(|method| method.step == step && !ran(method));
+    absent.retain(|method| method.step == step && !ran.contains(&method.key()));
     for method in absent {
         let why = "no graphics adapter".to_owned();
         let cells = [method.name.to_owned(), method.precision.to_string(), why];
@@ -138,7 +129,7 @@ fn aligned(text: &mut String, columns: &[Vec<String>]) {
 
 /// The lines below a table: how fast files are read, and what a method offers where others are faster.
 fn notes(text: &mut String, step: About, summaries: &[Summary<'_>]) {
-    if step == FileCase::ABOUT {
+    if step == reading::FileCase::ABOUT {
         for summary in summaries {
             let Some(ns) = summary.ns() else { continue };
             let (name, precision) = summary.method.info.key();
@@ -162,17 +153,13 @@ fn need(step: About, summaries: &[Summary<'_>]) -> Option<String> {
         "degrees" => 0.25,
         _ => 1e-4,
     };
-    let does = |summary: &&Summary<'_>| {
-        let is_good = |row: &&Row| row.wrong() == 0 && row.worst_error <= most;
-        summary.rows.iter().all(is_good)
-    };
-    let timed = summaries.iter().filter(does);
+    let is_good = |row: &&Row| row.wrong() == 0 && row.worst_error <= most;
+    let timed = summaries.iter().filter(|of| of.rows.iter().all(is_good));
     let timed = timed.filter_map(|summary| Some((summary.method, summary.ns()?)));
     let (fastest, _) = timed.min_by(|a, b| a.1.total_cmp(&b.1))?;
     let (name, precision) = fastest.info.key();
-    Some(format!(
-        "The fastest that is right here: {name}, {precision}."
-    ))
+    let need = format!("The fastest that is right here: {name}, {precision}.");
+    Some(need)
 }
 
 /// Family and parameter of a row; empty where the figure found there is 0.

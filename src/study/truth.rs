@@ -36,8 +36,7 @@ pub struct Meeting {
 
 impl Line {
     /// The exact value of a finite ray.
-    #[must_use]
-    pub fn new(origin: V3<f64>, direction: V3<f64>) -> Self {
+    pub(super) fn new(origin: V3<f64>, direction: V3<f64>) -> Self {
         Self {
             origin: Exact3::new(origin),
             direction: Exact3::new(direction),
@@ -55,8 +54,7 @@ impl Line {
     }
 
     /// Where it meets a triangle, by the signs of three volumes.
-    #[must_use]
-    pub fn triangle(&self, corners: [Exact3; 3]) -> Option<Meeting> {
+    pub(super) fn triangle(&self, corners: [Exact3; 3]) -> Option<Meeting> {
         let [a, b, c] = corners.map(|corner| corner - &self.origin);
         let volumes = [b.cross(&c), c.cross(&a), a.cross(&b)].map(|side| self.direction.dot(&side));
         let none_is = |excluded: Ordering| volumes.iter().all(|volume| volume.sign() != excluded);
@@ -68,8 +66,7 @@ impl Line {
 
     /// Where it enters and leaves a sphere about the origin. A touching ray does both at one point, neither from the
     /// front.
-    #[must_use]
-    pub fn sphere(&self, radius: &Exact) -> Vec<Meeting> {
+    pub(super) fn sphere(&self, radius: &Exact) -> Vec<Meeting> {
         let (o, d) = (&self.origin, &self.direction);
         let (a, b) = (d.dot(d), -o.dot(d));
         let c = o.dot(o) - radius * radius;
@@ -87,8 +84,7 @@ impl Line {
 
     /// Where it meets the faces of a cube about the origin. A face is skipped if the ray runs in its plane: its rim
     /// also belongs to the faces beside it.
-    #[must_use]
-    pub fn cube(&self, half: &Exact) -> Vec<Meeting> {
+    pub(super) fn cube(&self, half: &Exact) -> Vec<Meeting> {
         let (o, d) = (&self.origin.0, &self.direction.0);
         let mut met = Vec::new();
         for axis in (0..3).filter(|&axis| !d[axis].is_zero()) {
@@ -113,8 +109,7 @@ impl Line {
     /// Where it meets the parallelogram with sides u and v about a middle. With r from the middle to the ray's start
     /// and N = u x v, the coordinate along u is `-r.(d x v) / d.N`, and along v `r.(d x u) / d.N`. Both are compared
     /// without dividing.
-    #[must_use]
-    pub fn parallelogram(&self, middle: &Exact3, [u, v]: [&Exact3; 2]) -> Option<Meeting> {
+    pub(super) fn parallelogram(&self, middle: &Exact3, [u, v]: [&Exact3; 2]) -> Option<Meeting> {
         let (r, normal) = (&self.origin - middle, u.cross(v));
         let fall = normal.dot(&self.direction).abs();
         let is_within = |side: &Exact3| {

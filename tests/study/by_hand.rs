@@ -93,10 +93,10 @@ fn truth_agrees_with_hand_cases() {
     assert_eq!(cube(v(-1.5, 0.5, 0.0), v(0.5, 0.5, 0.0)), None);
 
     // 4 wide and 2 high, facing -x and 6 away.
-    let sides = [v(0.0, 0.0, 4.0), v(0.0, 2.0, 0.0)];
+    let axes = M3([v(0.0, 0.0, 4.0), v(0.0, 2.0, 0.0), v(-8.0, 0.0, 0.0)]);
     let square = |y: f64, z: f64| {
         let ray = [v(1.0, y, z), v(2.0, 0.0, 0.0)];
-        SquareCase::new(ray, v(7.0, 3.0, 1.0), sides, 1.0).expect("a square")
+        SquareCase::new(ray, axes, v(7.0, 3.0, 1.0), 1.0).expect("a square")
     };
     let t = |y: f64, z: f64| square(y, z).truth();
     assert_eq!(t(3.5, 2.0), Some(3.0));
@@ -121,8 +121,8 @@ fn truth_agrees_with_hand_cases() {
     // it.
     let twice = M3([v(2.0, 0.0, 0.0), v(0.0, 2.0, 0.0), v(0.0, 0.0, 2.0)]);
     let ray = [v(0.0, 0.0, 0.0), v(0.0, 0.0, 1.0)];
-    let placed = Placed::new(ray, twice, v(0.0, 0.0, 5.0));
-    let aside = |x: f64| object_space::aside(&placed, &[v(x, 0.0, -2.5), v(0.0, 0.0, 0.5)]);
+    let placed = PlacedCase::new(ray, twice, v(0.0, 0.0, 5.0), 1.0).expect("a case");
+    let aside = |x: f64| object_space::aside(&placed.wide, &[v(x, 0.0, -2.5), v(0.0, 0.0, 0.5)]);
     assert_eq!([aside(0.0), aside(0.5)], [0.0, 0.2]);
 }
 

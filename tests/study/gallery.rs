@@ -118,7 +118,7 @@ fn every_scene_of_the_folder_is_in_the_gallery_and_breaks_something() {
             cases: 1,
             ..Effort::QUICK
         };
-        let families = (broken.step).rows(broken.family, effort, None, &|| true);
+        let families = (broken.step.rows)(broken.family, effort, None, &|| true);
         let families = families.expect("nobody stops it");
         assert!(families.len() > 1, "no such family: {broken:?}");
         assert!(names_contain(broken.exhibit), "no such scene: {broken:?}");

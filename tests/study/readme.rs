@@ -40,7 +40,7 @@ fn it_counts_scenes_and_cases() {
 #[test]
 fn it_says_how_much_moeller_trumbore_gets_wrong() {
     let step = AnyStep::of::<TriangleCase>();
-    let rows = step.rows("exactly through edges", Effort::FULL, None, &|| true);
+    let rows = (step.rows)("exactly through edges", Effort::FULL, None, &|| true);
     let (mut wrong, mut ours) = (0.0_f64, 0);
     for row in rows.expect("nobody stops it") {
         if row.info.key() == ("Moeller-Trumbore", F32) {

@@ -1,9 +1,6 @@
 //! Axes, with places beside the scale for 0, for ties and for infinite values. Also panels: frames with two axes.
 
-use super::{
-    figure::Figure,
-    picture::{Anchor, Colour, FAINT, INK, Picture, QUIET},
-};
+use super::{picture::FAINT, prelude::*};
 use plotters::coord::{ranged1d::Ranged, types::RangedCoordf64};
 
 /// A map from values to pixels.
@@ -13,14 +10,11 @@ pub struct Axis {
     scale: fn(f64) -> f64,
     /// The scaled values at both ends.
     range: [f64; 2],
-    /// The pixel positions of both ends.
-    ends: [f64; 2],
-    /// The pixel position of 0, before the first end.
-    none: Option<f64>,
-    /// The pixel position of ties, between 0 and the first end.
-    ties: Option<f64>,
-    /// The pixel position of infinite values, beyond the last end.
-    fails: Option<f64>,
+    /// The pixel positions of both ends of the scale.
+    pub ends: [f64; 2],
+    /// The pixel positions beside the scale: of 0, before the first end; of ties, between 0 and the first end; of
+    /// infinite values, beyond the last end.
+    beside: [Option<f64>; 3],
 }
 
 /// The approximate distance between the scale and the places beside it, in pixels.
@@ -52,12 +46,9 @@ impl Axis {
             to -= direction * 1.6 * BEYOND;
             to + direction * BEYOND
         });
-        Self {
-            none,
-            ties,
-            fails,
-            ..Self::between(f64::log10, [low, high], [from, to])
-        }
+        let scale = Self::between(f64::log10, [low, high], [from, to]);
+        let beside = [none, ties, fails];
+        Self { beside, ..scale }
     }
 
     /// An axis with a scale; `range` are the scaled values at both ends.
@@ -66,9 +57,7 @@ impl Axis {
             scale,
             range,
             ends,
-            none: None,
-            ties: None,
-            fails: None,
+            beside: [None; 3],
         }
     }
 
@@ -77,29 +66,16 @@ impl Axis {
         Self::between(|value| value, [0.0, most], ends)
     }
 
-    /// The axis with its ends swapped.
-    pub fn reversed(self) -> Self {
-        let [a, b] = self.ends;
-        Self {
-            ends: [b, a],
-            ..self
-        }
-    }
-
-    /// The pixel positions of both ends of the scale, without the places beside it.
-    pub fn ends(&self) -> [f64; 2] {
-        self.ends
-    }
-
     /// The pixel position of a value.
     pub fn at(&self, value: f64) -> f64 {
         let [low, high] = self.range;
         let share = ((self.scale)(value) - low) / (high - low);
         let on_scale = self.ends[0] + share.clamp(0.0, 1.0) * (self.ends[1] - self.ends[0]);
+        let [none, ties, fails] = self.beside;
         let beside = match value {
-            0.0 => self.none,
-            Figure::TIE => self.ties,
-            f64::INFINITY => self.fails,
+            0.0 => none,
+            Figure::TIE => ties,
+            f64::INFINITY => fails,
             _ => None,
         };
         beside.unwrap_or(on_scale)
@@ -177,10 +153,11 @@ impl Panel {
     ) {
         let [left, top] = self.from;
         let [right, bottom] = self.to;
-        if let Some(y) = self.y.none {
+        let [at_none, at_ties, at_fails] = self.y.beside;
+        if let Some(y) = at_none {
             picture.rectangle([left, y - 0.5 * BEYOND], self.to, NEVER);
         }
-        if let Some(y) = self.y.fails {
+        if let Some(y) = at_fails {
             picture.rectangle([left, top], [right, y + 0.5 * BEYOND], [0xfb, 0xeb, 0xe2]);
         }
         for (value, _) in self.y.ticks(5) {
@@ -188,15 +165,11 @@ impl Panel {
             picture.line(vec![[left, y], [right, y]], FAINT, 1, false);
         }
         if !y_name.is_empty() {
-            let beside = [
-                (self.y.none, none),
-                (self.y.ties, "ties"),
-                (self.y.fails, "fails"),
-            ];
-            let beside = beside.map(|(y, word)| y.map(|y| (y, word.to_owned())));
             let ticks = self.y.ticks(5).into_iter();
-            let ticks = ticks.map(|(value, word)| (self.y.at(value), word));
-            for (y, word) in ticks.chain(beside.into_iter().flatten()) {
+            let ticks = ticks.map(|(value, word)| (Some(self.y.at(value)), word));
+            let beside = [(at_none, none), (at_ties, "ties"), (at_fails, "fails")];
+            for (y, word) in ticks.chain(beside.map(|(y, word)| (y, word.to_owned()))) {
+                let Some(y) = y else { continue };
                 picture.text([left - 6.0, y], Anchor::Right, TICK, QUIET, word);
             }
         }

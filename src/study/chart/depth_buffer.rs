@@ -2,7 +2,7 @@
 //! after Reed, Depth Precision Visualized, 2015. The other has the least step of real formats against distance.
 
 use super::prelude::*;
-use crate::study::methods::depth::{DepthCase, Mapping};
+use crate::study::methods::depth::Mapping;
 
 /// Mappings with name, index into [`COLOURS`] (black beyond the last) and line width. A line that another one covers is
 /// wider.
@@ -79,9 +79,8 @@ fn steps(picture: &mut Picture) {
     let depths = decades.map(|i| 10_f64.powf(f64::from(i) / f64::from(PER_DECADE)));
     let depths: Vec<f64> = depths.collect();
     let curves = MAPPINGS.map(|(name, mapping, colour, width)| {
-        let steps = depths
-            .iter()
-            .filter_map(|z| Some((*z, resolution(mapping, *z)?)));
+        let step = |z: &f64| Some((*z, resolution(mapping, *z)?));
+        let steps = depths.iter().filter_map(step);
         let colour = COLOURS.get(colour).copied().unwrap_or_default();
         (name, colour, width, steps.collect::<Vec<_>>())
     });

@@ -25,7 +25,7 @@ pub fn chart(report: &Report) -> Picture {
         let percent = 100.0 * shares.fold(0.0, f64::max);
         let title = format!("{} ({}): {percent:.0} %", step.name, step.error_unit);
         panel.draw(&mut picture, &title, ["bound", "worst error found"], "0");
-        let [x, y] = [panel.x.ends(), panel.y.ends()];
+        let [x, y] = [panel.x.ends, panel.y.ends];
         picture.line(vec![[x[0], y[0]], [x[1], y[1]]], INK, 2, false);
         for (bound, found) in bounds.into_iter().zip(found) {
             let at = panel.at(bound, found);

@@ -1,6 +1,6 @@
 //! The figures by which methods are compared.
 
-use crate::study::{run::Row, step::About, summary::Summary};
+use crate::study::prelude::*;
 
 /// A figure by which a step's methods are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -30,9 +30,9 @@ impl<'a> Point<'a> {
         let mut percents: Vec<f64> = rows().map(Row::wrong_percent).collect();
         percents.sort_by(f64::total_cmp);
         // A wrongly picked triangle has no distance, so it is no tie.
-        let apart =
-            rows().filter(|row| row.worst_wrong > 0.0 || row.info.step.wrong_unit.is_empty());
-        let apart = apart.map(Row::wrong_percent).fold(0.0, f64::max);
+        let is_apart = |row: &&Row| row.worst_wrong > 0.0 || row.info.step.wrong_unit.is_empty();
+        let apart = rows().filter(is_apart).map(Row::wrong_percent);
+        let apart = apart.fold(0.0, f64::max);
         let all = 100.0 * of.wrong_rate();
         Some(Self {
             row: of.method,
@@ -91,11 +91,8 @@ pub fn chart(report: &Report) -> Picture {
             from: [left, TOP],
             to: [left + width, BOTTOM],
         };
-        let (y_name, never) = if place == 0.0 {
-            ("wrong answers (%)", "never")
-        } else {
-            ("", "")
-        };
+        let at_first = |words: &'static str| if place == 0.0 { words } else { "" };
+        let [y_name, never] = ["wrong answers (%)", "never"].map(at_first);
         picture.rectangle([left, band], panel.to, NEVER);
         panel.draw(&mut picture, "", ["time (ns)", y_name], "");
         picture.text([left, TOP - 20.0], Anchor::Left, 24.0, INK, *name);
@@ -136,10 +133,8 @@ fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
     let never = never(points);
     let names = distinct(points.iter().map(|point| point.row.info.name));
     let position = |names: &[&str], point: &Point<'_>| {
-        names
-            .iter()
-            .position(|name| *name == point.row.info.name)
-            .unwrap_or(0)
+        let known = names.iter().position(|name| *name == point.row.info.name);
+        known.unwrap_or(0)
     };
     let mut places = LabelPlaces::new(panel.from, [panel.to[0], band - 2.0]);
     let placed = points.iter().map(|point| {

@@ -95,10 +95,9 @@ fn legend(picture: &mut Picture) {
         let px = 10_f64.powi(exponent);
         picture.rectangle([x, 18.0], [x + STEP, 34.0], colour(px));
         if exponent.rem_euclid(3) == 0 {
-            let words = if exponent == 0 {
-                "1 px".to_owned()
-            } else {
-                format!("{px:.0e}")
+            let words = match exponent {
+                0 => "1 px".to_owned(),
+                _ => format!("{px:.0e}"),
             };
             picture.text([x + 0.5 * STEP, 44.0], Anchor::Middle, 14.0, QUIET, words);
         }
@@ -123,25 +122,20 @@ fn draw(picture: &mut Picture, block: &Block<'_>, [left, top]: [f64; 2]) {
             picture.text(at, Anchor::Middle, 13.5, QUIET, line);
         }
         for (method, y) in block.methods.iter().zip(rows()) {
-            let own = block
-                .rows
-                .iter()
-                .copied()
-                .filter(|row| (row.family, row.info.name) == (*family, *method));
-            let (narrow, others): (Vec<&Row>, Vec<&Row>) =
-                own.partition(|row| row.info.precision == Precision::F32);
+            let own = block.rows.iter().copied();
+            let own = own.filter(|row| (row.family, row.info.name) == (*family, *method));
+            let (narrow, others): (Vec<_>, Vec<_>) = own.partition(|row| row.info.precision == F32);
             for (rows, x) in [(narrow, x), (others, x + HALF)] {
-                if !rows.is_empty() {
-                    cell(picture, [x, y], &rows);
-                }
+                cell(picture, [x, y], &rows);
             }
         }
     }
 }
 
-/// The cell of a method in one precision and one family.
+/// The cell of a method in one precision and one family; none where it has no rows.
 fn cell(picture: &mut Picture, [x, y]: [f64; 2], rows: &[&Row]) {
-    let decides = !rows[0].info.step.wrong_unit.is_empty();
+    let Some(first) = rows.first() else { return };
+    let decides = !first.info.step.wrong_unit.is_empty();
     let most = |of: fn(&Row) -> f64| rows.iter().map(|row| of(row)).fold(0.0, f64::max);
     let wrong = most(Row::wrong_percent);
     let px = if decides {

@@ -1,6 +1,6 @@
 //! Places labels and points where they cover nothing, as near as possible.
 
-use super::picture::{Anchor, Colour, INK, Picture, text_width};
+use super::prelude::*;
 
 /// The parts of a frame that are taken.
 #[derive(Clone, Debug)]

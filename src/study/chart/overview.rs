@@ -68,7 +68,7 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], at: [f64; 2]) 
             }
             steps.push(at);
         }
-        picture.line(steps, [0xaa, 0xaa, 0xaa], 2, false);
+        picture.line(steps, [0xaa; 3], 2, false);
     }
     // Sightline's first: it stays in its place, and points under it move aside.
     points.sort_by_key(|point| !point.style.info.ours);
@@ -82,9 +82,8 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], at: [f64; 2]) 
         point.style.point(picture, spot, 6.0);
     }
     let mut at = [at[0] + 22.0, panel.to[1] + 50.0];
-    let off = all
-        .iter()
-        .filter(|own| own.method.info.ours && !own.is_on_front(all));
+    let is_off = |own: &&Summary<'_>| own.method.info.ours && !own.is_on_front(all);
+    let off = all.iter().filter(is_off);
     for reason in off.filter_map(|own| own.method.info.reason) {
         let words = format!("The star offers: {reason}");
         picture.text(at, Anchor::Left, 14.0, INK, words);

@@ -1,9 +1,6 @@
 //! Lays out the page of a chart with many panels. Lengths are in pixels.
 
-use super::{
-    axis::Panel,
-    picture::{Anchor, INK, Picture, QUIET},
-};
+use super::prelude::*;
 
 /// Width of every page.
 pub const WIDTH: f64 = 1600.0;

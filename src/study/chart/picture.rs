@@ -145,8 +145,7 @@ const FONT: &str = "sans-serif";
 
 impl Picture {
     /// An empty white picture of a size in whole pixels.
-    #[must_use]
-    pub fn new(width: f64, height: f64) -> Self {
+    pub(super) fn new(width: f64, height: f64) -> Self {
         let [width, height] = [width, height].map(|side| side.to_u32().unwrap_or(0));
         Self {
             width,
@@ -282,11 +281,8 @@ fn draw_mark<B: DrawingBackend>(
     scale: f64,
 ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
     let rgb = |[r, g, b]: Colour| RGBColor(r, g, b);
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "positions within a picture"
-    )]
-    let px = |[x, y]: [f64; 2]| ((x * scale).round() as i32, (y * scale).round() as i32);
+    let whole = |at: f64| (at * scale).round().to_i32().unwrap_or(0);
+    let px = |[x, y]: [f64; 2]| (whole(x), whole(y));
     let wide = |width: u32| (f64::from(width) * scale).to_u32().unwrap_or(0);
     match mark {
         Mark::Line {

@@ -3,10 +3,7 @@
 //! 40(1), 2008.
 
 use super::prelude::*;
-use crate::{
-    geometry::shares::on_all_cores,
-    study::methods::{TriangleCase, triangles::RayTriangle},
-};
+use crate::{geometry::shares::on_all_cores, study::methods::triangles::RayTriangle};
 use glam::DVec3;
 
 /// Rays in a tile's row, and in its column.
@@ -66,10 +63,8 @@ pub fn chart() -> Picture {
 
 fn draw(picture: &mut Picture, tile: &Tile, [x, y]: [f64; 2], side: f64) {
     picture.map(&tile.colours, SIDE as usize, [x, y], side / f64::from(SIDE));
-    let wrong = tile.colours.iter();
-    let wrong = wrong
-        .filter(|colour| [LOST, FALSE].contains(colour))
-        .count();
+    let is_wrong = |colour: &&Colour| [LOST, FALSE].contains(colour);
+    let wrong = tile.colours.iter().filter(is_wrong).count();
     let percent = 100.0 * count(wrong) / f64::from(SIDE * SIDE);
     let words = match (wrong, tile.name) {
         (0, TRUTH) => "the truth".to_owned(),
@@ -125,8 +120,8 @@ fn cases(precision: Precision) -> Vec<(TriangleCase, Option<f64>)> {
         on_edge + DVec3::new(9.1, -8.3, 2.7),
     ];
     let corners = corners.map(|corner| match precision {
-        F32 => V3::from(corner.as_vec3().as_dvec3()),
-        _ => V3::from(corner),
+        F32 => through_f32_each(corner.into()),
+        _ => corner.into(),
     });
     let case = |i: u32| {
         let [x, y] = [i % SIDE, SIDE - 1 - i / SIDE].map(|i| 0.5 + step * f64::from(i));

@@ -2,7 +2,6 @@
 //! of hits.
 
 use super::prelude::*;
-use crate::study::methods::TriangleCase;
 
 /// The families that are shown, by step and name.
 const SHOWN: [(&str, &str); 8] = [
@@ -44,12 +43,7 @@ fn rows_of<'a>(report: &'a Report, step: &str, family: &str) -> Vec<&'a Row> {
 }
 
 /// A page with a panel for each family's rows, four in a line. Neighbouring panels of one step share a legend.
-fn panels_of(
-    title: &str,
-    line: &str,
-    panels: &[Vec<&Row>],
-    figure: fn(About) -> Figure,
-) -> Picture {
+fn panels_of(title: &str, line: &str, panels: &[Vec<&Row>], of: fn(About) -> Figure) -> Picture {
     let last = panels.chunks(4).next_back().unwrap_or_default();
     let longest = last.iter().map(|rows| names(rows).len()).max().unwrap_or(0);
     let above = ROWS_APART * count(panels.len().div_ceil(4) - 1);
@@ -57,22 +51,16 @@ fn panels_of(
     let mut last = "";
     for (rows, at) in panels.iter().zip(places(4, ROWS_APART)) {
         let Some(first) = rows.first() else { continue };
-        let styles = panel(&mut picture, figure(first.info.step), rows, at, None, None);
-        if last != first.info.step.key {
-            legend(&mut picture, styles.iter(), under(at), LINE);
-        }
-        last = first.info.step.key;
+        let (step, figure) = (first.info.step, of(first.info.step));
+        let is_named = last != step.key;
+        panel(&mut picture, figure, rows, at, is_named, None, None);
+        last = step.key;
     }
     picture
 }
 
 /// Distance between lines of a legend.
 const LINE: f64 = 16.0;
-
-/// Where a panel's legend begins.
-fn under([left, top]: [f64; 2]) -> [f64; 2] {
-    [left + 34.0, top + 266.0]
-}
 
 fn names<'a>(rows: &[&'a Row]) -> Vec<&'a str> {
     distinct(rows.iter().map(|row| row.info.name))
@@ -87,21 +75,22 @@ pub fn family(rows: &[Row], here: f64, wide: Option<(&str, Precision)>) -> Pictu
     let mut picture = Picture::new(400.0, 282.0 + LINE * count(names(&rows).len()));
     if let Some(first) = rows.first() {
         let (at, figure) = ([0.0, 6.0], Figure::of(first.info.step));
-        let styles = panel(&mut picture, figure, &rows, at, wide, Some((&own, here)));
-        legend(&mut picture, styles.iter(), under(at), LINE);
+        let scene = Some((own.as_slice(), here));
+        panel(&mut picture, figure, &rows, at, true, wide, scene);
     }
     picture
 }
 
-/// Draws the panel of one family, whose rows are not empty, and returns its methods' styles.
+/// Draws the panel of one family, whose rows are not empty, and below it its methods' names if it `is_named`.
 fn panel(
     picture: &mut Picture,
     figure: Figure,
     rows: &[&Row],
     at: [f64; 2],
+    is_named: bool,
     wide: Option<(&str, Precision)>,
     scene: Option<(&[&Row], f64)>,
-) -> Vec<Style> {
+) {
     let first = rows[0];
     let (own, here) = scene.unwrap_or_default();
     let xs: Vec<f64> = rows.iter().map(|row| row.value).collect();
@@ -110,9 +99,9 @@ fn panel(
     let mut panel = small(at, [82.0, 384.0], &xs, &ys);
     // The harmless end is on the left.
     if xs.contains(&0.0) {
-        panel.x = Axis::linear(1.0, panel.x.ends());
+        panel.x = Axis::linear(1.0, panel.x.ends);
     } else if xs.first() > xs.last() {
-        panel.x = panel.x.reversed();
+        panel.x.ends.reverse();
     }
     let title = format!("{}: {}", first.info.step.name, first.family);
     let names = [first.parameter, &figure.label(first.info.step)];
@@ -120,11 +109,9 @@ fn panel(
     if scene.is_some() {
         let (x, [from, to]) = (panel.x.at(here), [panel.from, panel.to]);
         picture.line(vec![[x, from[1]], [x, to[1]]], INK, 1, true);
-        let (anchor, away) = if x > 0.5 * (from[0] + to[0]) {
-            (Anchor::Right, -6.0)
-        } else {
-            (Anchor::Left, 6.0)
-        };
+        let (left, right) = ((Anchor::Right, -6.0), (Anchor::Left, 6.0));
+        let is_right = x > 0.5 * (from[0] + to[0]);
+        let (anchor, away) = if is_right { left } else { right };
         picture.text([x + away, from[1] + 8.0], anchor, 15.0, INK, SCENE);
     }
     let is_first = |row: &&&Row| row.value.to_bits() == first.value.to_bits();
@@ -151,5 +138,8 @@ fn panel(
             style.point(picture, panel.at(here, figure.at(row)), 7.0);
         }
     }
-    styles
+    if is_named {
+        let below = [at[0] + 34.0, at[1] + 266.0];
+        legend(picture, styles.iter(), below, LINE);
+    }
 }

@@ -1,15 +1,7 @@
 //! How methods look. Each formula has a colour and a shape, hollow in `f32` and filled otherwise. Sightline's is a
 //! black star.
 
-use super::{
-    picture::{Anchor, COLOURS, Colour, INK, Picture, SHAPES},
-    point_shapes::Shape,
-};
-use crate::study::{
-    run::Row,
-    step::{MethodInfo, Precision},
-    summary::distinct,
-};
+use super::{picture::SHAPES, prelude::*};
 
 /// How a method is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,11 +21,11 @@ pub fn styles<'a>(methods: impl Iterator<Item = &'a Row> + Clone) -> Vec<Style> 
     let style = |row: &Row| {
         let index = names.iter().position(|known| *known == row.info.name);
         let look = index.map(|i| (COLOURS[i % COLOURS.len()], SHAPES[i % SHAPES.len()]));
-        let (colour, shape) = look
-            .filter(|_| !row.info.ours)
-            .unwrap_or(([0; 3], Shape::Star));
+        let look = look.filter(|_| !row.info.ours);
+        let (colour, shape) = look.unwrap_or(([0; 3], Shape::Star));
+        let info = row.info;
         Style {
-            info: row.info,
+            info,
             colour,
             shape,
         }
@@ -44,7 +36,7 @@ pub fn styles<'a>(methods: impl Iterator<Item = &'a Row> + Clone) -> Vec<Style> 
 impl Style {
     /// Whether its line is dashed and its points are hollow.
     pub fn is_faint(&self) -> bool {
-        self.info.precision == Precision::F32 && !self.info.ours
+        self.info.precision == F32 && !self.info.ours
     }
 
     /// Draws a data point.

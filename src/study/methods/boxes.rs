@@ -26,12 +26,12 @@ impl Case for BoxCase {
     );
 
     const METHODS: Methods<Self> = &[
-        &both!("slabs with a branch", BRANCH, branch),
-        &both!("slabs by min and max", KAY, min_max),
-        &both!("slabs, NaN never wins", BARNES, nan_safe, [0.0, 0.0]),
-        &both!("padded, to cull", IZE, nan_safe, [3.0, 0.0]),
-        &both!("padded inverse, to cull", IZE, nan_safe, [0.0, 2.0]),
-        &both!("Majercik's", MAJERCIK, majercik),
+        &both!("slabs with a branch": BRANCH, branch),
+        &both!("slabs by min and max": KAY, min_max),
+        &both!("slabs, NaN never wins": BARNES, nan_safe, [0.0, 0.0]),
+        &both!("padded, to cull": IZE, nan_safe, [3.0, 0.0]),
+        &both!("padded inverse, to cull": IZE, nan_safe, [0.0, 2.0]),
+        &both!("Majercik's": MAJERCIK, majercik),
         &[Method::ours(Precision::Exact, OURS, |c| {
             let [near, far] = Cuboid::hits(&c.ray);
             near.or(far).map(|hit| hit.t)
@@ -211,13 +211,8 @@ fn thin(random: &mut Random, thickness: f64) -> BoxCase {
 fn on_edge(random: &mut Random) -> V3<f64> {
     let along = random.below(3);
     let mut coordinate = |axis: usize| {
-        let share = random.unit();
-        let end = random.sign();
-        0.5 * if axis == along {
-            2.0 * share - 1.0
-        } else {
-            end
-        }
+        let (inner, end) = (2.0 * random.unit() - 1.0, random.sign());
+        0.5 * if axis == along { inner } else { end }
     };
     V3::new(coordinate(0), coordinate(1), coordinate(2))
 }
@@ -258,12 +253,10 @@ fn on_a_lattice(random: &mut Random, bits: f64) -> BoxCase {
     let along = f64::from(random.integer(-2, 2)) * 0.5 * half;
     let mut target = [half * random.sign(), half * random.sign(), along];
     target.rotate_left(random.below(3));
-    let step = random.lattice_point(limit);
-    let step = if step == V3::new(0.0, 0.0, 0.0) {
-        V3::new(1.0, 0.0, 0.0)
-    } else {
-        step
-    };
+    let mut step = random.lattice_point(limit);
+    if step == V3::new(0.0, 0.0, 0.0) {
+        step.x = 1.0;
+    }
     case((V3::from(target) - step) * (0.5 / half), step)
 }
 

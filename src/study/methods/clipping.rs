@@ -41,10 +41,9 @@ impl ClipCase {
     /// origin.
     #[must_use]
     pub fn new(tan: f64, near: f64, far: f64, px: DVec2, depth: f64) -> Option<Self> {
+        let fov_y = 2.0 * tan.atan();
         let lens = Lens {
-            projection: Projection::Perspective {
-                fov_y: 2.0 * tan.atan(),
-            },
+            projection: Projection::Perspective { fov_y },
             near,
             far,
             depth: DepthMapping::Reversed,
@@ -56,28 +55,25 @@ impl ClipCase {
     }
 
     /// A hit at a view depth on a ray that a camera cast.
-    #[must_use]
-    pub fn of_camera(camera: &Camera, ray: Ray, depth: f64) -> Self {
-        let lens = camera.lens();
-        let length = ray.direction.length();
-        let wide = Clip {
-            t: depth * length,
-            direction: (ray.direction / length).into(),
-            forward: camera.forward().into(),
-            near: lens.near,
-            far: lens.far,
-        };
+    pub(in crate::study) fn of_camera(camera: &Camera, ray: Ray, depth: f64) -> Self {
         Self {
-            narrow: Clip {
-                t: f32::of(wide.t),
-                direction: V3::of(wide.direction),
-                forward: V3::of(wide.forward),
-                near: f32::of(wide.near),
-                far: f32::of(wide.far),
-            },
-            wide,
+            narrow: Clip::new(camera, &ray, depth),
+            wide: Clip::new(camera, &ray, depth),
             ray,
             depth,
+        }
+    }
+}
+
+impl<T: Real> Clip<T> {
+    fn new(camera: &Camera, ray: &Ray, depth: f64) -> Self {
+        let (lens, length) = (camera.lens(), ray.direction.length());
+        Self {
+            t: T::of(depth * length),
+            direction: V3::of((ray.direction / length).into()),
+            forward: V3::of(camera.forward().into()),
+            near: T::of(lens.near),
+            far: T::of(lens.far),
         }
     }
 }
@@ -97,8 +93,8 @@ impl Case for ClipCase {
     );
 
     const METHODS: Methods<Self> = &[
-        &both!("by distance", DISTANCE, by_distance),
-        &both!("by depth", DEPTH, by_depth),
+        &both!("by distance": DISTANCE, by_distance),
+        &both!("by depth": DEPTH, by_depth),
         &[Method::ours(F64, OURS, |c| c.ray.contains(c.depth))],
     ];
     const FAMILIES: &'static [Family<Self>] = &[

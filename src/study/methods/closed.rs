@@ -7,7 +7,7 @@ use super::{
     from_start,
     object_space::turned,
     picks::icosahedron,
-    triangles::{self, Prepared, RayTriangle, Shear, in_both_precisions, shewchuk},
+    triangles::{OURS, Prepared, RayTriangle, SHEWCHUK, Shear, in_both_precisions, shewchuk},
 };
 use crate::{
     geometry::{VertexRay, guarded_volume},
@@ -50,13 +50,10 @@ impl Case for ClosedCase {
     const METHODS: Methods<Self> = in_both_precisions!(
         nearest,
         &[
-            Method::new(
-                "Shewchuk's orient3d",
-                Precision::Exact,
-                triangles::SHEWCHUK,
-                |c| nearest(&c.wide, |c| shewchuk(c)),
-            ),
-            Method::ours(Precision::Exact, triangles::OURS, |c| {
+            Method::new("Shewchuk's orient3d", Precision::Exact, SHEWCHUK, |c| {
+                nearest(&c.wide, |c| shewchuk(c))
+            }),
+            Method::ours(Precision::Exact, OURS, |c| {
                 let hits = c.wide.body.iter().filter_map(|triangle| {
                     guarded_volume(&c.ray, triangle.corners.map(DVec3::from))
                 });
@@ -92,12 +89,7 @@ impl Case for ClosedCase {
 
 /// The least t that a test finds on any triangle.
 fn nearest<T: Real>(case: &Aimed<T>, test: impl Fn(&Prepared<T>) -> Option<f64>) -> Option<f64> {
-    let Aimed {
-        origin, direction, ..
-    } = *case;
-    let triangles = case.body.iter();
-    let hits = triangles.filter_map(|kept| test(&kept.met_by(origin, direction, case.shear)));
-    hits.reduce(f64::min)
+    case.met().filter_map(|met| test(&met)).reduce(f64::min)
 }
 
 /// Any point on an edge.
@@ -137,8 +129,13 @@ fn aim(
 impl<T: Real> Aimed<T> {
     /// The ray with each of the body's triangles.
     pub fn triangles(&self) -> impl Iterator<Item = RayTriangle<T>> {
-        let met = |kept: &Prepared<T>| *kept.met_by(self.origin, self.direction, self.shear);
-        self.body.iter().map(met)
+        self.met().map(|met| *met)
+    }
+
+    #[inline]
+    fn met(&self) -> impl Iterator<Item = Prepared<T>> {
+        let triangles = self.body.iter();
+        triangles.map(|kept| kept.met_by(self.origin, self.direction, self.shear))
     }
 
     fn new(origin: V3<f64>, direction: V3<f64>, body: &Arc<Vec<Prepared<T>>>) -> Self {

@@ -12,35 +12,28 @@ use crate::{
 pub struct DepthCase {
     /// The view depth.
     pub depth: f32,
-    /// The near plane's.
-    pub near: f64,
-    /// The far plane's.
-    pub far: f64,
-    /// Whether the picture is orthographic: then depth is not divided by w.
-    pub parallel: bool,
+    /// The planes, and whether the picture is orthographic: then depth is not divided by w.
+    lens: Lens,
 }
 
 impl DepthCase {
     /// A view depth, rounded to `f32`, between two planes in perspective.
-    #[must_use]
-    pub fn new(depth: f64, [near, far]: [f64; 2]) -> Self {
-        Self {
-            depth: f32::of(depth),
+    pub(in crate::study) fn new(depth: f64, [near, far]: [f64; 2]) -> Self {
+        let lens = Lens {
+            projection: Projection::Perspective { fov_y: 1.0 },
             near,
             far,
-            parallel: false,
-        }
+            depth: DepthMapping::Reversed,
+        };
+        let depth = f32::of(depth);
+        Self { depth, lens }
     }
 
     /// The depth of a hit at `t` on a ray that a camera cast.
     pub(in crate::study) fn of_hit(camera: &Camera, ray: &Ray, t: f64) -> Self {
-        let lens = camera.lens();
-        Self {
-            depth: f32::of(t * ray.direction.dot(camera.forward())),
-            near: lens.near,
-            far: lens.far,
-            parallel: lens.is_orthographic(),
-        }
+        let depth = f32::of(t * ray.direction.dot(camera.forward()));
+        let lens = *camera.lens();
+        Self { depth, lens }
     }
 }
 
@@ -105,14 +98,14 @@ impl Case for DepthCase {
     /// buffer err together by at most 2u |a| + 4u (|a| + b / z) with |a| = n / (f - n) and b = f |a|. Read back,
     /// `z = b / (stored - a)`: the relative error of z is this error divided by b / z.
     fn bound(&self, _: &f64) -> f64 {
-        if self.parallel {
+        let (Lens { near, far, .. }, depth) = (self.lens, f64::from(self.depth));
+        if self.lens.is_orthographic() {
             // `a z + b` with |a| = 1 / (f - n) and b = f |a|, read back as `(stored - b) / a`: entries, product, sum
             // and buffer err together by at most 4u (|a| z + b). Divided by |a|, this is an error of depth.
-            let depth = f64::from(self.depth);
-            return 4.0 * UNIT_F32 * (depth.abs() + self.far.abs()) / depth.abs();
+            return 4.0 * UNIT_F32 * (depth.abs() + far.abs()) / depth.abs();
         }
-        let slope = self.near / (self.far - self.near);
-        let at = self.far * slope / f64::from(self.depth);
+        let slope = near / (far - near);
+        let at = far * slope / depth;
         let stored = UNIT_F32 * (6.0 * slope + 4.0 * at);
         let share = stored / at;
         share / (1.0 - share)
@@ -134,34 +127,28 @@ pub struct Mapping {
 
 impl Mapping {
     /// Near is 0, in floating point.
-    pub const STANDARD: Self = Self::new(DepthMapping::Standard);
+    pub const STANDARD: Self = Self::new(DepthMapping::Standard, false, false);
     /// Near is 0, in integers.
     pub const STANDARD_24: Self = Self::STANDARD.in_integers();
     /// Near is 1, in floating point.
-    pub const REVERSED: Self = Self::new(DepthMapping::Reversed);
+    pub const REVERSED: Self = Self::new(DepthMapping::Reversed, false, false);
     /// Near is 1, in integers.
     pub const REVERSED_24: Self = Self::REVERSED.in_integers();
     /// Near is 1 and infinity is 0, in floating point.
-    pub const INFINITE: Self = Self {
-        infinite: true,
-        ..Self::REVERSED
-    };
+    pub const INFINITE: Self = Self::new(DepthMapping::Reversed, true, false);
     /// The eye is 0, far is 1, in floating point.
-    pub const LOGARITHMIC: Self = Self {
-        logarithmic: true,
-        ..Self::STANDARD
-    };
+    pub const LOGARITHMIC: Self = Self::new(DepthMapping::Standard, false, true);
     /// The eye is 0, far is 1, in integers.
     pub const LOGARITHMIC_24: Self = Self::LOGARITHMIC.in_integers();
     /// The largest 24-bit integer.
     const LARGEST: f32 = 16_777_215.0;
 
-    const fn new(depth: DepthMapping) -> Self {
+    const fn new(depth: DepthMapping, infinite: bool, logarithmic: bool) -> Self {
         Self {
             depth,
             integer: false,
-            infinite: false,
-            logarithmic: false,
+            infinite,
+            logarithmic,
         }
     }
 
@@ -172,33 +159,22 @@ impl Mapping {
 
     /// The depth entries `(a, b)` of the projection matrix, in `f64`: clip depth is `a z + b`.
     fn row(self, case: &DepthCase) -> (f64, f64) {
-        let (near, far) = (case.near, case.far);
-        let lens = Lens {
-            projection: if case.parallel {
-                Projection::Orthographic { height: 1.0 }
-            } else {
-                Projection::Perspective { fov_y: 1.0 }
-            },
-            near,
-            far,
-            depth: self.depth,
-        };
-        if self.infinite && !case.parallel {
-            (0.0, near)
-        } else {
-            lens.depth_row()
+        let depth = self.depth;
+        if self.infinite && !case.lens.is_orthographic() {
+            return (0.0, case.lens.near);
         }
+        Lens { depth, ..case.lens }.depth_row()
     }
 
     /// The number in the buffer, after the vertex shader's `f32` arithmetic, the division by w and the buffer's own
     /// rounding.
-    pub fn stored(self, case: &DepthCase) -> f32 {
-        let ndc = if self.logarithmic && !case.parallel {
-            (1.0 + case.depth).log2() * f32::of((1.0 + case.far).log2().recip())
+    pub(in crate::study) fn stored(self, case: &DepthCase) -> f32 {
+        let parallel = case.lens.is_orthographic();
+        let ndc = if self.logarithmic && !parallel {
+            (1.0 + case.depth).log2() * f32::of((1.0 + case.lens.far).log2().recip())
         } else {
             let (a, b) = self.row(case);
-            let [a, b] = [a, b].map(f32::of);
-            (a * case.depth + b) / if case.parallel { 1.0 } else { case.depth }
+            (f32::of(a) * case.depth + f32::of(b)) / if parallel { 1.0 } else { case.depth }
         };
         if self.integer {
             (ndc * Self::LARGEST).round() / Self::LARGEST
@@ -208,28 +184,23 @@ impl Mapping {
     }
 
     /// The next number that the buffer can hold, away from the eye.
-    #[must_use]
-    pub fn next(self, stored: f32) -> f32 {
-        let grows = self.depth == DepthMapping::Standard;
-        match (self.integer, grows) {
-            (true, true) => stored + 1.0 / Self::LARGEST,
-            (true, false) => stored - 1.0 / Self::LARGEST,
-            (false, true) => stored.next_up(),
-            (false, false) => stored.next_down(),
+    pub(in crate::study) fn next(self, stored: f32) -> f32 {
+        match (self.integer, self.depth) {
+            (true, DepthMapping::Standard) => stored + 1.0 / Self::LARGEST,
+            (true, DepthMapping::Reversed) => stored - 1.0 / Self::LARGEST,
+            (false, DepthMapping::Standard) => stored.next_up(),
+            (false, DepthMapping::Reversed) => stored.next_down(),
         }
     }
 
     /// The view depth that a stored number means between a case's planes.
-    #[must_use]
-    pub fn read(self, stored: f32, case: &DepthCase) -> f64 {
+    pub(in crate::study) fn read(self, stored: f32, case: &DepthCase) -> f64 {
         let (a, b) = self.row(case);
         let stored = f64::from(stored);
-        if self.logarithmic && !case.parallel {
-            (1.0 + case.far).powf(stored) - 1.0
-        } else if case.parallel {
-            (stored - b) / a
-        } else {
-            b / (stored - a)
+        match (case.lens.is_orthographic(), self.logarithmic) {
+            (true, _) => (stored - b) / a,
+            (false, true) => (1.0 + case.lens.far).powf(stored) - 1.0,
+            (false, false) => b / (stored - a),
         }
     }
 

@@ -17,13 +17,8 @@ pub mod squares;
 pub mod triangles;
 pub mod usual;
 
-pub use self::{
-    boxes::BoxCase, clipping::ClipCase, depth::DepthCase, normals::NormalCase,
-    object_space::PlacedCase, rays::PixelCase, spheres::SphereCase, squares::SquareCase,
-    triangles::TriangleCase,
-};
 use super::prelude::*;
-use crate::geometry::{Placement, Ray};
+use crate::geometry::{Placement, Ray, WorldRay};
 use glam::{DAffine3, DMat3, DVec3};
 use std::marker::PhantomData;
 
@@ -54,13 +49,12 @@ impl<Shape> ShapeCase<Shape> {
     /// The case of a ray; `px` is the width of a pixel in radians.
     #[must_use]
     pub fn new(origin: V3<f64>, direction: V3<f64>, px: f64) -> Self {
+        let wide = ObjectRay { origin, direction };
+        let [origin, direction] = [origin, direction].map(V3::of);
         Self {
-            narrow: ObjectRay {
-                origin: V3::of(origin),
-                direction: V3::of(direction),
-            },
-            wide: ObjectRay { origin, direction },
-            ray: from_start(origin, direction),
+            narrow: ObjectRay { origin, direction },
+            wide,
+            ray: from_start(wide.origin, wide.direction),
             px,
             shape: PhantomData,
         }
@@ -68,14 +62,55 @@ impl<Shape> ShapeCase<Shape> {
 
     /// The cases of a scene's objects of this shape.
     fn of_shapes(scene: &SceneRays, wanted: fn(&crate::scene::Shape) -> bool) -> Vec<Self> {
-        let rays = scene.rays_at(wanted).into_iter();
-        rays.map(|(placement, ray, px)| Self::of_object(&placement.ray_to_object(&ray), px))
-            .collect()
+        let rays = scene.rays_at(wanted);
+        let cases = rays.iter();
+        let cases = cases.map(|(at, ray, px)| Self::of_object(&at.ray_to_object(ray), *px));
+        cases.collect()
     }
 
     /// The case of an object and a ray in its space.
     pub(in crate::study) fn of_object(ray_object: &Ray, px: f64) -> Self {
         Self::new(ray_object.origin.into(), ray_object.direction.into(), px)
+    }
+}
+
+/// A ray in the world and an object there, as each kind of method takes them.
+#[derive(Clone, Debug)]
+pub struct WorldCase<Narrow, Wide> {
+    /// Rounded to `f32`.
+    pub narrow: Narrow,
+    /// As given.
+    pub wide: Wide,
+    /// The ray for Sightline's methods.
+    pub ray: WorldRay<'static>,
+    /// The model matrix for Sightline's methods.
+    pub placement: Placement,
+    /// An angle that is one pixel wide, in radians.
+    pub px: f64,
+}
+
+impl<Narrow, Wide> WorldCase<Narrow, Wide>
+where
+    Narrow: for<'a> From<(&'a Placement, &'a Ray)>,
+    Wide: for<'a> From<(&'a Placement, &'a Ray)>,
+{
+    /// The case of a ray and a model matrix; `None` where it has no inverse. `px` is the width of a pixel in radians.
+    #[must_use]
+    pub fn new(ray: [V3<f64>; 2], linear: M3<f64>, translation: V3<f64>, px: f64) -> Option<Self> {
+        let placement = placement(linear, translation)?;
+        let ray = from_start(ray[0], ray[1]);
+        Some(Self::of_object(&placement, &ray, px))
+    }
+
+    /// The case of a world-space ray and an object's placement.
+    pub(in crate::study) fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
+        Self {
+            narrow: (placement, ray).into(),
+            wide: (placement, ray).into(),
+            ray: from_start(ray.origin.into(), ray.direction.into()).into(),
+            placement: *placement,
+            px,
+        }
     }
 }
 
@@ -117,17 +152,17 @@ pub trait Visitor {
 
 /// Visits the steps of a pick in order. This is the only list of them.
 pub fn each_step(visitor: &mut impl Visitor) {
-    visitor.visit::<rays::PixelCase>();
-    visitor.visit::<object_space::PlacedCase>();
-    visitor.visit::<triangles::TriangleCase>();
+    visitor.visit::<PixelCase>();
+    visitor.visit::<PlacedCase>();
+    visitor.visit::<TriangleCase>();
     visitor.visit::<closed::ClosedCase>();
     visitor.visit::<packets::PacketCase>();
-    visitor.visit::<spheres::SphereCase>();
-    visitor.visit::<boxes::BoxCase>();
-    visitor.visit::<squares::SquareCase>();
-    visitor.visit::<clipping::ClipCase>();
-    visitor.visit::<normals::NormalCase>();
-    visitor.visit::<depth::DepthCase>();
+    visitor.visit::<SphereCase>();
+    visitor.visit::<BoxCase>();
+    visitor.visit::<SquareCase>();
+    visitor.visit::<ClipCase>();
+    visitor.visit::<NormalCase>();
+    visitor.visit::<DepthCase>();
     visitor.visit::<picks::PickCase>();
     visitor.visit::<reading::FileCase>();
 }

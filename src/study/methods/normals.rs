@@ -69,9 +69,9 @@ impl Case for NormalCase {
     );
 
     const METHODS: Methods<Self> = &[
-        &both!("M n", AS_POINT, as_point),
-        &both!("inverse transpose", TRANSPOSE, transpose),
-        &both!("cofactors", COFACTOR, cofactors),
+        &both!("M n": AS_POINT, as_point),
+        &both!("inverse transpose": TRANSPOSE, transpose),
+        &both!("cofactors": COFACTOR, cofactors),
         &[Method::ours(F64, OURS, |c: &Self| {
             c.placement.normal_to_world(c.wide.normal.into()).to_array()
         })
@@ -107,11 +107,7 @@ impl Case for NormalCase {
         let mirrors = a.dot(&columns[0]).sign() == Ordering::Less;
         let [x, y, z] = Exact3::new(case.normal).0;
         let normal = columns[0].times(&x) + columns[1].times(&y) + columns[2].times(&z);
-        if mirrors {
-            normal.times(&Exact::int(-1))
-        } else {
-            normal
-        }
+        normal.times(&Exact::int(if mirrors { -1 } else { 1 }))
     }
 
     fn judge(&self, truth: &Exact3, answer: &[f64; 3]) -> Verdict {
@@ -159,11 +155,8 @@ fn make(random: &mut Random, scale: [f64; 3], shear: f64, mirrored: bool) -> Nor
                 + own[1] * (scale[1] * e.y)
                 + own[2] * (scale[2] * (e.z + shear * e.x))
         };
-        let linear = M3(M3([u, v, w])
-            .transpose()
-            .0
-            .map(stretch)
-            .map(through_f32_each));
+        let axes = M3([u, v, w]).transpose().0;
+        let linear = M3(axes.map(|axis| through_f32_each(stretch(axis))));
         if let Some(case) = NormalCase::new(linear, through_f32_each(random.direction())) {
             return case;
         }

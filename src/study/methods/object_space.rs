@@ -1,9 +1,9 @@
 //! Transforms a world-space ray into an object's space. The answer is origin and direction there. To judge it, it is
 //! transformed back to the world exactly and compared with the given ray.
 
-use super::WITH_BOUNDS;
+use super::{WITH_BOUNDS, WorldCase};
 use crate::{
-    geometry::{LocalRay, Placement, Ray, WorldRay},
+    geometry::{LocalRay, Placement, Ray},
     study::prelude::*,
 };
 use std::hint::black_box;
@@ -25,9 +25,13 @@ pub struct Placed<T> {
     pub back: V3<T>,
 }
 
-impl<T: Real> Placed<T> {
+impl<T: Real> From<(&Placement, &Ray)> for Placed<T> {
     /// A ray and a model matrix, with its inverse in the same precision.
-    pub fn new([origin, direction]: [V3<T>; 2], linear: M3<T>, translation: V3<T>) -> Self {
+    fn from((placement, ray): (&Placement, &Ray)) -> Self {
+        let model = placement.model();
+        let linear = M3::<T>::of(&model.matrix3.into());
+        let [translation, origin, direction] =
+            [model.translation, ray.origin, ray.direction].map(|v| V3::<T>::of(v.into()));
         let inverse = linear.inverse();
         Self {
             linear,
@@ -40,44 +44,8 @@ impl<T: Real> Placed<T> {
     }
 }
 
-/// One ray and one model matrix, as each kind of method takes them.
-#[derive(Clone, Debug)]
-pub struct PlacedCase {
-    /// Rounded to `f32`.
-    pub narrow: Placed<f32>,
-    /// As given.
-    pub wide: Placed<f64>,
-    /// The ray for Sightline's methods.
-    pub ray: WorldRay<'static>,
-    /// The model matrix for Sightline's methods.
-    pub placement: Placement,
-    /// An angle that is one pixel wide, in radians.
-    pub px: f64,
-}
-
-impl PlacedCase {
-    /// The case of a ray and a model matrix; `None` where it has no inverse. `px` is the width of a pixel in radians.
-    #[must_use]
-    pub fn new(ray: [V3<f64>; 2], linear: M3<f64>, translation: V3<f64>, px: f64) -> Option<Self> {
-        let placement = super::placement(linear, translation)?;
-        let ray = super::from_start(ray[0], ray[1]);
-        Some(Self::of_object(&placement, &ray, px))
-    }
-
-    /// The case of a world-space ray and an object's placement.
-    pub(in crate::study) fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
-        let model = placement.model();
-        let (linear, translation) = (model.matrix3.into(), model.translation.into());
-        let ray = [ray.origin, ray.direction].map(V3::from);
-        Self {
-            narrow: Placed::new(ray.map(V3::of), M3::of(&linear), V3::of(translation)),
-            wide: Placed::new(ray, linear, translation),
-            ray: super::from_start(ray[0], ray[1]).into(),
-            placement: *placement,
-            px,
-        }
-    }
-}
+/// One ray and one model matrix.
+pub type PlacedCase = WorldCase<Placed<f32>, Placed<f64>>;
 
 const COURSE: &str = "courses: the inverse of the model matrix, direction normalised";
 const KEPT: &str = "ray tracing texts: the inverse of the model matrix, direction kept";
@@ -96,9 +64,9 @@ impl Case for PlacedCase {
     );
 
     const METHODS: Methods<Self> = &[
-        &both!("inverse(M), normalised", COURSE, by_inverse, true),
-        &both!("inverse(M)", KEPT, by_inverse, false),
-        &both!("inverse(A) (o - T)", RELATIVE, relative),
+        &both!("inverse(M), normalised": COURSE, by_inverse, true),
+        &both!("inverse(M)": KEPT, by_inverse, false),
+        &both!("inverse(A) (o - T)": RELATIVE, relative),
         &[
             Method::new("inverse(A) (o - T), then f32", F64, RELATIVE, |c| {
                 relative(&c.wide).map(|v| V3::<f32>::of(v).wide())
@@ -126,9 +94,9 @@ impl Case for PlacedCase {
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        let cases = scene
-            .objects()
-            .map(|(ray, object, hit)| Self::of_object(&object.placement, ray, scene.px(hit.hit.t)));
+        let px = |hit: &SceneHit| scene.px(hit.hit.t);
+        let cases = scene.objects();
+        let cases = cases.map(|(ray, of, hit)| Self::of_object(&of.placement, ray, px(hit)));
         cases.collect()
     }
 
@@ -142,9 +110,8 @@ impl Case for PlacedCase {
     ///
     /// Columns are scaled to 1 (2u), a cofactor errs by 3u of its terms' magnitudes, scaling back and the product with
     /// a vector that carries u add 8u. Together that is below 16u of P times the vector, where P is the sum of each
-    /// cofactor's
-    /// |terms| over the determinant. The determinant errs relatively by less than 16u of the sum of its |terms| over itself,
-    /// which scales origin and direction alike. |A| takes an error in object space back to the world.
+    /// cofactor's |terms| over the determinant. The determinant errs relatively by less than 16u of the sum of its
+    /// |terms| over itself, which scales origin and direction alike. |A| takes an error in object space back to the world.
     fn bound(&self, (): &()) -> f64 {
         let case = &self.wide;
         let M3([a, b, c]) = case.linear;
@@ -170,12 +137,10 @@ fn of(ray: &Ray) -> ObjectSpaceRay {
 
 /// Through the inverse of the whole matrix, whose translation is `-inverse(A) T`.
 pub fn by_inverse<T: Real>(case: &Placed<T>, normalise: bool) -> ObjectSpaceRay {
-    let direction = case.inverse.apply(case.direction);
-    let direction = if normalise {
-        direction.normalize()
-    } else {
-        direction
-    };
+    let mut direction = case.inverse.apply(case.direction);
+    if normalise {
+        direction = direction.normalize();
+    }
     let origin = case.inverse.apply(case.origin) + case.back;
     [origin.wide(), direction.wide()]
 }
@@ -190,10 +155,7 @@ pub fn relative<T: Real>(case: &Placed<T>) -> ObjectSpaceRay {
 /// transformed back exactly, at the depth of the object's origin. Infinite where the answer is not finite or has no
 /// point at that depth.
 pub fn aside(case: &Placed<f64>, local: &[V3<f64>; 2]) -> f64 {
-    if !local
-        .iter()
-        .all(|v| v.array().iter().all(|c| c.is_finite()))
-    {
+    if !local.iter().all(|v| v.is_finite()) {
         return f64::INFINITY;
     }
     let [x, y, z] = case.linear.0.map(Exact3::new);

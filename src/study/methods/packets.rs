@@ -3,11 +3,11 @@
 
 use super::{
     from_start,
-    triangles::{self, RayTriangle, TriangleCase, moeller_trumbore, signed_volumes},
+    triangles::{KENSLER, MT, OURS, RayTriangle, TriangleCase, moeller_trumbore, signed_volumes},
 };
 use crate::{
     geometry::{VertexRay, guarded_volume},
-    study::prelude::*,
+    study::{prelude::*, real::each},
 };
 use glam::DVec3;
 use std::{
@@ -29,26 +29,7 @@ impl<T: Copy> Lanes<T> {
     }
 }
 
-impl<T: Ring> Add for Lanes<T> {
-    type Output = Self;
-    fn add(self, o: Self) -> Self {
-        self.zip(o, |a, b| a + b)
-    }
-}
-
-impl<T: Ring> Sub for Lanes<T> {
-    type Output = Self;
-    fn sub(self, o: Self) -> Self {
-        self.zip(o, |a, b| a - b)
-    }
-}
-
-impl<T: Ring> Mul for Lanes<T> {
-    type Output = Self;
-    fn mul(self, o: Self) -> Self {
-        self.zip(o, |a, b| a * b)
-    }
-}
+each!(Lanes: Add add +, Sub sub -, Mul mul *);
 
 impl<T: Ring> Neg for Lanes<T> {
     type Output = Self;
@@ -91,21 +72,11 @@ impl Case for PacketCase {
     );
 
     const METHODS: Methods<Self> = &[
-        &both!(
-            "Moeller-Trumbore, one by one",
-            triangles::MT,
-            one_by_one,
-            |c| moeller_trumbore(c, 0.0)
-        ),
-        &both!("Moeller-Trumbore, packet", WALD, moeller_trumbore_packet),
-        &both!(
-            "signed volumes, one by one",
-            triangles::KENSLER,
-            one_by_one,
-            signed_volumes
-        ),
-        &both!("signed volumes, packet", WALD, volumes_packet),
-        &[Method::ours(Precision::Exact, triangles::OURS, |c: &Self| {
+        &both!("Moeller-Trumbore, one by one": MT, one_by_one, |c| moeller_trumbore(c, 0.0)),
+        &both!("Moeller-Trumbore, packet": WALD, moeller_trumbore_packet),
+        &both!("signed volumes, one by one": KENSLER, one_by_one, signed_volumes),
+        &both!("signed volumes, packet": WALD, volumes_packet),
+        &[Method::ours(Precision::Exact, OURS, |c: &Self| {
             let corners = c.wide.corners.map(DVec3::from);
             let t = |ray| Some(guarded_volume(ray, corners)?.t);
             c.rays.each_ref().map(t)
@@ -159,8 +130,7 @@ fn beside(random: &mut Random, family: &str, value: f64) -> PacketCase {
 
 impl PacketCase {
     /// The rays of two rows of four pixels, of which `first` is the first.
-    #[must_use]
-    pub fn new(first: &RayTriangle<f64>) -> Self {
+    fn new(first: &RayTriangle<f64>) -> Self {
         let d = first.direction;
         let least = (0..3).min_by(|i, j| d[*i].abs().total_cmp(&d[*j].abs()));
         let mut axis = [0.0; 3];

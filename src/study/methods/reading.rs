@@ -90,12 +90,8 @@ impl Case for FileCase {
     /// A coordinate is at most 480 m from the middle; as `f32` it rounds by `2^-24` of that. The coordinate, the middle
     /// and their difference each round by `2^-53` of the largest coordinate.
     fn bound(&self, (): &()) -> f64 {
-        let largest = self
-            .vertices
-            .as_flattened()
-            .iter()
-            .map(|mm| mm.unsigned_abs())
-            .max();
+        let sizes = self.vertices.as_flattened().iter();
+        let largest = sizes.map(|mm| mm.unsigned_abs()).max();
         #[expect(clippy::cast_precision_loss, reason = "below 2^53")]
         let largest = largest.unwrap_or(0) as f64;
         480e3 * UNIT_F32 + 2.0 * largest * f64::EPSILON

@@ -24,10 +24,10 @@ impl Case for SphereCase {
     );
 
     const METHODS: Methods<Self> = &[
-        &both!("plain quadratic", PLAIN, plain),
-        &both!("plain, direction taken as 1 long", PLAIN, plain_unit),
-        &both!("stable quadratic", PRESS, stable),
-        &both!("Hearn & Baker", HEARN, hearn_baker),
+        &both!("plain quadratic": PLAIN, plain),
+        &both!("plain, direction taken as 1 long": PLAIN, plain_unit),
+        &both!("stable quadratic": PRESS, stable),
+        &both!("Hearn & Baker": HEARN, hearn_baker),
         &[Method::ours(Precision::Exact, OURS, |c| {
             let [near, far] = Sphere::hits(&c.ray);
             near.or(far).map(|hit| hit.t)

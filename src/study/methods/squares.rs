@@ -1,8 +1,8 @@
 //! Tests a ray against a square or parallelogram in the world. The answer is the ray parameter t of the hit, or none.
 
-use super::ahead;
+use super::{WorldCase, ahead};
 use crate::{
-    geometry::{Placement, Ray, Square, WorldRay, binary::power_of_two_below},
+    geometry::{Placement, Ray, Square, binary::power_of_two_below},
     scene::Shape,
     study::prelude::*,
 };
@@ -18,95 +18,50 @@ pub struct RaySquare<T> {
     pub middle: V3<T>,
     /// Its sides.
     pub sides: [V3<T>; 2],
-    /// What textbooks precompute for it.
-    pub kept: Kept<T>,
-}
-
-/// What textbooks precompute for a square.
-#[derive(Clone, Copy, Debug)]
-pub struct Kept<T> {
-    /// At right angles to both sides.
-    normal: V3<T>,
-    /// D of the plane's equation: `normal . middle`, rounded.
-    distance: T,
-    /// Vectors in the plane; a point's scalar products with them are its coordinates along the sides.
+    /// What textbooks precompute for it: the normal at right angles to both sides, and D of the plane's equation:
+    /// `normal . middle`, rounded.
+    plane: (V3<T>, T),
+    /// Precomputed as well: vectors in the plane; a point's scalar products with them are its coordinates along the
+    /// sides.
     duals: [V3<T>; 2],
 }
 
-impl<T: Real> RaySquare<T> {
-    /// A ray, and the square about `middle`.
-    pub fn new(origin: V3<T>, direction: V3<T>, middle: V3<T>, sides: [V3<T>; 2]) -> Self {
-        let [u, v] = sides;
+impl<T: Real> From<(&Placement, &Ray)> for RaySquare<T> {
+    /// A ray, and the square that a model matrix makes of the unit square.
+    fn from((placement, ray): (&Placement, &Ray)) -> Self {
+        let model = placement.model();
+        let [origin, direction, middle, u, v] = [
+            ray.origin,
+            ray.direction,
+            model.translation,
+            model.matrix3.x_axis,
+            model.matrix3.y_axis,
+        ]
+        .map(|v| V3::<T>::of(v.into()));
         let normal = u.cross(v);
         let scale = T::one() / normal.dot(normal);
         Self {
             origin,
             direction,
             middle,
-            sides,
-            kept: Kept {
-                normal,
-                distance: normal.dot(middle),
-                duals: [v.cross(normal) * scale, normal.cross(u) * scale],
-            },
+            sides: [u, v],
+            plane: (normal, normal.dot(middle)),
+            duals: [v.cross(normal) * scale, normal.cross(u) * scale],
         }
     }
+}
 
+impl<T: Real> RaySquare<T> {
     /// The square's corners, one after the other.
     pub fn rim(&self) -> [V3<T>; 4] {
         let (middle, [u, v]) = (self.middle, self.sides.map(|side| side * T::of(0.5)));
-        [
-            middle - u - v,
-            middle + u - v,
-            middle + u + v,
-            middle - u + v,
-        ]
+        let [left, right] = [middle - u, middle + u];
+        [left - v, right - v, right + v, left + v]
     }
 }
 
-/// One ray and one square, as each kind of method takes them.
-#[derive(Clone, Debug)]
-pub struct SquareCase {
-    /// Rounded to `f32`.
-    pub narrow: RaySquare<f32>,
-    /// As given.
-    pub wide: RaySquare<f64>,
-    /// The ray for Sightline's method.
-    pub ray: WorldRay<'static>,
-    /// The square for Sightline's method.
-    pub placement: Placement,
-    /// An angle that is one pixel wide, in radians.
-    pub px: f64,
-}
-
-impl SquareCase {
-    /// The case of a ray and the square with these sides; `None` where it has no area.
-    #[must_use]
-    pub fn new(
-        [origin, direction]: [V3<f64>; 2],
-        middle: V3<f64>,
-        [u, v]: [V3<f64>; 2],
-        px: f64,
-    ) -> Option<Self> {
-        let placement = super::placement(M3([u, v, u.cross(v)]), middle)?;
-        let ray = super::from_start(origin, direction);
-        Some(Self::of_object(&placement, &ray, px))
-    }
-
-    /// The case of a square and a ray in the world.
-    pub(in crate::study) fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
-        let model = placement.model();
-        let sides = [model.matrix3.x_axis, model.matrix3.y_axis].map(V3::from);
-        let [o, d, middle] = [ray.origin, ray.direction, model.translation].map(V3::from);
-        Self {
-            narrow: RaySquare::new(V3::of(o), V3::of(d), V3::of(middle), sides.map(V3::of)),
-            wide: RaySquare::new(o, d, middle, sides),
-            ray: super::from_start(o, d).into(),
-            placement: *placement,
-            px,
-        }
-    }
-}
+/// One ray and one square, whose third axis is the vector product of its sides.
+pub type SquareCase = WorldCase<RaySquare<f32>, RaySquare<f64>>;
 
 const POINT: &str = "textbooks and courses: t = N . (S - o) / N . d, then along the sides";
 const CONSTANT: &str = "Shirley, Ray Tracing: The Next Week: t = (D - N . o) / N . d with D = N . S, then along the sides";
@@ -122,8 +77,8 @@ impl Case for SquareCase {
     );
 
     const METHODS: Methods<Self> = &[
-        &both!("N . (S - o)", POINT, point),
-        &both!("D - N . o", CONSTANT, constant),
+        &both!("N . (S - o)": POINT, point),
+        &both!("D - N . o": CONSTANT, constant),
         &[Method::ours(Precision::Exact, OURS, |c| {
             Square::hit(&c.placement.local_ray(&c.ray)).map(|hit| hit.t)
         })],
@@ -141,9 +96,9 @@ impl Case for SquareCase {
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         let squares = scene.rays_at(|shape| matches!(shape, Shape::Square));
-        let case =
-            |(placement, ray, px): (&Placement, Ray, f64)| Self::of_object(placement, &ray, px);
-        squares.into_iter().map(case).collect()
+        let cases = squares.iter();
+        let cases = cases.map(|(placement, ray, px)| Self::of_object(placement, ray, *px));
+        cases.collect()
     }
 
     fn truth(&self) -> Option<f64> {
@@ -181,16 +136,14 @@ impl Case for SquareCase {
 
 /// Subtracts the ray's origin first.
 pub fn point<T: Real>(case: &RaySquare<T>) -> Option<f64> {
-    let Kept { normal, .. } = case.kept;
+    let (normal, _) = case.plane;
     let way = normal.dot(case.middle - case.origin);
     inside(case, way / normal.dot(case.direction))
 }
 
 /// Uses the plane's distance from the world's origin.
 pub fn constant<T: Real>(case: &RaySquare<T>) -> Option<f64> {
-    let Kept {
-        normal, distance, ..
-    } = case.kept;
+    let (normal, distance) = case.plane;
     let way = distance - normal.dot(case.origin);
     inside(case, way / normal.dot(case.direction))
 }
@@ -198,7 +151,7 @@ pub fn constant<T: Real>(case: &RaySquare<T>) -> Option<f64> {
 fn inside<T: Real>(case: &RaySquare<T>, t: T) -> Option<f64> {
     let half = T::of(Square::HALF_SIDE);
     let point = case.origin + case.direction * t - case.middle;
-    let [x, y] = case.kept.duals.map(|dual| dual.dot(point).abs());
+    let [x, y] = case.duals.map(|dual| dual.dot(point).abs());
     (x <= half && y <= half).then(|| ahead(t)).flatten()
 }
 
@@ -211,6 +164,11 @@ fn sides(random: &mut Random) -> [V3<f64>; 2] {
             return [a, across].map(|side| side * (1.0 / power_of_two_below(side.length())));
         }
     }
+}
+
+/// The axes of a square with these sides.
+fn square(u: V3<f64>, v: V3<f64>) -> M3<f64> {
+    M3([u, v, u.cross(v)])
 }
 
 /// A square about 1 wide at an offset from the world's origin, and a ray. The ray meets the square's plane in the
@@ -226,7 +184,7 @@ fn aim(random: &mut Random, angle: f64, offset: f64) -> SquareCase {
         let tilt = angle * random.sign() * random.within(0.5, 1.0);
         let direction = through_f32_each(within + u.cross(v).normalize() * tilt);
         let origin = through_f32_each(target - direction * random.within(4.0, 6.0));
-        if let Some(case) = SquareCase::new([origin, direction], middle, [u, v], PX) {
+        if let Some(case) = SquareCase::new([origin, direction], square(u, v), middle, PX) {
             return case;
         }
     }
@@ -243,7 +201,7 @@ fn through_the_rim(random: &mut Random, bits: f64) -> SquareCase {
         let target = middle + u * x + v * y;
         let origin = target - step;
         if through_f32_each(origin) == origin
-            && let Some(case) = SquareCase::new([origin, step], middle, [u, v], PX)
+            && let Some(case) = SquareCase::new([origin, step], square(u, v), middle, PX)
         {
             return case;
         }

@@ -16,29 +16,22 @@ use std::sync::{Arc, OnceLock};
 const OFFSETS: [f64; 3] = [0.0, 1e3, 1e5];
 
 /// Every family.
-pub const FAMILIES: &[Family<PickCase>] = &[Family::new(
-    "a ball of 5120 triangles",
-    "offset / radius",
-    &OFFSETS,
-    |random, offset| {
+pub const FAMILIES: &[Family<PickCase>] = &[
+    family!("a ball of 5120 triangles", "offset / radius" OFFSETS => |random, offset| {
         let world = ball_world(offset);
-        PickCase::new(&world, random.pixel(world.view.viewport.size_px()))
-    },
-)];
+        PickCase::new(world, random.pixel(world.view.viewport.size_px()))
+    }),
+];
 
 /// The ball at an offset, made once.
-fn ball_world(offset: f64) -> Arc<PickWorld> {
+fn ball_world(offset: f64) -> &'static Arc<PickWorld> {
     static WORLDS: [OnceLock<Arc<PickWorld>>; OFFSETS.len()] =
         [const { OnceLock::new() }; OFFSETS.len()];
-    let index = OFFSETS
-        .iter()
-        .position(|known| known.total_cmp(&offset).is_eq())
-        .unwrap_or(0);
-    let world = WORLDS[index].get_or_init(|| {
+    let index = OFFSETS.iter().position(|known| *known >= offset);
+    WORLDS[index.unwrap_or(0)].get_or_init(|| {
         let (scene, view) = ball_scene(offset);
         Arc::new(PickWorld::new(&scene, view))
-    });
-    Arc::clone(world)
+    })
 }
 
 /// The graphics adapter, looked up once; `None` where there is none that can draw triangle ids.
@@ -57,10 +50,9 @@ pub fn gpu() -> Option<&'static Gpu> {
 pub fn ball_scene(offset: f64) -> (Scene, View) {
     let at = (DVec3::new(1.0, -2.0, 3.0).normalize() * offset).round();
     let mesh = ball(at);
+    let fov_y = std::f64::consts::FRAC_PI_3;
     let lens = Lens {
-        projection: Projection::Perspective {
-            fov_y: std::f64::consts::FRAC_PI_3,
-        },
+        projection: Projection::Perspective { fov_y },
         near: 0.125,
         far: 16.0,
         depth: DepthMapping::Reversed,
@@ -96,9 +88,8 @@ fn ball(origin: DVec3) -> Arc<Mesh> {
         faces = split.collect();
     }
     let mut random = Random::new(7);
-    let positions = points
-        .iter()
-        .map(|p| (*p * random.within(0.97, 1.03)).as_vec3().to_array());
+    let moved = |p: &DVec3| (*p * random.within(0.97, 1.03)).as_vec3().to_array();
+    let positions = points.iter().map(moved);
     let mesh = Mesh::new(MeshData {
         origin,
         ..MeshData::of_triangles("Ball", positions.collect(), faces)

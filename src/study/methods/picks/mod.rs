@@ -14,7 +14,7 @@ use crate::{
     camera::View,
     geometry::{Mesh, Sides},
     image::{Id, Image},
-    pick::{self, SceneHit},
+    pick,
     render::{self, Renderer, SceneBuffers, Targets},
     scene::{Object, Scene, Shape},
     study::prelude::*,
@@ -67,8 +67,7 @@ impl Flat {
 
 impl PickWorld {
     /// Builds the trees of the scene's meshes.
-    #[must_use]
-    pub fn new(scene: &Scene, view: View) -> Self {
+    pub(in crate::study) fn new(scene: &Scene, view: View) -> Self {
         scene.build_trees();
         Self {
             scene: scene.clone(),
@@ -98,9 +97,8 @@ impl PickWorld {
         self.flat.get_or_init(|| {
             let visible = (0..).zip(self.scene.objects());
             let visible = visible.filter(|(_, object)| object.visible);
-            visible
-                .map(|(index, object)| (index, Flat::new(object)))
-                .collect()
+            let flat = visible.map(|(index, object)| (index, Flat::new(object)));
+            flat.collect()
         })
     }
 }
@@ -117,18 +115,11 @@ fn copy(scene: &Scene) -> Scene {
         meshes.push((Arc::clone(mesh), Arc::clone(&copy)));
         copy
     };
-    let objects = scene.objects().iter().map(|object| {
-        let shape = match &object.shape {
-            Shape::Mesh { mesh, part } => Shape::Mesh {
-                mesh: own(mesh),
-                part: *part,
-            },
-            shape => shape.clone(),
-        };
-        Object {
-            shape,
-            ..object.clone()
+    let objects = scene.objects().iter().cloned().map(|mut object| {
+        if let Shape::Mesh { mesh, .. } = &mut object.shape {
+            *mesh = own(mesh);
         }
+        object
     });
     objects.collect()
 }
@@ -253,8 +244,7 @@ const GPU_ID: &str = "the GPU's ids, one pixel read back";
 
 impl PickCase {
     /// A click on the centre of a pixel.
-    #[must_use]
-    pub fn new(world: &Arc<PickWorld>, px: DVec2) -> Self {
+    pub(in crate::study) fn new(world: &Arc<PickWorld>, px: DVec2) -> Self {
         Self {
             world: Arc::clone(world),
             px,
@@ -312,42 +302,26 @@ impl PickCase {
 fn sightlines(scene: &Scene, case: &PickCase) -> Picked {
     let view = &case.world.view;
     let hit = pick::closest(scene, view.ray(case.px), view.sides)?;
-    Some(picked(scene, hit))
-}
-
-/// A hit as a method's answer.
-fn picked(scene: &Scene, hit: SceneHit) -> (usize, Option<u32>) {
-    (hit.object, hit.triangle_of_object(scene))
+    Some((hit.object, hit.triangle_of_object(scene)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::{methods::TriangleCase, run::family};
+    use crate::study::run::family;
 
     /// Cases of one triangle are taken from a scene that nobody draws or copies.
     #[test]
     fn only_whole_picks_draw_the_scene_and_copy_it() {
         let (scene, view) = ball_scene(0.0);
         let rays = SceneRays::new(&scene, view, 20, 1);
-        let made = || {
-            let PickWorld {
-                treeless,
-                ids,
-                flat,
-                ..
-            } = &*rays.world;
-            [
-                treeless.get().is_some(),
-                ids.get().is_some(),
-                flat.get().is_some(),
-            ]
-        };
+        let world = &rays.world;
+        let copied = || (world.treeless.get().is_some(), world.flat.get().is_some());
         let rows = family::<TriangleCase>(SCENE, Effort::QUICK, Some(&rays), &|| true);
         assert!(rows.is_some_and(|rows| !rows.is_empty()));
-        assert_eq!(made(), [false; 3]);
+        assert_eq!((copied(), world.ids.get()), ((false, false), None));
         let rows = family::<PickCase>(SCENE, Effort::QUICK, Some(&rays), &|| true);
         assert!(rows.is_some_and(|rows| !rows.is_empty()));
-        assert_eq!(made(), [true; 3]);
+        assert!(copied() == (true, true) && world.ids.get().is_some());
     }
 }

@@ -4,7 +4,7 @@
 use super::Picked;
 use crate::{
     camera::View,
-    geometry::{Aabb, Cuboid, Mesh, MeshData, Placement, Ray, Sides, Sphere, Square},
+    geometry::{Aabb, Cuboid, Mesh, Placement, Ray, Sides, Sphere, Square},
     scene::{Scene, Shape},
     study::{prelude::*, truth::Meeting},
 };
@@ -88,12 +88,9 @@ pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
 
 /// A triangle's corners about the mesh's origin, as they are stored.
 fn corners(mesh: &Mesh, triangle: u32) -> [V3<f64>; 3] {
-    let MeshData {
-        positions,
-        triangles,
-        ..
-    } = mesh.data();
-    triangles[triangle as usize].map(|i| V3::from(positions[i as usize].map(f64::from)))
+    let data = mesh.data();
+    let corners = data.triangles[triangle as usize].map(|i| data.positions[i as usize]);
+    corners.map(|corner| V3::from(corner.map(f64::from)))
 }
 
 /// A filter: false where the ray certainly misses a box's bounding sphere, grown by a thousandth.

@@ -146,10 +146,7 @@ impl PixelCase {
 
     /// The case of a pixel of a view; its axes are taken as exact.
     pub fn of_view(view: &View, px: DVec2) -> Self {
-        let View {
-            camera, viewport, ..
-        } = view;
-        let lens = camera.lens();
+        let (camera, lens) = (&view.camera, view.camera.lens());
         let axes = [camera.right(), camera.up(), camera.forward()].map(V3::from);
         let picture = Picture {
             eye: camera.eye().into(),
@@ -158,10 +155,10 @@ impl PixelCase {
             axes,
             tan: camera.half_height(),
             parallel: lens.is_orthographic(),
-            aspect: viewport.aspect(),
+            aspect: view.viewport.aspect(),
             near: lens.near,
             far: lens.far,
-            size: viewport.size_px().to_array(),
+            size: view.viewport.size_px().to_array(),
         };
         Self::new(picture, px.to_array(), axes)
     }
@@ -189,12 +186,12 @@ impl Case for PixelCase {
     );
 
     const METHODS: Methods<Self> = &[
-        &both!("target + sx H + sy V - eye", COURSE, course),
-        &both!("eye basis", BASIS, eye_basis),
-        &both!("inverse(P V), far - near", UNPROJECT, far_less_near),
-        &both!("inverse(P V), near - eye", UNPROJECT, near_less_eye),
-        &both!("unproject, as three.js", THREE, as_three),
-        &both!("unproject, as Bevy", BEVY, as_bevy),
+        &both!("target + sx H + sy V - eye": COURSE, course),
+        &both!("eye basis": BASIS, eye_basis),
+        &both!("inverse(P V), far - near": UNPROJECT, far_less_near),
+        &both!("inverse(P V), near - eye": UNPROJECT, near_less_eye),
+        &both!("unproject, as three.js": THREE, as_three),
+        &both!("unproject, as Bevy": BEVY, as_bevy),
         &[
             Method::new(WITH_BOUNDS, F64, "geometry::PixelRays::ray", |c| {
                 let ray = black_box(c.rays.ray(DVec2::from(c.wide.px)));
@@ -221,11 +218,7 @@ impl Case for PixelCase {
         let tan = Exact::new(pixel.tan);
         let across = (&two * x - &width) * &height * Exact::new(pixel.aspect) * &tan;
         let along = (&height - two * y) * &width * tan;
-        let straight = if pixel.parallel {
-            Exact::int(0)
-        } else {
-            width * height
-        };
+        let straight = Exact::int(i64::from(!pixel.parallel)) * width * height;
         forward.times(&straight) + right.times(&across) + up.times(&along)
     }
 
@@ -305,8 +298,7 @@ pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> PixelRay {
 /// The distance between a parallel ray and the true one at the target's depth, in world units.
 fn aside(case: &PixelCase, truth: &Exact3, answer: &PixelRay) -> f64 {
     let pixel = &case.wide.picture;
-    let numbers = [answer.from, answer.along].map(V3::array);
-    if !numbers.as_flattened().iter().all(|c| c.is_finite()) {
+    if !(answer.from.is_finite() && answer.along.is_finite()) {
         return f64::INFINITY;
     }
     let forward = Exact3::new(case.exact_axes[2]);

@@ -57,9 +57,8 @@ pub const FAMILIES: &[Family<PixelCase>] = &[
 ];
 
 fn fov(degrees: f64) -> Camera {
-    let known = TANGENTS
-        .iter()
-        .find(|(known, _)| known.total_cmp(&degrees).is_eq());
+    let is_known = |(known, _): &&(f64, f64)| known.total_cmp(&degrees).is_eq();
+    let known = TANGENTS.iter().find(is_known);
     let tan = known.map_or(TAN_30, |(_, tan)| *tan);
     Camera { tan, ..ORDINARY }
 }
@@ -96,21 +95,12 @@ pub(crate) fn turned(random: &mut Random, most: i32) -> [V3<f64>; 3] {
     if a * a + b * b + c * c + d * d == 0.0 {
         return turned(random, most);
     }
+    let [aa, bb, cc, dd] = [a, b, c, d].map(|whole| whole * whole);
+    let [ab, ac, ad] = [b, c, d].map(|other| 2.0 * a * other);
+    let [bc, bd, cd] = [b * c, b * d, c * d].map(|product| 2.0 * product);
     [
-        V3::new(
-            a * a + b * b - c * c - d * d,
-            2.0 * (b * c + a * d),
-            2.0 * (b * d - a * c),
-        ),
-        V3::new(
-            2.0 * (b * c - a * d),
-            a * a - b * b + c * c - d * d,
-            2.0 * (c * d + a * b),
-        ),
-        -V3::new(
-            2.0 * (b * d + a * c),
-            2.0 * (c * d - a * b),
-            a * a - b * b - c * c + d * d,
-        ),
+        V3::new(aa + bb - cc - dd, bc + ad, bd - ac),
+        V3::new(bc - ad, aa - bb + cc - dd, cd + ab),
+        -V3::new(bd + ac, cd - ab, aa - bb - cc + dd),
     ]
 }

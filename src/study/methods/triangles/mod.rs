@@ -83,8 +83,7 @@ pub struct TriangleCase {
 
 impl TriangleCase {
     /// The case of a ray and a triangle; `px` is the width of a pixel in radians.
-    #[must_use]
-    pub fn new(wide: RayTriangle<f64>, px: f64) -> Self {
+    pub(in crate::study) fn new(wide: RayTriangle<f64>, px: f64) -> Self {
         Self {
             narrow: Prepared::of(&wide),
             wide: Prepared::of(&wide),
@@ -100,10 +99,8 @@ impl TriangleCase {
         let corner = |i: u32| V3::<f32>::from(data.positions[i as usize]).wide();
         let corners = data.triangles[triangle as usize].map(corner);
         let origin = V3::from(ray_object.origin - data.origin);
-        Self::new(
-            RayTriangle::new(origin, ray_object.direction.into(), corners),
-            px,
-        )
+        let direction = ray_object.direction.into();
+        Self::new(RayTriangle::new(origin, direction, corners), px)
     }
 }
 
@@ -136,22 +133,17 @@ macro_rules! in_both_precisions {
             jimenez, moeller_trumbore, pluecker, signed_volumes,
         };
         &[
-            &both!("Moeller-Trumbore", MT, $job, |c| moeller_trumbore(c, 0.0)),
-            &both!(
-                "Moeller-Trumbore, eps 1e-6",
-                MT,
-                $job,
-                |c| moeller_trumbore(c, 1e-6)
-            ),
-            &both!("areas, sum == 1", AREAS, $job, |c| areas(c, 0.0)),
-            &both!("areas, within 1e-4", AREAS, $job, |c| areas(c, 1e-4)),
-            &both!("signed volumes", KENSLER, $job, |c| signed_volumes(c)),
-            &both!("Woop watertight", WOOP, $job, Prepared::woop),
-            &both!("Baldwin-Weber", BALDWIN, $job, Prepared::baldwin_weber),
-            &both!("Pluecker, as Embree", EMBREE, $job, |c| pluecker(c)),
-            &both!("Havel-Herout", HAVEL, $job, Prepared::havel_herout),
-            &both!("Jimenez", JIMENEZ, $job, |c| jimenez(c)),
-            &both!("pbrt-v4, bounded t", PBRT, $job, Prepared::pbrt),
+            &both!("Moeller-Trumbore": MT, $job, |c| moeller_trumbore(c, 0.0)),
+            &both!("Moeller-Trumbore, eps 1e-6": MT, $job, |c| moeller_trumbore(c, 1e-6)),
+            &both!("areas, sum == 1": AREAS, $job, |c| areas(c, 0.0)),
+            &both!("areas, within 1e-4": AREAS, $job, |c| areas(c, 1e-4)),
+            &both!("signed volumes": KENSLER, $job, |c| signed_volumes(c)),
+            &both!("Woop watertight": WOOP, $job, Prepared::woop),
+            &both!("Baldwin-Weber": BALDWIN, $job, Prepared::baldwin_weber),
+            &both!("Pluecker, as Embree": EMBREE, $job, |c| pluecker(c)),
+            &both!("Havel-Herout": HAVEL, $job, Prepared::havel_herout),
+            &both!("Jimenez": JIMENEZ, $job, |c| jimenez(c)),
+            &both!("pbrt-v4, bounded t": PBRT, $job, Prepared::pbrt),
             $others,
         ]
     }};
@@ -275,11 +267,7 @@ pub fn signed_volumes<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
 
 /// The plane's t where all signs are known and no two are opposite.
 fn one_sign<T: Real>(case: &RayTriangle<T>, signs: [Option<Ordering>; 3]) -> Option<f64> {
-    let none_is = |wrong: Ordering| {
-        signs
-            .iter()
-            .all(|sign| sign.is_some_and(|sign| sign != wrong))
-    };
+    let none_is = |wrong| signs.iter().all(|sign| sign.is_some_and(|s| s != wrong));
     if !(none_is(Ordering::Less) || none_is(Ordering::Greater)) {
         return None;
     }
@@ -291,10 +279,9 @@ fn one_sign<T: Real>(case: &RayTriangle<T>, signs: [Option<Ordering>; 3]) -> Opt
 /// The signed volumes in double-double arithmetic.
 fn double_double(case: &TriangleCase) -> Option<f64> {
     let given = &case.wide;
-    let [o, d] = [given.origin, given.direction].map(|v| v.map(DoubleDouble::from));
-    let [a, b, c] = given
-        .corners
-        .map(|corner| corner.map(DoubleDouble::from) - o);
+    let long = |v: V3<f64>| v.map(DoubleDouble::from);
+    let (o, d) = (long(given.origin), long(given.direction));
+    let [a, b, c] = given.corners.map(|corner| long(corner) - o);
     let volume = |p: V3<DoubleDouble>, q| f64::from(d.dot(p.cross(q)));
     let volumes = [volume(b, c), volume(c, a), volume(a, b)];
     one_sign(given, volumes.map(|v| v.partial_cmp(&0.0)))
