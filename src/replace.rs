@@ -100,7 +100,14 @@ fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
     new.prefix(".sightline-").suffix(".part");
     #[cfg(unix)]
     new.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    new.tempfile_in(folder)
+    // The name of a temporary file says nothing to users: the common errors go without it.
+    fs::metadata(folder)?;
+    new.tempfile_in(folder).map_err(|error| match error.kind() {
+        kind @ (ErrorKind::PermissionDenied
+        | ErrorKind::ReadOnlyFilesystem
+        | ErrorKind::StorageFull) => kind.into(),
+        _ => error,
+    })
 }
 
 #[cfg(test)]
@@ -124,6 +131,10 @@ mod tests {
         replace(&path, |out| out.write_all(b"new")).expect("room");
         assert_eq!(fs::read(&path).expect("a file"), b"new");
         replace(folder.path(), |out| out.write_all(b"new")).expect_err("a folder");
+        let nowhere = folder.path().join("no/scene.toml");
+        let error = replace(&nowhere, |out| out.write_all(b"new")).expect_err("no folder");
+        assert_eq!(error.kind(), io::ErrorKind::NotFound);
+        assert!(!error.to_string().contains(".part"), "{error}");
     }
 
     #[cfg(unix)]

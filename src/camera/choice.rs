@@ -104,12 +104,7 @@ impl CameraChoice {
         if self.look.is_some_and(|look| !look.is_finite()) {
             return Err(CameraError::NotFinite("direction"));
         }
-        let size = 2.0 * bounds_world.radius();
-        // Framing moves back by more than the scene's size.
-        let (least, most) = (100.0 * Orbit::DISTANCES.0, 0.01 * Orbit::DISTANCES.1);
-        if !bounds_world.is_empty() && size != 0.0 && !(least..=most).contains(&size) {
-            return Err(CameraError::SceneSize(size));
-        }
+        check_size(bounds_world)?;
         let framing = Orbit::framing(bounds_world, up_axis, fov_y, viewport.aspect());
         let camera = |up: DVec3| match (self.look, self.target) {
             (Some(look), _) => {
@@ -135,5 +130,20 @@ impl CameraChoice {
         };
         (lens.near, lens.far) = fit_near_far(&camera, bounds_world, self.near, self.far);
         camera.with_lens(lens)
+    }
+}
+
+/// Whether a scene in this box is neither too large nor too small for any view. An empty box is not, nor is a point.
+///
+/// # Errors
+/// [`CameraError::SceneSize`].
+pub(crate) fn check_size(bounds_world: &Aabb) -> Result<(), CameraError> {
+    let size = 2.0 * bounds_world.radius();
+    // Framing moves back by more than the scene's size.
+    let (least, most) = (100.0 * Orbit::DISTANCES.0, 0.01 * Orbit::DISTANCES.1);
+    if bounds_world.is_empty() || size == 0.0 || (least..=most).contains(&size) {
+        Ok(())
+    } else {
+        Err(CameraError::SceneSize(size))
     }
 }

@@ -68,7 +68,8 @@ impl Lens {
             Projection::Perspective { .. } if !(near > 0.0) => {
                 return Err(CameraError::NearNotPositive(near));
             }
-            Projection::Orthographic { height } if !(height > 0.0 && height.is_finite()) => {
+            // Half of the least number rounds to 0.
+            Projection::Orthographic { height } if !(0.5 * height > 0.0 && height.is_finite()) => {
                 return Err(CameraError::Height(height));
             }
             _ => {}

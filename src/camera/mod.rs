@@ -11,7 +11,7 @@ mod section_choice;
 mod view;
 
 pub use choice::CameraChoice;
-pub(crate) use choice::{exactly, some_vector};
+pub(crate) use choice::{check_size, exactly, some_vector};
 pub use fit::fit_near_far;
 pub(crate) use fit::least_near;
 pub use lens::{DepthMapping, Lens, Projection};
@@ -55,8 +55,8 @@ pub enum CameraError {
     /// Outside (0, 180) degrees.
     #[error("the field of view must lie between 0 and 180 degrees, not {0}")]
     FieldOfView(f64),
-    /// Not a positive number.
-    #[error("the orthographic height must be a positive number, not {0}")]
+    /// Not a positive number whose half is one, too.
+    #[error("the orthographic height must be a positive number above 5e-324, not {0}")]
     Height(f64),
     /// Perspective shows nothing at or behind the eye.
     #[error("near must be greater than 0 in perspective, not {0}")]

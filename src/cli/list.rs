@@ -85,12 +85,17 @@ fn write_table(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
             *width = cell.chars().count().max(*width);
         }
     }
-    let [w0, w1, w2, w3, w4] = widths;
-    let mut write = |[id, name, shape, triangles, min]: [&str; 5], max: &str| {
-        writeln!(
-            out,
-            "{id:>w0$}  {name:<w1$}  {shape:<w2$}  {triangles:>w3$}  {min:<w4$}  {max}"
-        )
+    let mut write = |cells: [&str; 5], max: &str| {
+        for (column, (cell, width)) in cells.into_iter().zip(widths).enumerate() {
+            // A name may be longer than the widths of `format!` go.
+            let room = " ".repeat(width - cell.chars().count());
+            let [left, right] = match column {
+                0 | 3 => [&*room, ""],
+                _ => ["", &*room],
+            };
+            write!(out, "{left}{cell}{right}  ")?;
+        }
+        writeln!(out, "{max}")
     };
     write(head, "max")?;
     lines(scene).try_for_each(|line| {

@@ -276,6 +276,29 @@ fn lists_have_a_line_an_object() {
     );
 }
 
+/// Rust's own widths end at 65,535 characters.
+#[test]
+fn a_list_takes_names_of_any_length_and_scenes_of_any_size() {
+    let folder = Folder::new();
+    let name = "x".repeat(70_000);
+    let scene =
+        format!("[[object]]\nshape = \"cube\"\nname = \"{name}\"\nscale = [1e-20, 1e-20, 1e-20]\n");
+    std::fs::write(folder.path("tiny.toml"), scene).unwrap();
+    let output = folder.run("list tiny.toml");
+    assert!(output.status.success(), "{output:?}");
+    let table = String::from_utf8(output.stdout).unwrap();
+    let row = table.lines().nth(1).unwrap();
+    let cells: Vec<&str> = row.split("  ").filter(|cell| !cell.is_empty()).collect();
+    assert_eq!(cells[1], name);
+    let corners = ["-5e-21, -5e-21, -5e-21", "5e-21, 5e-21, 5e-21"];
+    assert_eq!(cells[4..], corners);
+    let heads = table.lines().next().unwrap();
+    assert_eq!(
+        heads.find("max"),
+        row.find(corners[1]).filter(|at| *at > 70_000)
+    );
+}
+
 #[test]
 fn a_list_reads_no_more_than_it_prints() {
     let folder = Folder::new();

@@ -5,11 +5,12 @@ use crate::{
     edge_cases::{Case, FAMILIES, Family},
     wide::Truth,
 };
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use sightline::{
-    geometry::Square,
+    camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
+    geometry::{Placement, Square},
     pick::{self, Pick},
-    scene::Shape,
+    scene::{Object, Scene, Shape},
 };
 
 /// Counts over a family's cases.
@@ -141,4 +142,27 @@ fn outlines_are_as_far_as_wide_arithmetic_says() {
     assert!(picked > 400, "only {picked} picked");
     assert!(none > 40, "only {none} without an outline");
     assert!(cut > 8, "only {cut} nearest at a cut");
+}
+
+/// A picture of next to nothing, beside the sphere's topmost point: its outline is a straight line there.
+#[test]
+fn a_spheres_outline_in_pictures_of_next_to_nothing() {
+    let sphere = Object::new("ball", Shape::Sphere, Placement::IDENTITY);
+    let scene = Scene::new(vec![sphere]);
+    for exponent in (-307..=-20).step_by(7) {
+        let lens = Lens {
+            projection: Projection::Orthographic {
+                height: 10_f64.powi(exponent),
+            },
+            near: 0.0,
+            far: 10.0,
+            depth: DepthMapping::default(),
+        };
+        let eye = DVec3::new(0.0, 0.5, 3.0);
+        let camera = Camera::looking(eye, DVec3::NEG_Z, DVec3::Y, lens).expect("a camera");
+        let view = View::new(camera, Viewport::new(33, 17).expect("a size"));
+        let pick = pick::pick(&scene, &view, DVec2::new(0.0, 16.0)).expect("below the top");
+        let edge_px = pick.edge_px.expect("an outline");
+        assert!((edge_px - 7.5).abs() <= 1e-9, "1e{exponent}: {edge_px}");
+    }
 }

@@ -274,3 +274,12 @@ fn the_key_of_the_matrices_shows_them_in_a_small_window() {
     press_key(&mut window, Modifiers::NONE, Key::P);
     assert!(!has_control(&window, "P, row x"));
 }
+
+#[test]
+fn a_scene_of_nothing_has_four_views() {
+    let (mut window, _folder) = row_as("[camera]\neye = [3, 2, 4]\n", 1.0);
+    assert!(window.state().scene().objects().is_empty());
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    assert_eq!(window.state().views(), Views::Four);
+    assert_eq!(rects(&window).map(|rect| rect.is_positive()), [true; 4]);
+}

@@ -204,3 +204,21 @@ fn a_matrix_in_parts_is_the_matrix() {
     leaning.matrix3.x_axis.y = 1e-6;
     assert_eq!(Trs::of(leaning), None);
 }
+
+/// A saved scene opens again: what is too large or small for views is refused when it is typed.
+#[test]
+fn sizes_that_no_view_holds_are_refused() {
+    let mut state = front_view();
+    for scale in [1e99, 1e300] {
+        let scale = DVec3::new(scale, 1.0, 1.0);
+        let action = Action::Place(0, Trs { scale, ..STILL }.to_model());
+        assert!(state.check(&action).is_err(), "{scale}");
+        state.apply(action);
+        assert!(!state.edited(), "{scale}");
+    }
+    let scale = DVec3::new(1e90, 1.0, 1.0);
+    let action = Action::Place(0, Trs { scale, ..STILL }.to_model());
+    assert_eq!(state.check(&action), Ok(()));
+    state.apply(action);
+    assert!(state.edited());
+}

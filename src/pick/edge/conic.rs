@@ -11,7 +11,7 @@
 //! That bound is subtracted from each lower bound and added to each distance.
 
 use crate::geometry::{
-    binary::times_power_of_two,
+    binary::{split, times_power_of_two},
     dyadic::{Integer, rounded},
 };
 use num_bigint::BigInt;
@@ -50,8 +50,8 @@ pub(super) struct Arcs<T> {
     pub(super) bits: i64,
     /// Error bound of each coordinate, in units of its last bit.
     pub(super) error: f64,
-    /// Pixels per unit of `u / w`.
-    pub(super) px: f64,
+    /// `u / w` is in units of 2^`exponent` pixels.
+    pub(super) exponent: i64,
 }
 
 /// A part of an arc.
@@ -59,7 +59,7 @@ struct Piece<T> {
     controls: Controls<T>,
     /// How often it was halved.
     halvings: i32,
-    /// Lower bound on its distance from the origin.
+    /// Lower bound on its distance from the origin, in pixels.
     least: f64,
 }
 
@@ -76,21 +76,17 @@ impl<T: Fixed> Arcs<T> {
         }
         // With a minimum on each of four arcs, each bit costs four halvings; this is twice that.
         for _ in 0..8 * self.bits {
-            pieces.retain(|piece| piece.least + self.tolerance(piece.least) < best);
+            pieces.retain(|piece| piece.least + tolerance(piece.least) < best);
             let order = |&a: &usize, &b: &usize| pieces[a].least.total_cmp(&pieces[b].least);
             let Some(least) = (0..pieces.len()).min_by(order) else {
-                return Ok(best * self.px);
+                return Ok(best);
             };
             let piece = pieces.swap_remove(least);
             for half in halves(&piece.controls) {
                 best = self.add(&mut pieces, half, piece.halvings + 1, best);
             }
         }
-        Err(best * self.px)
-    }
-
-    fn tolerance(&self, distance: f64) -> f64 {
-        (TOLERANCE * distance).max(TOLERANCE_PX / self.px)
+        Err(best)
     }
 
     /// Adds a piece to those that may be nearest. Returns the distance to the nearest known point, the piece's ends
@@ -102,37 +98,68 @@ impl<T: Fixed> Arcs<T> {
         halvings: i32,
         best: f64,
     ) -> f64 {
+        // Squares of a short arc's u and v would underflow, so these are scaled to be about 1.
+        let up = (controls.iter().flat_map(|[u, v, _]| [u, v]).map(length)).fold(0, i64::max);
         // Each halving rounds down twice, by half a unit at most.
-        let error = times_power_of_two(self.error + f64::from(halvings), -self.bits);
-        let point = |p: &[T; 3]| p.each_ref().map(|c| rounded(c, -self.bits));
-        let points = controls.each_ref().map(point);
+        let units = self.error + f64::from(halvings);
+        let errors = Errors {
+            aside: times_power_of_two(units, -up),
+            w: times_power_of_two(units, -self.bits) + f64::MIN_POSITIVE,
+        };
+        let points = (controls.each_ref())
+            .map(|[u, v, w]| [(u, up), (v, up), (w, self.bits)].map(|(c, down)| rounded(c, -down)));
+        let in_px = |distance| times_power_of_two(distance, up - self.bits + self.exponent);
         pieces.push(Piece {
-            least: least_distance(&points, error),
+            least: in_px(least_distance(&points, &errors)),
             controls,
             halvings,
         });
-        let [from, to] = [points[0], points[2]].map(|end| end_distance(end, error));
+        let [from, to] = [points[0], points[2]].map(|end| in_px(end_distance(end, &errors)));
         best.min(from).min(to)
     }
 }
 
-/// An upper bound on the distance of a point whose coordinates may be off by `error`.
-fn end_distance([u, v, w]: [f64; 3], error: f64) -> f64 {
-    if w > error {
-        (u.hypot(v) + 2.0 * error) / (w - error)
+/// How far apart two distances in pixels may be and count as equal.
+fn tolerance(distance_px: f64) -> f64 {
+    (TOLERANCE * distance_px).max(TOLERANCE_PX)
+}
+
+/// How many bits a number has, to within one.
+fn length<T: Integer>(n: &T) -> i64 {
+    let (leading, above) = n.rounded();
+    let (odd, exponent) = split(leading);
+    above + exponent + i64::from(odd.unsigned_abs().checked_ilog2().unwrap_or(0))
+}
+
+/// Bounds on the errors of coordinates.
+struct Errors {
+    /// Of u and v.
+    aside: f64,
+    w: f64,
+}
+
+/// An upper bound on the distance of a point.
+fn end_distance([u, v, w]: [f64; 3], errors: &Errors) -> f64 {
+    if w > errors.w {
+        (u.hypot(v) + 2.0 * errors.aside) / (w - errors.w)
     } else {
         f64::INFINITY
     }
 }
 
-/// A lower bound on the distance of each point of an arc whose coordinates may be off by `error`.
-fn least_distance(points: &[[f64; 3]; 3], error: f64) -> f64 {
+/// A lower bound on the distance of each point of an arc.
+fn least_distance(points: &[[f64; 3]; 3], errors: &Errors) -> f64 {
+    let error = errors.aside;
     let coordinate = |i: usize| points.map(|point| point[i]);
     let [u, v, w] = [0, 1, 2].map(coordinate);
     let size = u.iter().chain(&v).fold(error, |size, c| size.max(c.abs()));
     // Error of the sum of two squares: from the coordinates' errors, and from rounding sums of their products.
     let slack = 2.0 * error * (2.0 * size + error) + 16.0 * f64::EPSILON * size * size;
-    let (u, v, w) = (square(u), square(v), square(w.map(|w| w.max(0.0) + error)));
+    let (u, v, w) = (
+        square(u),
+        square(v),
+        square(w.map(|w| w.max(0.0) + errors.w)),
+    );
     let quotients = (0..5).map(|i| (u[i] + v[i] - slack).max(0.0) / w[i]);
     let least = quotients.fold(f64::INFINITY, f64::min);
     (1.0 - 8.0 * f64::EPSILON) * least.sqrt()

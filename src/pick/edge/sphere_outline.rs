@@ -7,7 +7,6 @@ use super::{
 };
 use crate::geometry::{
     Placement,
-    binary::times_power_of_two,
     dyadic::{Dyadic, DyadicVector, to_object},
 };
 use num_bigint::BigInt;
@@ -201,7 +200,7 @@ impl Circle {
             bits,
             // One unit for what fixed point cuts off, one for all that was cut off before.
             error: 2.0,
-            px: times_power_of_two(1.0, size_uv - size_w),
+            exponent: size_uv - size_w,
         })
     }
 }

@@ -1,6 +1,7 @@
 //! Moving, hiding, showing and adding objects; changes to the list of measures.
 
 use super::{
+    action::Action,
     made::Made,
     measuring::{MeasureAction, Measuring},
     state::{Chosen, Edit, Edits, State, Step},
@@ -17,11 +18,14 @@ use std::{mem, ops::Range, path::PathBuf};
 impl State {
     /// Moves an object; its pick follows.
     pub(super) fn place(&mut self, object: usize, model: DAffine3) {
-        let Ok(placement) = Placement::new(model) else {
+        let Some(here) = self.scene.objects().get(object) else {
             return;
         };
-        let here = self.scene.objects().get(object);
-        if here.is_none_or(|here| here.placement == placement) {
+        let placement = match Placement::new(model) {
+            Ok(placement) if placement != here.placement => placement,
+            _ => return,
+        };
+        if self.check(&Action::Place(object, model)).is_err() {
             return;
         }
         let chosen = self.chosen.clone();

@@ -9,7 +9,7 @@ use super::{
 use crate::{
     camera::{
         Camera, CameraChoice, CameraError, Lens, Orbit, Projection, SectionChoice, View,
-        fit_near_far, least_near,
+        check_size, fit_near_far, least_near,
     },
     geometry::{Aabb, Placement, PlacementError},
 };
@@ -84,8 +84,14 @@ impl State {
             Action::Camera(choice) => {
                 choice.resolve(&self.scene.visible_bounds(), self.view.viewport)?;
             }
-            Action::Place(_, model) => {
-                Placement::new(*model)?;
+            Action::Place(object, model) => {
+                let mut moved = self.scene.objects()[*object].clone();
+                moved.placement = Placement::new(*model)?;
+                let others = match self.scene.objects() {
+                    [_] => Aabb::EMPTY,
+                    _ => self.scene.visible_bounds(),
+                };
+                check_size(&others.union(moved.bounds_world()))?;
             }
             _ => {}
         }

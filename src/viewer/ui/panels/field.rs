@@ -35,6 +35,9 @@ fn refused_id() -> Id {
     Id::unique("refused")
 }
 
+/// Between a field's frame and its text, in points.
+const MARGIN: Vec2 = vec2(3.0, 2.0);
+
 /// Height in points of the line that says what stays in force.
 const STILL: f32 = 16.0;
 
@@ -73,7 +76,7 @@ impl<'a> Field<'a> {
         check: impl Fn(f64) -> Result<(), E>,
     ) -> Option<f64> {
         let (id, value) = (ui.scope_id().with((self.name, self.of)), self.value);
-        let shown = short(value);
+        let shown = self.written(ui, value);
         let pass = ui.ctx().cumulative_pass_nr();
         let typed = ui.data(|data| data.get_temp::<Typed>(id));
         let typed = typed.filter(|typed| typed.shown + 1 >= pass);
@@ -90,7 +93,7 @@ impl<'a> Field<'a> {
         {
             let stepped = from + steps * step;
             forget(ui, id);
-            self.edit(ui, id, &mut short(stepped), None);
+            self.edit(ui, id, &mut self.written(ui, stepped), None);
             return Some(stepped);
         }
         let parsed = parse(&text);
@@ -126,13 +129,24 @@ impl<'a> Field<'a> {
         parsed.ok().filter(|_| is_entered)
     }
 
+    /// A number as the field has room for it: one that is cut off would read as another.
+    fn written(&self, ui: &Ui, value: f64) -> String {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a few characters"
+        )]
+        let room = ((self.width - 2.0 * MARGIN.x) / char_width(ui)).max(0.0) as usize;
+        short_in(value, room.clamp(LEAST, DIGITS))
+    }
+
     fn edit(&self, ui: &mut Ui, id: Id, text: &mut String, wrong: Option<&str>) -> Response {
         let red = ui.visuals().error_fg_color;
         let mut edit = TextEdit::singleline(text)
             .id(id)
             .font(FontId::monospace(11.0))
             .align(Align2::LEFT_CENTER)
-            .margin(vec2(3.0, 2.0));
+            .margin(MARGIN);
         if wrong.is_some() {
             edit = edit.text_color(red);
         }
@@ -199,6 +213,14 @@ pub(super) fn value_text(text: impl Into<String>) -> RichText {
     RichText::new(text).monospace().size(11.0)
 }
 
+/// Width in points of each character of a [`value_text`].
+pub(super) fn char_width(ui: &Ui) -> f32 {
+    ui.fonts_mut(|fonts| fonts.glyph_width(&FontId::monospace(11.0), '0'))
+}
+
+/// The fewest characters that show a number's size and sign.
+pub(super) const LEAST: usize = 6;
+
 /// The most characters of a number as [`short`] writes it.
 pub(super) const DIGITS: usize = 9;
 
@@ -208,7 +230,7 @@ pub(super) fn short(value: f64) -> String {
     short_in(value, DIGITS)
 }
 
-/// The same, but in this many characters: at least 6.
+/// The same, but in this many characters: at least [`LEAST`].
 pub(super) fn short_in(value: f64, most: usize) -> String {
     let mut tries = (1..=6).rev().map(|digits| rounded(value, digits, most));
     let fits = tries.find(|text| text.len() <= most);

@@ -58,6 +58,9 @@ struct Page<'a> {
     colour: Color32,
 }
 
+/// Lines shorter than this, in points, have their length written above both ends.
+const SHORT: f32 = 90.0;
+
 impl Page<'_> {
     fn at(&self, point_world: DVec3) -> Option<Pos2> {
         self.segment(point_world, point_world).map(|[at, _]| at)
@@ -194,8 +197,12 @@ impl Page<'_> {
         for end in ends {
             self.painter.circle(end, 4.0, self.colour, edge);
         }
-        let middle = ends[0].lerp(ends[1], 0.5);
-        self.text(middle - vec2(0.0, 16.0), short(from.distance(to)));
+        let mut above = ends[0].lerp(ends[1], 0.5) - vec2(0.0, 16.0);
+        // Beside a short line there is no room between the marks at its ends.
+        if ends[0].distance(ends[1]) < SHORT {
+            above.y = ends[0].y.min(ends[1].y) - 20.0;
+        }
+        self.text(above, short(from.distance(to)));
     }
 
     fn text(&self, at: Pos2, text: String) {

@@ -2,7 +2,7 @@
 
 use super::{
     docks::MATRIX,
-    field::{DIGITS, short, short_in, value_text},
+    field::{DIGITS, LEAST, char_width, short, short_in, value_text},
     hints::described,
     prelude::*,
     visual_order::visual_order,
@@ -14,9 +14,6 @@ use crate::{
 };
 use egui::Shape;
 use glam::DMat4;
-
-/// The fewest characters that show a number's size and sign.
-const LEAST: usize = 6;
 
 /// A matrix's title, and what it does.
 pub(super) fn title(matrix: Matrix, object: Option<&Object>) -> (String, String) {
@@ -194,11 +191,6 @@ pub(super) fn columns(room: f32, count: u8, gap: f32, one: f32) -> usize {
     )]
     let chars = ((room / f32::from(count) - gap) / one).max(0.0) as usize;
     chars.clamp(LEAST, DIGITS)
-}
-
-/// Width in points of each character of a [`value_text`].
-pub(super) fn char_width(ui: &Ui) -> f32 {
-    ui.fonts_mut(|fonts| fonts.glyph_width(&FontId::monospace(11.0), '0'))
 }
 
 /// The number as [`short`] writes it, if there is room for that. If not, it has three decimals or as many as fit; if

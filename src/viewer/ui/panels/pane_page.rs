@@ -51,7 +51,8 @@ impl Page<'_> {
 
     fn segment(&self, from: DVec3, to: DVec3) -> Option<[Pos2; 2]> {
         let ends = self.seen.project_segment(from, to)?;
-        Some(ends.map(|end| self.place.to_position(end)))
+        let ends = ends.map(|end| self.place.to_position(end));
+        ends.iter().all(|end| end.is_finite()).then_some(ends)
     }
 
     fn painter(&self) -> Painter {

@@ -3,9 +3,9 @@
 use super::{
     camera::FOV_RANGE,
     docks::MATRIX,
-    field::{short_in, value_text},
+    field::{LEAST, char_width, short_in, value_text},
     gesture::Gesture,
-    matrix_rows::{char_width, columns, determinant, fitted, rows, title},
+    matrix_rows::{columns, determinant, fitted, rows, title},
     plane_slider,
     prelude::*,
     visual_order::visual_order,
@@ -229,7 +229,8 @@ fn table(ui: &mut Ui, values: &Values) {
             };
             let chars = columns(ui.available_width() - spare + GAP, count, GAP, one);
             for value in values {
-                let text = format!("{:>chars$}", write(*value, chars));
+                // A character less, so that numbers do not touch.
+                let text = format!("{:>chars$}", write(*value, (chars - 1).max(LEAST)));
                 let label = ui.label(value_text(text).color(colour));
                 label.hint(value.to_string());
             }

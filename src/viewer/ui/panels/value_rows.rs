@@ -1,6 +1,10 @@
 //! Tables with a name and a value in each row, and how their numbers are written.
 
-use super::{elided::width, field::value_text, matrix_rows::char_width, prelude::*};
+use super::{
+    elided::width,
+    field::{char_width, value_text},
+    prelude::*,
+};
 use crate::geometry::Aabb;
 use egui::TextStyle;
 
@@ -12,6 +16,8 @@ pub(super) const PLACES: usize = 6;
 pub(super) struct Digits {
     places: usize,
     width: usize,
+    /// Whether each is times a power of ten.
+    with_exponent: bool,
 }
 
 impl Digits {
@@ -19,23 +25,40 @@ impl Digits {
     pub const UNIT: Self = Self {
         places: PLACES,
         width: PLACES + 3,
+        with_exponent: false,
     };
 
-    /// For lengths in a scene: with as many places as its coordinates have, in a width that fits them all.
+    /// For lengths in a scene: with as many places as its coordinates have, in a width that fits them all; as powers of
+    /// ten in a scene so small or large that `f64` has no more digits.
     pub fn of(bounds: &Aabb) -> Self {
         let places = bounds.decimal_places();
         let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
-        let whole = if largest.is_finite() { largest } else { 0.0 };
-        Self {
+        // An empty box is not finite.
+        let whole = if bounds.is_empty() { 0.0 } else { largest };
+        let with_exponent = places > 15 || !(whole < 1e15);
+        let places = if with_exponent { PLACES } else { places };
+        let most = if with_exponent { -1e-300 } else { -whole };
+        let digits = Self {
             places,
-            width: format!("-{whole:.places$}").len(),
+            width: 0,
+            with_exponent,
+        };
+        let width = digits.written(most).len();
+        Self { width, ..digits }
+    }
+
+    fn written(self, value: f64) -> String {
+        let places = self.places;
+        if self.with_exponent && value != 0.0 {
+            format!("{value:.places$e}")
+        } else {
+            format!("{value:.places$}")
         }
     }
 
     /// A length; as a power of ten where these places would leave fewer than two digits.
     pub fn length(self, value: f64) -> String {
-        let places = self.places;
-        let text = format!("{value:.places$}");
+        let text = self.written(value);
         let left = text.trim_start_matches(['-', '0', '.']);
         if value != 0.0 && value.abs() < 1.0 && left.len() < 2 {
             format!("{value:.1e}")
@@ -46,8 +69,8 @@ impl Digits {
 
     /// Components side by side.
     pub fn vector(self, v: DVec3) -> String {
-        let Self { places, width } = self;
-        let component = |value| format!("{value:>width$.places$}");
+        let width = self.width;
+        let component = |value| format!("{:>width$}", self.written(value));
         v.to_array().map(component).join(" ")
     }
 }
