@@ -25,7 +25,7 @@ pub(super) fn number(text: &str) -> Result<f64, String> {
 fn numbers<const N: usize>(text: &str, form: &str) -> Result<[f64; N], String> {
     let values: Result<Vec<f64>, _> = text.split(',').map(number).collect();
     let values = values.ok().and_then(|values| values.try_into().ok());
-    values.ok_or_else(|| format!("expected {form}: numbers with commas and no spaces"))
+    values.ok_or_else(|| format!("expected {form}: finite numbers with commas"))
 }
 
 /// `x,y,z`

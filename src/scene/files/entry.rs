@@ -129,7 +129,8 @@ impl Entry {
         folder: &Path,
         load: &mut dyn FnMut(&Path) -> Result<Arc<Mesh>, ObjError>,
     ) -> Result<Vec<Object>, Problem> {
-        let file = self.file.as_ref().ok_or(Problem::NoFile)?;
+        let file = self.file.as_ref().filter(|file| !file.is_empty());
+        let file = file.ok_or(Problem::NoFile)?;
         let placement = self.placement(self.name.as_deref().unwrap_or(file))?;
         let mesh = load(&folder.join(file)).map_err(Problem::Mesh)?;
         let parts = mesh.data().parts.len();

@@ -170,7 +170,9 @@ impl Page<'_> {
         let hint = "the far plane: its depth is the panel's far";
         self.name(corners[5], far, colour, hint);
         let size = 0.2 * self.state.scene().visible_bounds().radius();
-        let size = if size > 0.0 { size } else { 0.1 * lens.far };
+        // A point has no radius; that of nothing is infinite.
+        let has_size = size > 0.0 && size.is_finite();
+        let size = if has_size { size } else { 0.1 * lens.far };
         let names = match self.stage {
             Stage::View => ["x right", "y up", "z forward = depth"],
             _ => ["R", "U", "F, depth"],

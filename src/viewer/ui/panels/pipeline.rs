@@ -67,10 +67,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             )
         }
         (_, _, Some(cursor)) => ("Under the cursor".into(), background(view, cursor.px)),
-        _ => (
-            "Point at a surface, or click it: its point is followed".into(),
-            Values::default(),
-        ),
+        _ => ("Point at a surface, or click it".into(), Values::default()),
     };
     ui.horizontal(|ui| {
         let (_, dot) = ui.allocate_space(vec2(8.0, 8.0));
