@@ -1,7 +1,6 @@
 //! Moving, hiding, showing and adding objects; changes to the list of measures.
 
 use super::{
-    action::Action,
     made::Made,
     measuring::{MeasureAction, Measuring},
     state::{Chosen, Edit, Edits, State, Step},
@@ -25,7 +24,7 @@ impl State {
             Ok(placement) if placement != here.placement => placement,
             _ => return,
         };
-        if self.check(&Action::Place(object, model)).is_err() {
+        if self.check_place(object, placement).is_err() {
             return;
         }
         let chosen = self.chosen.clone();

@@ -12,6 +12,7 @@ use crate::{
         check_size, fit_near_far, least_near,
     },
     geometry::{Aabb, Placement, PlacementError},
+    scene::{Object, Shape},
 };
 use glam::{DVec2, DVec3};
 
@@ -85,17 +86,34 @@ impl State {
                 choice.resolve(&self.scene.visible_bounds(), self.view.viewport)?;
             }
             Action::Place(object, model) => {
-                let mut moved = self.scene.objects()[*object].clone();
-                moved.placement = Placement::new(*model)?;
-                let others = match self.scene.objects() {
-                    [_] => Aabb::EMPTY,
-                    _ => self.scene.visible_bounds(),
-                };
-                check_size(&others.union(moved.bounds_world()))?;
+                self.check_place(*object, Placement::new(*model)?)?;
             }
             _ => {}
         }
         Ok(())
+    }
+
+    /// Whether views hold the scene with an object placed so.
+    pub(super) fn check_place(
+        &self,
+        object: usize,
+        placement: Placement,
+    ) -> Result<(), CameraError> {
+        let shape = &self.scene.objects()[object].shape;
+        let others = match self.scene.objects() {
+            [_] => Aabb::EMPTY,
+            _ => self.scene.visible_bounds(),
+        };
+        // Fields are checked in every pass: far from the limits, the corners of a mesh's box tell enough.
+        if let Shape::Mesh { mesh, part } = shape {
+            let corners = mesh.part_bounds(*part).corners();
+            let about = Aabb::around(corners.map(|corner| placement.point_to_world(corner)));
+            if (1e-90..1e90).contains(&others.union(about).radius()) {
+                return Ok(());
+            }
+        }
+        let moved = Object::new("", shape.clone(), placement);
+        check_size(&others.union(moved.bounds_world()))
     }
 
     /// The present pose through another lens.
