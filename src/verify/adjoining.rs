@@ -77,3 +77,31 @@ pub(super) struct Neighbour {
     /// Whether it runs along the edge in the opposite direction, as triangles that face the same way do.
     pub faces_alike: bool,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two triangles along an edge, whose vertices are listed twice, once with a negative 0.
+    #[test]
+    fn vertices_in_one_place_are_one_whatever_the_sign_of_zero() {
+        let corners = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [-0.0, -0.0, 0.0],
+            [1.0, -0.0, -0.0],
+            [0.0, -1.0, 0.0],
+        ];
+        let mesh = MeshData::of_triangles("", corners.to_vec(), vec![[0, 1, 2], [4, 3, 5]]);
+        let adjoining = Adjoining::new(&mesh);
+        let across = |edge| -> Vec<_> {
+            let all = adjoining.across(&mesh, edge);
+            all.map(|other| (other.triangle, other.faces_alike))
+                .collect()
+        };
+        assert_eq!(across([0, 1]), [(0, false), (1, true)]);
+        assert_eq!(across([4, 3]), [(0, true), (1, false)]);
+        assert_eq!(across([1, 2]), [(0, false)]);
+    }
+}

@@ -206,3 +206,32 @@ pub(super) fn beyond_f32(error_px: f64, depth_error: f64, depth_ceiling: f64) ->
 pub(super) fn strain(needed: f64, allowed: f64) -> Option<f64> {
     (allowed > 0.0 && allowed.is_finite() && needed <= allowed).then(|| needed / allowed)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearer_outline_is_the_one_that_drawing_reaches_more_easily() {
+        let outline = |distance_px, grid_px| Outline {
+            distance_px,
+            grid_px,
+            f32_px: 0.0,
+        };
+        let (far, near) = (outline(1.0, 2.0), outline(0.1, 0.01));
+        let unbounded = outline(9.0, f64::NAN);
+        for (a, b, expected) in [(far, near, far), (near, unbounded, unbounded)] {
+            for nearer in [a.nearer(b), b.nearer(a)] {
+                assert_eq!(nearer.distance_px.to_bits(), expected.distance_px.to_bits());
+            }
+        }
+    }
+
+    #[test]
+    fn a_bound_of_zero_allows_nothing() {
+        assert_eq!(strain(0.5, 1.0), Some(0.5));
+        for allowed in [0.0, f64::INFINITY, f64::NAN] {
+            assert_eq!(strain(0.0, allowed), None);
+        }
+    }
+}

@@ -24,8 +24,8 @@ pub(super) enum Culled {
 ///
 /// While a triangle turns over, its corners lie on one line. So before, they lay within the distance by which one
 /// corner may move of some line, and the triangle was no wider than twice that. The polygon's part in the picture may
-/// be drawn as any triangles between its corners. What the near plane cuts may turn over, since its corners there are
-/// less certain.
+/// be drawn as any triangles between its corners. What the near or the far plane may cut may turn over: its corners
+/// there are less certain, and a cut just beside a corner makes slivers.
 pub(super) fn culled(view: &View, grid_px: f64, polygon: &Polygon, mirrors: bool) -> Culled {
     let Polygon { shown, error, .. } = polygon;
     let mut px: Vec<DVec2> = shown.iter().map(|corner| project(view, *corner)).collect();
@@ -55,7 +55,7 @@ pub(super) fn culled(view: &View, grid_px: f64, polygon: &Polygon, mirrors: bool
         area([a, b, c]).abs() / longest
     };
     let narrowest = triangles().map(width).reduce(f64::min);
-    if !polygon.is_cut && narrowest.is_some_and(|width| width > 2.0 * moved) {
+    if !polygon.may_be_cut && narrowest.is_some_and(|width| width > 2.0 * moved) {
         Culled::Yes
     } else {
         Culled::Perhaps

@@ -9,7 +9,7 @@ use super::{
     surface::{Depths, Source, Surface, ViewRay},
 };
 use crate::{
-    camera::View,
+    camera::{Lens, View},
     geometry::clip,
     render::{
         rounding::{U, larger},
@@ -47,8 +47,8 @@ pub(super) struct Polygon {
     pub shown: Vec<DVec3>,
     /// A bound on the error of each.
     pub error: ViewError,
-    /// Whether the near plane cuts it.
-    pub is_cut: bool,
+    /// Whether the near or the far plane may cut it.
+    pub may_be_cut: bool,
 }
 
 /// A flat convex polygon at a pixel, drawn on a grid of `grid_px`; `None` when all of it lies in front of the near
@@ -61,7 +61,7 @@ pub(super) fn polygon(
     source: &Source,
 ) -> Option<Polygon> {
     let (view, depths) = (space.view(), Depths::new(space));
-    let near = view.camera.lens().near;
+    let Lens { near, far, .. } = *view.camera.lens();
     let ray = ViewRay::new(view, px);
     let [a, b, c] = [0, 1, 2].map(|i| corners[i].view);
     let normal = (b - a).cross(c - a);
@@ -126,6 +126,8 @@ pub(super) fn polygon(
         let at_edge = edges.filter_map(|(_, outline)| outline.reason());
         Some(reason.and(at_edge.map(|reason| reason.class).min()?))
     });
+    let kept = cut_error..=far - near - depths.far_error(&error);
+    let may_be_cut = !corners.iter().all(|at| kept.contains(&at.view.z));
     let section = Sectioned::new(space);
     let section = section.face(px, past_near, slope_px, [grid_px, f32_px], &error, || {
         interpolation::error(view, |z| section.q(z), &shown, px, [grid_px, aside_px])
@@ -157,7 +159,7 @@ pub(super) fn polygon(
         edges,
         shown,
         error,
-        is_cut: seen.iter().any(|corner| corner.is_cut),
+        may_be_cut,
     })
 }
 

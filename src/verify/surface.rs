@@ -277,22 +277,38 @@ impl Depths {
             + underflow
     }
 
-    /// How far drawing may misplace the near plane, in depth. In reversed depth, clipping compares a product of two
-    /// rounded factors with w, which is the near plane's depth, or 1 in orthographic projection. Their difference
-    /// changes with depth by 1 plus the factor, or by the factor in orthographic projection. In standard depth,
-    /// clipping tests the sign of the measured depth. Infinite where `f64` does not hold the factor.
+    /// How far drawing may misplace the near plane, in depth. Clipping compares a product of two rounded factors with w,
+    /// or with 0 where the depth buffer stores 0; see [`Self::error_at_w`]. Infinite where `f64` does not hold the factor.
     pub fn near_error(&self, error: &ViewError, exact: bool) -> f64 {
-        if self.lens.depth == DepthMapping::Standard {
-            return error.measured;
+        match self.lens.depth {
+            DepthMapping::Reversed => self.error_at_w(self.lens.near, error, exact),
+            DepthMapping::Standard => error.measured,
         }
-        let factor = self.per_measured.abs();
+    }
+
+    /// The same of the far plane.
+    pub fn far_error(&self, error: &ViewError) -> f64 {
+        match self.lens.depth {
+            DepthMapping::Reversed => error.measured,
+            DepthMapping::Standard => self.error_at_w(self.lens.far, error, false),
+        }
+    }
+
+    /// How far drawing may misplace the plane where the depth buffer stores 1. There the product equals w, which is the
+    /// plane's depth, or 1 in orthographic projection. Their difference changes with depth by the factor, less 1 in
+    /// perspective. `exact` says that `f32` holds the product.
+    fn error_at_w(&self, plane: f64, error: &ViewError, exact: bool) -> f64 {
+        let factor = self.per_measured;
         let (w, of_w, change) = match self.lens.projection {
-            Projection::Perspective { .. } => (self.lens.near, error.depth, 1.0 + factor),
-            Projection::Orthographic { .. } => (1.0, 0.0, factor),
+            Projection::Perspective { .. } => (plane, error.depth, (factor - 1.0).abs()),
+            Projection::Orthographic { .. } => (1.0, 0.0, factor.abs()),
         };
         let of_product = 2.0 * U * w + 2.0 * UNDERFLOW / self.unit_of_w;
         let product = if exact { 0.0 } else { of_product };
-        larger((product + factor * error.measured + of_w) / change, 0.0)
+        larger(
+            (product + factor.abs() * error.measured + of_w) / change,
+            0.0,
+        )
     }
 
     /// Whether `f32` represents exactly what clipping compares at this depth.

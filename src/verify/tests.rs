@@ -185,37 +185,43 @@ fn projected_points_lie_within_their_bounds() {
     shares.reach(0.3);
 }
 
-/// Clipping at the near plane decides rightly wherever the plane is farther off than the bound.
+/// Clipping at the near and the far plane decides rightly wherever the plane is farther off than the bound.
 #[test]
-fn the_near_plane_cuts_within_its_bound() {
+fn planes_cut_within_their_bounds() {
     for mapping in MAPPINGS {
-        for orthographic in [false, true] {
+        for (orthographic, is_far) in [(false, false), (false, true), (true, false), (true, true)] {
             let mut shares = Shares::default();
             for i in 0..20_000 {
                 let mut random = Random(i);
                 let view = view(&mut random, mapping, orthographic);
                 let (space, lens) = (ViewSpace::new(&view), *view.camera.lens());
                 let (depths, unit) = (Depths::new(&space), space.unit());
-                let to_origin = depth_origin(&view) - lens.near;
+                let plane = if is_far { lens.far } else { lens.near };
+                let from_origin = plane - depth_origin(&view);
                 let error = ViewError {
                     aside: DVec2::ZERO,
-                    depth: 4.0 * U * lens.near,
-                    measured: 4.0 * U * to_origin.abs().max(lens.near),
+                    depth: 4.0 * U * plane,
+                    measured: 4.0 * U * from_origin.abs().max(lens.near),
                 };
-                let bound = depths.near_error(&error, false);
-                let past_near = 1.5 * bound * random.next();
-                let exact = [past_near - to_origin, lens.near + past_near];
+                let bound = if is_far {
+                    depths.far_error(&error)
+                } else {
+                    depths.near_error(&error, false)
+                };
+                let past = 1.5 * bound * random.next();
                 // A quarter of the bound is left for rounding.
                 let mut off = |at: f64, error: f64| at + 0.75 * error * random.next().signum();
-                let measured = rounded(unit * off(exact[0], error.measured));
-                let depth = rounded(unit * off(exact[1], error.depth));
+                let measured = rounded(unit * off(from_origin + past, error.measured));
+                let depth = rounded(unit * off(plane + past, error.depth));
                 let clip = product(transform::frame(&view).clip_per_depth, measured);
-                let is_seen = match mapping {
-                    DepthMapping::Reversed => clip <= if orthographic { 1.0 } else { depth },
-                    DepthMapping::Standard => clip >= 0.0,
+                let stores_0 = is_far == (mapping == DepthMapping::Reversed);
+                let is_seen = if stores_0 {
+                    clip >= 0.0
+                } else {
+                    clip <= if orthographic { 1.0 } else { depth }
                 };
-                if is_seen != (past_near >= 0.0) {
-                    shares.add(past_near, bound);
+                if is_seen != (is_far == (past < 0.0)) {
+                    shares.add(past, bound);
                 }
             }
             shares.reach(0.3);

@@ -2,10 +2,10 @@
 //! `edge_px` see `edges`.
 
 use crate::common::{Random, mesh, orthographic, perspective, scene_of, view};
-use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2};
+use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3, dvec2};
 use sightline::{
     camera::View,
-    geometry::Placement,
+    geometry::{Placement, Sides},
     pick::{self, Pick},
     scene::{Object, Scene, Shape},
 };
@@ -81,6 +81,57 @@ fn differs_px_is_the_way_to_the_nearest_pixel_that_shows_something_else() {
         }
     }
     assert!(near > 500 && none > 20, "{near} near, {none} far");
+}
+
+/// The near plane cuts the tip off a solid that faces the eye; the hole lies in the middle of what shows.
+#[test]
+fn differs_px_finds_what_the_near_plane_cuts_out_of_a_solid() {
+    let mut random = Random::new(52);
+    let mut far = 0;
+    for case in 0..8 {
+        let rotation = DQuat::from_axis_angle(random.direction(), random.within(0.0, 3.0));
+        let center = random.point(20.0);
+        let model = DAffine3::from_scale_rotation_translation(DVec3::splat(3.0), rotation, center);
+        let eye = center + 4.0 * random.direction();
+        let camera = |near| perspective(50.0, near, 100.0);
+        let framed = |near| view(eye.into(), center.into(), camera(near), [80, 60]);
+        let (shape, nearest) = if case % 2 == 0 {
+            (Shape::Sphere, 2.5)
+        } else {
+            let signs = (0..8).map(|i| DVec3::from_array([1, 2, 4].map(|bit| f64::from(i & bit))));
+            let corners = signs.map(|s| model.transform_point3(s.signum() * 0.5));
+            let depths = corners.map(|p| framed(0.1).camera.forward().dot(p - eye));
+            (Shape::Cube, depths.fold(f64::INFINITY, f64::min))
+        };
+        let scene = scene_of(shape, model);
+        scene.build_trees();
+        let mut view = framed(nearest + 0.02);
+        view.sides = Sides::Front;
+        let (ids, _) = pick::raycast(&scene, &view);
+        let nothing = || {
+            ids.positions()
+                .zip(ids.pixels())
+                .filter(|(_, id)| id.object == 0)
+        };
+        for ((x, y), _) in ids
+            .positions()
+            .zip(ids.pixels())
+            .filter(|(_, id)| id.object == 1)
+        {
+            let center = dvec2(x.into(), y.into());
+            let truth = nothing()
+                .map(|((x, y), _)| center.distance(dvec2(x.into(), y.into())))
+                .fold(f64::INFINITY, f64::min);
+            let pick = pick::pick(&scene, &view, center + 0.5).expect("it shows");
+            assert_eq!(
+                pick.differs_px,
+                (truth <= 8.0).then_some(truth),
+                "case {case} at {center}"
+            );
+            far += i32::from((4.0..=8.0).contains(&truth));
+        }
+    }
+    assert!(far > 1000, "only {far}");
 }
 
 #[test]

@@ -20,7 +20,7 @@ use sightline::{
 
 /// A pipe in front of a wall, six pixels wide and made of strips 1/400 pixel wide. Drawing may move an edge onto every
 /// pixel of the pipe, yet nothing but the pipe can show there.
-fn pipe() -> (Scene, View) {
+fn pipe(lens: Lens) -> (Scene, View) {
     const STRIPS: u32 = 4000;
     let mut positions = Vec::new();
     let mut triangles = Vec::new();
@@ -41,16 +41,17 @@ fn pipe() -> (Scene, View) {
         object("pipe", mesh, DAffine3::from_rotation_z(0.3), None),
         object("wall", Shape::Square, wall, None),
     ]);
-    let lens = orthographic(7.5, 0.5, 20.0);
     let view = view([0.0, 0.0, 5.0], [0.01, 0.02, 0.0], lens, SIZE);
     (scene, view)
 }
 
 #[test]
 fn a_mesh_missing_whose_triangles_are_slimmer_than_the_grid() {
-    let (scene, both_sides) = pipe();
-    for view in [both_sides, culled(&both_sides)] {
-        is_missed(&scene, &view, 150);
+    for lens in [orthographic(7.5, 0.5, 20.0), perspective(73.0, 0.5, 20.0)] {
+        let (scene, both_sides) = pipe(lens);
+        for view in [both_sides, culled(&both_sides)] {
+            is_missed(&scene, &view, 150);
+        }
     }
 }
 

@@ -14,6 +14,7 @@ use glam::{DAffine3, DQuat, DVec2, DVec3};
 use sightline::{
     camera::{Camera, View},
     geometry::Section,
+    image::Id,
     pick,
     render::{Renderer, SceneBuffers},
     scene::Scene,
@@ -154,6 +155,30 @@ fn deeper_than_its_corners() {
     assert_eq!(report.drawn, report.pixels, "the wall fills the picture");
 }
 
+/// The near plane cuts off a corner by less than `f32` resolves. What is left may be drawn with a sliver that turned
+/// over, as an NVIDIA H100 draws this one.
+#[test]
+fn turned_over_by_the_near_plane() {
+    let back = [
+        DVec3::new(43.210_51, 29.388_256, -13.396_393),
+        DVec3::new(53.976_68, 5.692_987, -9.999_953),
+        DVec3::new(45.041_748, 23.236_707, -10.153_707),
+    ];
+    let mut scene = scene_of(&[back]);
+    scene.set_visible(1, false);
+    let [orthographic, _] = views();
+    let view = culled(&orthographic);
+    let mut drawn = drawn_once(&scene, &view);
+    let pixel = 32 * SIZE[0] as usize + 113;
+    drawn.pixels_mut()[pixel] = Id {
+        object: 1,
+        triangle: 1,
+    };
+    let report = compare(&scene, &view, &drawn, &pick::ids(&scene, &view));
+    assert_eq!(report.count(Class::Edge), 1, "{:?}", report.worst());
+    assert_eq!(report.verdict(), Verdict::Agrees, "{:?}", report.worst());
+}
+
 /// This one is so slim that `f32` loses its area, so nothing bounds the depths that are drawn.
 #[test]
 fn slimmer_than_f32() {
@@ -171,8 +196,10 @@ fn slimmer_than_f32() {
     let view = "--size 40x60 --eye=0,0,0 --look=0,0,-1 --ortho 13.047210075203077";
     let counts = Counts::of(extremes::run(Some(&file), view));
     assert_eq!(counts.get("unexplained"), 0, "{}", counts.line);
-    // Drawing shows it before the wall.
-    assert_eq!(counts.get("beyond_f32"), 1, "{}", counts.line);
+    // lavapipe shows it before the wall, an NVIDIA H100 does not.
+    let adapter = counts.line["adapter"].as_str().expect("a name");
+    let shown = u64::from(adapter.contains("llvmpipe"));
+    assert_eq!(counts.get("beyond_f32"), shown, "{}", counts.line);
 }
 
 #[test]

@@ -90,3 +90,17 @@ fn shifted(n: &BigInt, up: i64) -> BigInt {
 pub(super) fn bit_length(n: &BigInt) -> i64 {
     i64::try_from(n.bits()).unwrap_or(i64::MAX)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    #[test]
+    fn a_vector_is_zero_where_all_components_are() {
+        assert!(DyadicVector::new(DVec3::ZERO).is_zero());
+        for axis in DVec3::AXES {
+            assert!(!DyadicVector::new(axis).is_zero());
+        }
+    }
+}

@@ -257,4 +257,19 @@ mod tests {
         // Half an epsilon, the last place of 1.5, decides; signs need twice the error, so the limit is 0.25.
         assert!(quotient(0.3).is_err());
     }
+
+    /// The bound's error alone leaves the rounding; with the digits that integers cut off, a midpoint may be reached.
+    #[test]
+    fn numbers_of_either_sign_are_in_doubt_beside_a_midpoint() {
+        let error = power_of_two(-61);
+        let decided = |sign: f64, to_midpoint: f64| {
+            let (hi, lo) = (sign, sign * (0.5 * f64::EPSILON - to_midpoint * error));
+            let value = DoubleDouble { hi, lo };
+            Enclosure { value, error }.decided_value().ok()
+        };
+        for sign in [-1.0, 1.0] {
+            assert_eq!(decided(sign, 1.5), None);
+            assert_eq!(decided(sign, 2.5), Some((sign, 0)));
+        }
+    }
 }

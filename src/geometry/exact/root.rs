@@ -245,22 +245,20 @@ impl Quotient {
     }
 }
 
-/// `value * 2^exponent`, rounded once.
+/// `value * 2^exponent`, rounded once; at least one bit lies below the result's last place.
 fn round_scaled(value: u128, exponent: i64) -> f64 {
     let bits = i64::from(u128::BITS - value.leading_zeros());
     // The unit of the last place that the result has.
     let unit = (bits + exponent - 53).max(-1074);
     let drop = unit - exponent;
-    let (kept, unit) = if drop <= 0 {
-        (value, exponent)
-    } else if drop > 127 {
-        (0, unit)
+    let kept = if drop > 127 {
+        0
     } else {
         let kept = value >> drop;
         let rest = value & ((1 << drop) - 1);
         let half = 1_u128 << (drop - 1);
         let up = rest > half || rest == half && kept & 1 == 1;
-        (kept + u128::from(up), unit)
+        kept + u128::from(up)
     };
     #[expect(
         clippy::cast_precision_loss,
@@ -286,5 +284,49 @@ fn agreed<T: PartialEq>(ends: impl Fn(u64) -> [T; 2]) -> T {
             return low;
         }
         bits *= 2;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::random::Random;
+
+    /// Decimals are quotients, which the standard library rounds rightly.
+    #[test]
+    fn decimals_round_as_when_they_are_read() {
+        let mut random = Random(31);
+        let mut subnormals = 0;
+        for case in 0..20_000 {
+            let digits = (1e18 * random.next()).round().to_string();
+            let places = case % 370;
+            let decimal: f64 = format!("{digits}e-{places}").parse().expect("a number");
+            let by = BigInt::from(10).pow(places);
+            let digits: BigInt = digits.parse().expect("digits");
+            let quotient = Root::quotient(Number::scaled(digits, 0), Number::scaled(by, 0));
+            let rounded = quotient.expect("not 0").to_f64();
+            assert_eq!(rounded.to_bits(), decimal.to_bits(), "{decimal:e}");
+            subnormals += i32::from(decimal.is_subnormal());
+        }
+        assert!(subnormals > 500, "{subnormals} subnormal numbers");
+    }
+
+    /// Roots beside the middle between 1 and its successor, by less than the first enclosure can tell.
+    #[test]
+    fn roots_beside_a_midpoint_round_to_its_side() {
+        const BITS: u64 = 200;
+        let middle = (BigInt::from(1) << BITS) + (BigInt::from(1) << (BITS - 53));
+        for (beside, rounded) in [(-1, 1.0), (0, 1.0), (1, 1.0 + f64::EPSILON)] {
+            for minus in [false, true] {
+                let root = Root {
+                    p: BigInt::ZERO,
+                    minus,
+                    q: &middle * &middle + beside,
+                    r: BigInt::from(1) << BITS,
+                };
+                let rounded = if minus { -rounded } else { rounded };
+                assert_eq!(root.to_f64().to_bits(), rounded.to_bits(), "{beside}");
+            }
+        }
     }
 }

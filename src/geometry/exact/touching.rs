@@ -122,3 +122,47 @@ impl Formula for Turn<'_> {
         turn.sign()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_point_is_between_ends_on_the_segment_alone() {
+        let ends = [DVec3::new(1.0, 2.0, 3.0), DVec3::new(4.0, -1.0, 9.0)];
+        for (share, expected) in [
+            (-0.5, false),
+            (0.0, true),
+            (0.25, true),
+            (1.0, true),
+            (1.5, false),
+        ] {
+            let point = ends[0].lerp(ends[1], share);
+            assert_eq!(is_between(point, ends), expected, "{share}");
+            assert_eq!(is_between(point, [ends[1], ends[0]]), expected, "{share}");
+        }
+        // In the box of both ends, but beside the line.
+        assert!(!is_between(DVec3::new(2.0, 0.0, 5.0), ends));
+    }
+
+    /// Triangles with a corner on the edge of another, which lie on one side of it or the other.
+    #[test]
+    fn triangles_at_an_edge_overlap_on_its_inner_side() {
+        let xy = |[x, y]: [f64; 2]| DVec3::new(x, y, 0.0);
+        let corners = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]].map(xy);
+        for i in 0..3 {
+            let [a, b, c] = [0, 1, 2].map(|k| corners[(i + k) % 3]);
+            let at = 0.5 * (a + b);
+            let outwards = at - c;
+            let beside = |side: f64| [at, a + side * outwards, b + side * outwards];
+            assert!(overlap_at(at, corners, beside(-0.25)), "edge {i}");
+            assert!(!overlap_at(at, corners, beside(0.25)), "edge {i}");
+            assert!(
+                !overlap_at(at + outwards, corners, beside(-0.25)),
+                "edge {i}"
+            );
+            let lifted = beside(-0.25).map(|p| if p == at { p } else { p + DVec3::Z });
+            assert!(!overlap_at(at, corners, lifted), "edge {i}");
+        }
+    }
+}

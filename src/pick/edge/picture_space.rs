@@ -190,3 +190,19 @@ fn length<I: Decided>(x: &Number<I>, y: &Number<I>) -> Result<(f64, i64), InDoub
 fn quotient(a: (f64, i64), b: (f64, i64)) -> f64 {
     times_power_of_two(a.0 / b.0, a.1 - b.1)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_bigint::BigInt;
+
+    #[test]
+    fn lengths_hold_numbers_of_any_sizes() {
+        let number = |exponent| Number::<BigInt>::scaled(BigInt::from(1), exponent);
+        let one = number(0);
+        for [u, v, expected] in [[600, -600, 600], [-600, 600, 600], [-600, -900, -600]] {
+            let px = distance_px(&number(u), &number(v), &one).ok();
+            assert_eq!(px, Some(times_power_of_two(1.0, expected)));
+        }
+    }
+}
