@@ -228,6 +228,21 @@ mod tests {
     }
 
     #[test]
+    fn surfaces_within_their_rounding_precede_each_other() {
+        let stored = |nearness| Stored {
+            nearness,
+            nearest: nearness,
+            farthest: nearness,
+            rounding: 1.0,
+            ceiling: 0.0,
+            beyond_f32: false,
+        };
+        let [far, within, near] = [0.0, 1.5, 3.0].map(stored);
+        assert!(far.precedes(&within) && within.precedes(&near) && near.precedes(&far));
+        assert!(!far.precedes(&near));
+    }
+
+    #[test]
     fn a_bound_of_zero_allows_nothing() {
         assert_eq!(strain(0.5, 1.0), Some(0.5));
         for allowed in [0.0, f64::INFINITY, f64::NAN] {

@@ -56,13 +56,12 @@ pub(super) struct Vertices {
 }
 
 impl Flat<'_> {
-    /// A single face, all of whose edges are outlines; `None` when all of it lies in front of the near plane.
+    /// A single face, as if no edge of it were near; `None` when all of it lies in front of the near plane.
     pub fn face(&self, corners_vertex_space: &[DVec3]) -> Option<Surface> {
-        let polygon = self.polygon(corners_vertex_space)?;
-        Some(surface(polygon, |_, _| false))
+        Some(self.polygon(corners_vertex_space)?.surface)
     }
 
-    /// A square as drawn: [`Flat::face`], or `None` where it is culled.
+    /// A square, all of whose edges are outlines; `None` where it is culled or all of it lies in front of the near plane.
     pub fn square(&self) -> Option<Surface> {
         let polygon = self.polygon(&Square::corners())?;
         (self.culled(&polygon) != Culled::Yes).then(|| surface(polygon, |_, _| false))

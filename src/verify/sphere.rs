@@ -142,3 +142,56 @@ impl Change {
         2.0 * change / (slope + (slope * slope + 4.0 * bend * change).sqrt())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        camera::{Camera, DepthMapping, Lens, View, Viewport},
+        geometry::random::Random,
+    };
+    use glam::DVec3;
+
+    /// Positions in pictures of spheres as large as the picture: no discriminant changes by more than its bound.
+    #[test]
+    fn a_discriminant_changes_within_its_bound() {
+        let viewport = Viewport::new(64, 48).expect("a viewport");
+        let mut random = Random(61);
+        for projection in [
+            Projection::Perspective { fov_y: 1.0 },
+            Projection::Orthographic { height: 1.5 },
+        ] {
+            let lens = Lens {
+                projection,
+                near: 0.1,
+                far: 10.0,
+                depth: DepthMapping::Reversed,
+            };
+            let mut reached = 0.0_f64;
+            for _ in 0..20_000 {
+                let eye = 2.0 * random.point().normalize();
+                let camera = Camera::new(eye, DVec3::ZERO, DVec3::Y, lens).expect("a camera");
+                let grid = View::new(camera, viewport).camera.pixel_grid(viewport);
+                let ray = |px| grid.differential::<DoubleDouble>(px, DVec3::ZERO);
+                let discriminant = |px| {
+                    let (o, d) = (ray(px).origin, ray(px).direction);
+                    let moment = o.cross(d).rounded().length_squared();
+                    Sphere::RADIUS.powi(2) * d.rounded().length_squared() - moment
+                };
+                let px = 24.0 * (random.point().truncate() + 1.0);
+                let aside = 10.0 * random.point().truncate();
+                let change = Change::of_discriminant(projection, &ray(px));
+                let (s, changed) = (aside.length(), discriminant(px + aside) - discriminant(px));
+                let bound = change.slope * s + change.bend * s * s;
+                assert!(
+                    changed.abs() <= bound + 1e-12,
+                    "{changed} at {px} and {aside}"
+                );
+                reached = reached.max(changed.abs() / bound);
+                let nearest = change.least_distance_px(bound);
+                assert!((nearest - s).abs() <= 1e-9 * s, "{nearest} for {s}");
+            }
+            assert!(reached > 0.9, "{projection:?}: {reached}");
+        }
+    }
+}

@@ -335,3 +335,31 @@ fn sections_decide_within_their_bounds_on_moved_corners() {
     assert!(kept_in_plane > 1000, "{kept_in_plane}");
     shares.reach(0.3);
 }
+
+/// Near and far are powers of two, so only the depth's own digits count.
+#[test]
+fn clipping_is_exact_where_f32_holds_the_depth() {
+    for orthographic in [false, true] {
+        let projection = if orthographic {
+            Projection::Orthographic { height: 4.0 }
+        } else {
+            Projection::Perspective { fov_y: 1.0 }
+        };
+        for depth in MAPPINGS {
+            let (near, far) = (1.0, 2.0);
+            let lens = Lens {
+                projection,
+                near,
+                far,
+                depth,
+            };
+            let camera = Camera::new(DVec3::Z, DVec3::ZERO, DVec3::Y, lens).expect("a camera");
+            let view = View::new(camera, Viewport::new(8, 8).expect("a viewport"));
+            let depths = Depths::new(&ViewSpace::new(&view));
+            for (past_near, expected) in [(0.0, true), (-0.25, true), (0.1, false)] {
+                let found = depths.clips_exactly(past_near);
+                assert_eq!(found, expected, "{projection:?} {depth:?} {past_near}");
+            }
+        }
+    }
+}

@@ -129,7 +129,7 @@ mod tests {
 
     #[test]
     fn a_point_is_between_ends_on_the_segment_alone() {
-        let ends = [DVec3::new(1.0, 2.0, 3.0), DVec3::new(4.0, -1.0, 9.0)];
+        let ends = [DVec3::new(1.0, -1.0, 3.0), DVec3::new(4.0, 2.0, 9.0)];
         for (share, expected) in [
             (-0.5, false),
             (0.0, true),
@@ -142,7 +142,7 @@ mod tests {
             assert_eq!(is_between(point, [ends[1], ends[0]]), expected, "{share}");
         }
         // In the box of both ends, but beside the line.
-        assert!(!is_between(DVec3::new(2.0, 0.0, 5.0), ends));
+        assert!(!is_between(DVec3::new(2.0, 1.0, 5.0), ends));
     }
 
     /// Triangles with a corner on the edge of another, which lie on one side of it or the other.
