@@ -82,3 +82,36 @@ fn grey(pixel: Rgb) -> Rgb {
     let luma = (2126 * r + 7152 * g + 722 * b) / 10_000;
     [u8::try_from(64 + luma / 2).unwrap_or(u8::MAX); 3]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::image::Id;
+
+    #[test]
+    fn marks_stay_in_the_picture() {
+        let size = Viewport::new(4, 3).expect("a viewport");
+        let at = |pixel| Disagreement {
+            pixel,
+            drawn: Id::default(),
+            picked: Id::default(),
+            class: Class::Edge,
+            strain: 1.0,
+            outline_px: 0.0,
+            outline_error_px: 0.0,
+            depth: [1.0; 2],
+        };
+        for corner in [[0, 0], [3, 0], [0, 2], [3, 2]] {
+            let marks: Vec<_> = marks(size, &[at(corner)]).collect();
+            assert_eq!(
+                marks.len(),
+                4 + 1,
+                "a ring of four pixels and the pixel itself"
+            );
+            assert!(
+                marks.iter().all(|([x, y], _)| *x < 4 && *y < 3),
+                "{marks:?}"
+            );
+        }
+    }
+}
