@@ -18,8 +18,8 @@ pub fn depth_origin(view: &View) -> f64 {
 }
 
 /// View units per world unit, a power of two. It brings what the picture shows into `f32`'s range, however large or
-/// small the scene is. In perspective w is then far from its ends: an NVIDIA H100 draws nothing where the square of w
-/// leaves that range.
+/// small the scene is. In perspective it puts 1 between the w of near and of far: an NVIDIA H100 draws nothing where the
+/// square of w leaves that range.
 #[must_use]
 pub fn view_unit(view: &View) -> f64 {
     let lens = view.camera.lens();

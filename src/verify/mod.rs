@@ -77,6 +77,7 @@ mod sphere;
 mod surface;
 #[cfg(test)]
 mod tests;
+mod view_ray;
 
 pub use one_place::{Places, in_one_place};
 pub use paint::{COLOURS, IN_ONE_PLACE, marks, paint};

@@ -22,7 +22,8 @@
 use super::{
     OUTLINE_CEILING_PX,
     face::{Face, Surfaces},
-    surface::{Depths, Surface, ViewRay},
+    surface::{Depths, Surface},
+    view_ray::ViewRay,
 };
 use crate::{
     camera::View,

@@ -6,7 +6,8 @@ use super::{
     interpolation,
     projection::{project_about, shift_px, w},
     section::Sectioned,
-    surface::{Depths, Source, Surface, ViewRay},
+    surface::{Depths, Source, Surface},
+    view_ray::ViewRay,
 };
 use crate::{
     camera::{Lens, View},

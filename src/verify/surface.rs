@@ -6,14 +6,14 @@ use super::{
 };
 use crate::{
     camera::{DepthMapping, Lens, Projection, View},
-    geometry::{Placement, double_double::Vector},
+    geometry::Placement,
     render::{
         rounding::{U, UNDERFLOW, is_f32, larger},
         transform::{VertexToView, ViewError},
         view_space::ViewSpace,
     },
 };
-use glam::{DAffine3, DVec2, DVec3};
+use glam::{DAffine3, DVec3};
 
 /// A surface that an id may stand for at a pixel.
 #[derive(Clone, Copy, Debug)]
@@ -366,43 +366,5 @@ impl Depths {
             }
             Projection::Orthographic { .. } => self.per_measured.abs(),
         }
-    }
-}
-
-/// The ray through a pixel position in view space, with depth past near as z: the point where it meets the near plane,
-/// its step per unit of depth, and the change of its origin or direction per pixel right and down.
-pub(super) struct ViewRay {
-    pub origin: DVec3,
-    pub direction: DVec3,
-    steps: [DVec3; 2],
-    lens: Lens,
-}
-
-impl ViewRay {
-    pub fn new(view: &View, px: DVec2) -> Self {
-        let lens = *view.camera.lens();
-        let grid = view.camera.pixel_grid(view.viewport).in_view_space();
-        let ray = grid.differential::<f64>(px, DVec3::ZERO);
-        let [origin, direction, right, down] =
-            [ray.origin, ray.direction, ray.right, ray.down].map(Vector::rounded);
-        Self {
-            origin: (origin + lens.near * direction).with_z(0.0),
-            direction,
-            steps: [right, down],
-            lens,
-        }
-    }
-
-    /// Depth past near at which it meets the plane through `point` with this normal.
-    pub fn depth_on(&self, point: DVec3, normal: DVec3) -> f64 {
-        normal.dot(point - self.origin) / normal.dot(self.direction)
-    }
-
-    /// Change of that depth per pixel right and down, at a view depth. It follows from `N . (o + z d - P) = 0`, where o
-    /// or d changes with the pixel.
-    pub fn slope(&self, depth: f64, normal: DVec3) -> DVec2 {
-        let [right, down] = self.steps;
-        -self.lens.w(depth) * DVec2::new(normal.dot(right), normal.dot(down))
-            / normal.dot(self.direction)
     }
 }

@@ -5,7 +5,8 @@ use super::{
     Class,
     projection::{project, shift_px},
     section::Sectioned,
-    surface::{Depths, ViewRay},
+    surface::Depths,
+    view_ray::ViewRay,
 };
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},

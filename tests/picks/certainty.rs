@@ -5,7 +5,8 @@ use crate::common::{Random, mesh, orthographic, perspective, scene_of, view};
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3, dvec2};
 use sightline::{
     camera::View,
-    geometry::{Placement, Sides},
+    geometry::{Cuboid, Placement, Sides},
+    image::{Id, Image},
     pick::{self, Pick},
     scene::{Object, Scene, Shape},
 };
@@ -42,28 +43,27 @@ fn crowded() -> (Scene, View) {
     (Scene::new(objects), view)
 }
 
+/// The distance to the nearest pixel with another id, where that is at most eight.
+fn differs_px(ids: &Image<Id>, px: (u32, u32)) -> Option<f64> {
+    let here = ids.at(px.0, px.1);
+    let center = |(x, y): (u32, u32)| dvec2(x.into(), y.into());
+    let others = ids.positions().filter(|&(x, y)| ids.at(x, y) != here);
+    let nearest = others.map(|other| center(px).distance(center(other)));
+    nearest.reduce(f64::min).filter(|px| *px <= 8.0)
+}
+
 #[test]
 fn differs_px_is_the_way_to_the_nearest_pixel_that_shows_something_else() {
     let (scene, view) = crowded();
     let (ids, _) = pick::raycast(&scene, &view);
     let (mut near, mut none) = (0, 0);
-    for ((x, y), here) in ids.positions().zip(ids.pixels()) {
+    for (x, y) in ids.positions() {
         let center = dvec2(x.into(), y.into());
         let Some(pick) = pick::pick(&scene, &view, center + 0.5) else {
             continue;
         };
-        let others = ids
-            .positions()
-            .zip(ids.pixels())
-            .filter(|(_, id)| *id != here);
-        let truth = others
-            .map(|((x, y), _)| center.distance(dvec2(x.into(), y.into())))
-            .fold(f64::INFINITY, f64::min);
-        assert_eq!(
-            pick.differs_px,
-            (truth <= 8.0).then_some(truth),
-            "at {center}"
-        );
+        let truth = differs_px(&ids, (x, y));
+        assert_eq!(pick.differs_px, truth, "at {center}");
         match pick.differs_px {
             Some(px) if px < 8.0 => near += 1,
             Some(_) => {}
@@ -73,11 +73,7 @@ fn differs_px_is_the_way_to_the_nearest_pixel_that_shows_something_else() {
             continue;
         }
         for pick in pick::pick_all(&scene, &view, center + 0.5) {
-            assert_eq!(
-                pick.differs_px,
-                (truth <= 8.0).then_some(truth),
-                "one number for all"
-            );
+            assert_eq!(pick.differs_px, truth, "one number for all");
         }
     }
     assert!(near > 500 && none > 20, "{near} near, {none} far");
@@ -98,37 +94,27 @@ fn differs_px_finds_what_the_near_plane_cuts_out_of_a_solid() {
         let (shape, nearest) = if case % 2 == 0 {
             (Shape::Sphere, 2.5)
         } else {
-            let signs = (0..8).map(|i| DVec3::from_array([1, 2, 4].map(|bit| f64::from(i & bit))));
-            let corners = signs.map(|s| model.transform_point3(s.signum() * 0.5));
+            let corners = Cuboid::bounds()
+                .corners()
+                .map(|p| model.transform_point3(p));
             let depths = corners.map(|p| framed(0.1).camera.forward().dot(p - eye));
-            (Shape::Cube, depths.fold(f64::INFINITY, f64::min))
+            (
+                Shape::Cube,
+                depths.into_iter().fold(f64::INFINITY, f64::min),
+            )
         };
         let scene = scene_of(shape, model);
         scene.build_trees();
         let mut view = framed(nearest + 0.02);
         view.sides = Sides::Front;
         let (ids, _) = pick::raycast(&scene, &view);
-        let nothing = || {
-            ids.positions()
-                .zip(ids.pixels())
-                .filter(|(_, id)| id.object == 0)
-        };
-        for ((x, y), _) in ids
-            .positions()
-            .zip(ids.pixels())
-            .filter(|(_, id)| id.object == 1)
-        {
+        let shown = ids.positions().filter(|&(x, y)| ids.at(x, y).object == 1);
+        for (x, y) in shown {
             let center = dvec2(x.into(), y.into());
-            let truth = nothing()
-                .map(|((x, y), _)| center.distance(dvec2(x.into(), y.into())))
-                .fold(f64::INFINITY, f64::min);
+            let truth = differs_px(&ids, (x, y));
             let pick = pick::pick(&scene, &view, center + 0.5).expect("it shows");
-            assert_eq!(
-                pick.differs_px,
-                (truth <= 8.0).then_some(truth),
-                "case {case} at {center}"
-            );
-            far += i32::from((4.0..=8.0).contains(&truth));
+            assert_eq!(pick.differs_px, truth, "case {case} at {center}");
+            far += i32::from(truth.is_some_and(|px| px >= 4.0));
         }
     }
     assert!(far > 1000, "only {far}");

@@ -258,7 +258,7 @@ mod tests {
         assert!(quotient(0.3).is_err());
     }
 
-    /// The bound's error alone leaves the rounding; with the digits that integers cut off, a midpoint may be reached.
+    /// The bound alone does not reach the midpoint between two `f64`. With the digits that integers cut off, it does.
     #[test]
     fn numbers_of_either_sign_are_in_doubt_beside_a_midpoint() {
         let error = power_of_two(-61);
