@@ -126,12 +126,6 @@ impl<'a> Exactly<'a> {
 }
 
 impl<'a> LocalRay<'a> {
-    /// Whether its numbers are exact as they stand.
-    #[inline]
-    pub(super) fn is_exact(&self) -> bool {
-        self.source.is_none()
-    }
-
     pub(super) fn exactly(&self) -> Exactly<'a> {
         match self.source {
             Some((world, placement)) => Exactly::placed(world, placement),

@@ -85,7 +85,8 @@ impl PixelRays {
         let size = a.abs() + b.abs();
         let rounded_base = DVec3::select(size.cmpgt(DVec3::ZERO), U * moved.abs(), DVec3::ZERO);
         let [right, up] = self.grid.half_pixels::<f64>(px);
-        let error = if self.is_bounded && is_moderate(right) && is_moderate(up) {
+        // Half pixels are 0 or at least 2^-53: their products underflow no more than the steps do.
+        let error = if self.is_bounded && right.is_finite() && up.is_finite() {
             7.0 * U * size + rounded_base
         } else {
             DVec3::INFINITY

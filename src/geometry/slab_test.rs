@@ -67,3 +67,48 @@ pub(crate) fn entry(
     // A ray parallel to a slab and outside of it enters it at infinity.
     (enter <= leave && enter < f64::INFINITY).then_some(enter)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Ray, random::Random};
+
+    /// A ray through a corner of a box is not said to miss it, however far from it the rounded ray is within its
+    /// errors. Errors are as large as the distance, and a third of rays would miss without room for them.
+    #[test]
+    fn uncertain_rays_do_not_miss() {
+        let mut random = Random(5);
+        let mut saved = 0;
+        for i in 0..200_000_u32 {
+            let [a, b] = [random.point(), random.point()];
+            let bounds = Aabb {
+                min: a.min(b),
+                max: a.max(b),
+            };
+            let origin = 3.0 * random.point();
+            let target = if i.is_multiple_of(2) {
+                bounds.min
+            } else {
+                bounds.max
+            };
+            let direction = (target - origin) * (1.5 + random.next());
+            let size = [DVec3::ONE * (target - origin).length(), direction];
+            let mut error = |of: usize, most: f64| {
+                // To one end of its range in each component.
+                let error =
+                    size[of].abs().max_element() * most * (-20.0 * random.next().max(0.0)).exp2();
+                (error, DVec3::splat(error).copysign(random.point()))
+            };
+            let (of_origin, moved) = error(0, 2.0);
+            let (of_direction, turned) = error(1, 0.49);
+            let rounded = Ray::over(origin + moved, direction + turned, [0.0, f64::INFINITY]);
+            let mut ray = VertexRay::exact(rounded);
+            let inverse = rounded.direction.recip();
+            saved += u32::from(!bounds.may_hit_before(&ray, inverse, f64::INFINITY));
+            ray.errors = [of_origin, of_direction];
+            let may_hit = bounds.may_hit_before(&ray, inverse, f64::INFINITY);
+            assert!(may_hit, "{bounds:?} {ray:?} {origin} {direction}");
+        }
+        assert!(saved > 60_000, "{saved}");
+    }
+}

@@ -79,7 +79,7 @@ pub use nearest::{all, closest};
 #[doc(hidden)] // public for tests
 pub use one_place::MOST_NAMED;
 pub use one_place::{InOnePlace, NamedSurface};
-pub(crate) use raycast::{RAYCAST_BYTES, each_ray};
+pub(crate) use raycast::{RAYCAST_BYTES, each_ray, id};
 pub use raycast::{ids, raycast};
 #[doc(hidden)] // public for tests and benches
 pub use raycast::{ids_by, mask_until, raycast_until};

@@ -193,7 +193,7 @@ fn id_or_none(scene: &Scene, hit: Option<SceneHit>) -> Id {
 }
 
 /// A hit as a picture's id.
-fn id(scene: &Scene, hit: &SceneHit) -> Id {
+pub(crate) fn id(scene: &Scene, hit: &SceneHit) -> Id {
     Id {
         object: u32::try_from(hit.object + 1).unwrap_or(u32::MAX),
         triangle: (hit.triangle_of_object(scene)).map_or(0, |triangle| triangle + 1),

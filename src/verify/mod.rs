@@ -242,11 +242,11 @@ fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Di
         (reason, depths)
     };
     let (reason, mut depth) = best.unwrap_or_else(unexplained);
-    if !depth[1].is_finite() && picked != Id::default() {
-        // A face seen edge-on has no depth of its own; the hit on its rim has.
-        let (scene, view) = (surfaces.scene, surfaces.space.view());
-        let hit = pick::closest(scene, view.ray(px), view.sides);
-        depth[1] = hit.map_or(f64::NAN, |hit| hit.hit.t);
+    // A surface that explains may be another face of the picked shape, or one seen edge-on, which has no depth.
+    let (scene, view) = (surfaces.scene, surfaces.space.view());
+    let hit = pick::closest(scene, view.ray(px), view.sides);
+    if let Some(hit) = hit.filter(|hit| pick::id(scene, hit) == picked) {
+        depth[1] = hit.hit.t;
     }
     Disagreement {
         pixel,

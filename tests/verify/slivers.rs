@@ -7,7 +7,7 @@ use crate::{
     compare, drawn, drawn_once,
     extremes::{self, Counts},
     models::slivers_before,
-    scenes::gpu,
+    scenes::{gpu, object},
     sections,
 };
 use glam::{DAffine3, DQuat, DVec2, DVec3};
@@ -17,7 +17,7 @@ use sightline::{
     image::Id,
     pick,
     render::{Renderer, SceneBuffers},
-    scene::Scene,
+    scene::{Scene, Shape},
     verify::{Class, Verdict},
 };
 
@@ -177,6 +177,32 @@ fn turned_over_by_the_near_plane() {
     let report = compare(&scene, &view, &drawn, &pick::ids(&scene, &view));
     assert_eq!(report.count(Class::Edge), 1, "{:?}", report.worst());
     assert_eq!(report.verdict(), Verdict::Agrees, "{:?}", report.worst());
+}
+
+/// Pixels exactly on the rim of a cube's front: drawing leaves out one of two opposite edges, the pick has both. Whatever
+/// face explains that, the front, a side seen edge-on or the back, the depth is the pick's.
+#[test]
+fn picked_on_a_rim_at_the_depth_of_the_pick() {
+    let scene = Scene::new(vec![object("cube", Shape::Cube, DAffine3::IDENTITY, None)]);
+    // 16 pixels a unit.
+    let lens = orthographic(65.0 / 16.0, 0.1, 100.0);
+    for (to_eye, up) in [
+        (DVec3::X, DVec3::Y),
+        (DVec3::Y, DVec3::Z),
+        (DVec3::Z, DVec3::Y),
+    ] {
+        for to_eye in [to_eye, -to_eye] {
+            let camera = Camera::looking(3.5 * to_eye, -to_eye, up, lens).expect("a camera");
+            let view = View {
+                camera,
+                ..view([0.0, 0.0, 3.5], [0.0; 3], lens, [65, 65])
+            };
+            let picked = pick::ids(&scene, &view);
+            let report = compare(&scene, &view, &drawn_once(&scene, &view), &picked);
+            let depths: Vec<_> = report.disagreements.iter().map(|at| at.depth[1]).collect();
+            assert_eq!(depths, [3.0; 33], "{to_eye}");
+        }
+    }
 }
 
 /// This one is so slim that `f32` loses its area, so nothing bounds the depths that are drawn.

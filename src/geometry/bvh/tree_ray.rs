@@ -127,10 +127,9 @@ impl TreeRay {
         // False for NaN.
         let is_near = away <= NEAR * frame.most;
         let [of_origin, of_direction] = local.errors;
-        let is_exact = local.is_exact()
-            || of_origin * frame.scale <= NOTHING * f64::from(frame.most)
-                && of_direction <= NOTHING * f64::from(size);
-        let placed = if is_near && is_exact && (LEAST_SIZE..=1.0 / LEAST_SIZE).contains(&size) {
+        let is_precise = of_origin * frame.scale <= NOTHING * f64::from(frame.most)
+            && of_direction <= NOTHING * f64::from(size);
+        let placed = if is_near && is_precise && (LEAST_SIZE..=1.0 / LEAST_SIZE).contains(&size) {
             Placed {
                 origin,
                 direction,
@@ -310,10 +309,12 @@ mod tests {
 
     /// The padding's derivation holds against planes met in `f64`, fused and not: no box is entered late or left early,
     /// and errors reach at least 3 of the proven 7 `u D_a`. An interval that ends at a plane does not end before it.
+    /// Every fourth ray is known with an error only: what holds for it holds for the ray that it stands for.
     #[test]
     fn boxes_are_entered_in_time() {
         let mut random = Random(7);
         let mut worst = 0.0_f64;
+        let mut walked = [0; 2];
         for i in 0..3_000_000_u32 {
             let most = 2_f64.powi(i32::from((i % 41) as u8) - 20);
             let most = most * (1.5 + 0.4 * random.next());
@@ -331,9 +332,29 @@ mod tests {
             let origin = away * most * random.point();
             let direction = (target - origin) * (1.0 + 0.9 * random.next());
             let ray = Ray::over(origin, direction, [0.0, f64::INFINITY]);
-            let Ok(prepared) = TreeRay::prepare(&(&ray).into(), &DVec3::ZERO, &frame) else {
+            let is_known = !i.is_multiple_of(4);
+            let size = ray.direction.abs().max_element();
+            let of = |size: f64, exponent: f64| {
+                if is_known {
+                    0.0
+                } else {
+                    size * exponent.exp2()
+                }
+            };
+            let errors = [most, size].map(|size| of(size, -20.0 + 18.0 * random.next()));
+            let [of_origin, of_direction] = errors.map(|error| error * random.point());
+            let origin = ray.origin + of_origin;
+            let rounded = Ray {
+                origin,
+                direction: ray.direction + of_direction,
+                ..ray
+            };
+            let mut local = LocalRay::from(&rounded);
+            local.errors = errors;
+            let Ok(prepared) = TreeRay::prepare(&local, &DVec3::ZERO, &frame) else {
                 continue;
             };
+            walked[usize::from(is_known)] += 1;
             for axis in 0..3 {
                 let exact = (f64::from(plane) - origin[axis]) / ray.direction[axis];
                 // No box reaches so far outside.
@@ -352,11 +373,14 @@ mod tests {
                 for (enter, leave) in [(enter, leave), (fused[0], fused[1])] {
                     let spare = (exact - f64::from(enter)).min(f64::from(leave) - exact) / unit;
                     assert!(spare >= 0.0, "{spare} {ray:?} {plane}");
-                    worst = worst.max(f64::from(PAD) - spare);
+                    if is_known {
+                        worst = worst.max(f64::from(PAD) - spare);
+                    }
                 }
             }
         }
         println!("worst error {worst:.2} u D_a of a proven 7 and an allowed {PAD}");
         assert!((3.0..=7.0).contains(&worst), "{worst}");
+        assert!(walked[0] > 400_000 && walked[1] > 2_000_000, "{walked:?}");
     }
 }

@@ -77,6 +77,72 @@ fn local_rays_are_within_their_bounds() {
     assert!((5_000..55_000).contains(&by_exact), "{by_exact}");
 }
 
+/// Steps of every size of `f64`, each factor with its own: bounds hold wherever they are claimed.
+#[test]
+fn steps_of_every_size_are_within_their_bounds() {
+    let mut random = Random(12);
+    let mut claimed = 0;
+    for i in 0..60_000_u32 {
+        // Three out of four factors are moderate.
+        let mut size = || {
+            let exponent = if random.next() < 0.5 { 400.0 } else { 1070.0 };
+            exponent * random.next()
+        };
+        let [of_right, of_up, of_height, of_eye] = [(); 4].map(|()| size().exp2());
+        let camera = PixelGrid {
+            eye: of_eye * random.point(),
+            right: of_right * random.point(),
+            up: of_up * random.point(),
+            forward: if i.is_multiple_of(3) {
+                DVec3::ZERO
+            } else {
+                random.point()
+            },
+            half_height: of_height * (1.5 + random.next()),
+            size_px: [1280, 721],
+            is_orthographic: i.is_multiple_of(2),
+        };
+        let px = DVec2::new(640.0, 360.0) + 640.0 * random.point().truncate();
+        let world = camera.ray(px, [0.0, 1.0]);
+        let bounds = [world.error().origin, world.error().direction];
+        let is_claimed = bounds.iter().all(|bound| bound.is_finite());
+        if !is_claimed {
+            continue;
+        }
+        claimed += 1;
+        let placed = Placement::IDENTITY.local_ray(&world);
+        for (error, bound) in errors(&LocalRay::from(&placed)).into_iter().zip(bounds) {
+            assert!(
+                error.cmple(bound).all(),
+                "{error} is more than {bound}: {camera:?} {px}"
+            );
+        }
+    }
+    println!("{claimed} bounds claimed");
+    assert!((15_000..45_000).contains(&claimed), "{claimed}");
+}
+
+/// A position that is no number, or too far for one, has no bound.
+#[test]
+fn positions_beyond_numbers_are_not_bounded() {
+    let mut random = Random(13);
+    let camera = PixelGrid {
+        eye: random.point(),
+        right: DVec3::X,
+        up: DVec3::Y,
+        forward: DVec3::Z,
+        half_height: 0.5,
+        size_px: [1280, 720],
+        is_orthographic: false,
+    };
+    for beyond in [f64::NAN, f64::INFINITY, -f64::INFINITY, f64::MAX] {
+        for px in [DVec2::new(beyond, 1.0), DVec2::new(1.0, beyond)] {
+            let error = camera.ray(px, [0.0, 1.0]).error().direction;
+            assert_eq!(error, DVec3::INFINITY, "{px}");
+        }
+    }
+}
+
 /// How far a local ray's origin and direction are from the exact ones, by component.
 fn errors(ray: &LocalRay) -> [DVec3; 2] {
     let LocalLine {
