@@ -31,7 +31,7 @@ struct ObjectState {
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> objects: array<ObjectState>;
 
-// Clip-space position. `view` holds x, y and measured depth.
+// Clip-space position. `view` holds x, y and buffer depth.
 fn project(view: vec3<f32>, view_depth: f32) -> vec4<f32> {
     let w = select(1.0, view_depth, frame.perspective == 1u);
     return vec4<f32>(view.xy * frame.ndc_per_view, frame.clip_per_depth * view.z, w);

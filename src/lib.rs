@@ -16,8 +16,8 @@
 //! | `window`, on by default | window, command line and the program; brings all of the above |
 //! | `screen-readers` | the window's controls for screen readers; brings `window` |
 //!
-//! Everything but a [`pick::snap::Faces`] is `Send` and `Sync`, and a pick changes nothing: many threads may query one
-//! scene at the same time. Impossible input gives a miss (`None`) or an error. Only a caller's mistake panics, as a
+//! The core's types are `Send` and `Sync`, except [`pick::snap::Faces`]. A pick changes nothing: many threads may query
+//! one scene at the same time. Impossible input gives a miss (`None`) or an error. Only a caller's mistake panics, as a
 //! slice does: an index that names nothing, a hit on another scene, an image of another size. Functions that may do so
 //! say it under `Panics`. Vectors and matrices are those of [`glam`], which is re-exported.
 //!
@@ -172,6 +172,11 @@
 //! | a scene without most of its triangles, for one pick | `scene/narrowed.rs`, `pick/narrowed.rs` |
 //! | how fine a moving picture is drawn | `viewer/screen/finish.rs`, `viewer/screen/pace.rs` |
 //! | whether back faces are hit and drawn | `Sides` in `geometry/hit.rs` |
+//! | which class `verify` gives a pixel | `verify/surface.rs`, by the bounds in `verify/bound.rs` |
+//! | what a section cuts from a pick | `geometry/section.rs`; the hits it keeps `pick/order.rs` |
+//! | a camera that is pasted | `viewer/app/commands.rs` |
+//! | what `--print-picks` prints | `viewer/app/looking_up.rs` |
+//! | when edges become smooth | `viewer/screen/begin.rs` |
 //! | the window's title and its dot | `viewer/app/program.rs` |
 //! | files that are dropped on the window | `viewer/app/frame.rs`, then `viewer/app/files.rs` |
 //!
@@ -185,9 +190,9 @@
 //! | clip, NDC | x, y in \[-1, 1\], y up; z in \[0, 1\], by default reversed: near is 1 | [`camera::Camera::projection`] |
 //! | pixel | physical pixels from the top left corner, y down; pixel (i, j) has its centre at (i + 0.5, j + 0.5) | [`camera::Viewport`] |
 //!
-//! Everything on the CPU is `f64`; vertices are `f32` about one `f64` origin per file. Matrices for the GPU are
-//! composed in `f64` (in double-double where `f64` is too coarse) about a point near what the camera looks at, so large
-//! coordinates and close views stay sharp.
+//! Coordinates on the CPU are `f64`. Vertices are `f32` about one `f64` origin per file. A mesh's tree tests in `f32`,
+//! and only rejects. Matrices for the GPU are composed in `f64` (in double-double where `f64` is too coarse) about a
+//! point near what the camera looks at, so large coordinates and close views stay sharp.
 //!
 //! # Words
 //!
@@ -198,8 +203,8 @@
 //!   shows ([`camera::View`]). *View space* is the camera's.
 //! * **stored numbers**: those of camera, placements and vertices, which picks take as exact ([`pick`]).
 //! * **t**: the ray parameter; rays keep it when they change spaces. The direction of a pixel's ray is not normalised,
-//!   so its t is view depth. **distance** is from the eye; **depth** is along F; **measured depth** is depth as the GPU
-//!   counts it, from the plane where `f32` keeps most digits ([`render::view_units::depth_origin`]).
+//!   so its t is view depth. **distance** is from the eye; **depth** is along F; **buffer depth** is from the plane
+//!   where the depth buffer stores 0: far if reversed, near if standard ([`render::view_units::depth_origin`]).
 //! * **near, far**: planes at a *depth*. They clip the picture and, as `t_min` and `t_max`, the ray.
 //! * **section**: a plane that cuts the world. What lies behind it is neither drawn nor hit ([`geometry::Section`]). It
 //!   bounds the ray exactly, as near and far do.
@@ -218,7 +223,8 @@
 //! * **stage**: one of the spaces along M, V, P: object, world, view, NDC (`viewer::model::Stage`). Each of the *four
 //!   views* shows one stage, seen by its own *observer*. The *picture* is the camera's and none of these four.
 //! * **followed**: the point that is shown at every stage. It is the pick's, or the one under the cursor.
-//! * **step**: one change of the window's state that can be undone and redone (`viewer::model::State::next_step`).
+//! * **step**: one part of a pick, for which the study compares methods ([`study::step`]). Elsewhere it is named in
+//!   full: a step of the tour, of undo (`viewer::model::State::next_step`), of drawing.
 //! * **exhibit**: a scene of the failure gallery ([`scene::gallery::Exhibit`]).
 //!
 //! # To add

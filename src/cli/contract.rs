@@ -42,7 +42,7 @@ of each of \"hits\":
   triangle         of the object, from 0; null for sphere, cube and square
   front            whether the surface is seen from outside
   t, depth         where on the ray: depth along F, from the eye; rounded once,
-                   and below far if the exact value is
+                   but never up to far
   distance         from the eye to the point
   ndc              the point in normalised device coordinates, z by --depth
   point_world, normal_world, point_object, normal_object

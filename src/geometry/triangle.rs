@@ -17,8 +17,8 @@ use super::{
 use glam::DVec3;
 use std::cmp::Ordering;
 
-/// `2^-600`: slack for underflow, which loses at most `2^-1075` times a number below `2^402`: a product of two lengths,
-/// or a direction. This rarely matters: two edges of an `f32` triangle times a direction of `2^-200` are more.
+/// `2^-600`: slack for underflow. An underflow loses at most `2^-1075` times a factor below `2^402` (two lengths, or a
+/// direction). The slack is small: two edges of an `f32` triangle times a direction of `2^-200` exceed it.
 const LOST: f64 = power_of_two(-600);
 
 /// A ray-triangle test, for corners of `f32` components. Picks take it as a parameter, so that methods can be compared.

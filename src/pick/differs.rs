@@ -2,9 +2,9 @@
 //!
 //! Mostly one of the nearest pixels shows something else, and a ray through the whole scene tells quickly. Otherwise
 //! some 200 rays are cast. Each asks only whether it meets the surface that shows at the position, with nothing before
-//! it. What may occlude that surface is gathered once, by the pyramid about all rays. Flat shapes in the surface's own
-//! plane that come later in the order do so along every ray. They are left out, so ten thousand coplanar faces cost as
-//! much as one. Where nothing may occlude the surface and it fills the square of all these pixels, no ray is cast.
+//! it. What may occlude that surface is gathered once, by the pyramid about all rays. A coplanar flat shape that loses
+//! the tie with the surface loses it along every ray and is left out, so ten thousand coplanar faces cost as much as
+//! one. Where nothing may occlude the surface and it fills the square of all these pixels, no ray is cast.
 
 use super::{
     Primitive, SceneHit,

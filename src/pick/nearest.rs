@@ -297,7 +297,8 @@ fn of_mesh(scene: &Scene, batch: &Range<usize>, hit: Hit) -> SceneHit {
     SceneHit { object, hit }
 }
 
-/// The object of a batch that is a part of its mesh, if it is visible.
+/// The object of a batch that shows this part of the batch's mesh; `None` if there is none or it is hidden. `first_part`
+/// is the part of the batch's first object.
 pub(super) fn shown_object(
     scene: &Scene,
     batch: &Range<usize>,

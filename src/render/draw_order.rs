@@ -1,6 +1,6 @@
 //! The order in which batches are drawn: those of a kind together, since each change of kind costs a draw call.
 //!
-//! Where two surfaces touch, that of the lower object is seen, because it is drawn first. Batches are therefore cut
+//! Where two surfaces touch, that of the object with the lower index is seen, because it is drawn first. Batches are therefore cut
 //! into *runs*, in which no batch touches one of another kind. A run is sorted by kind, then by object; runs are drawn
 //! in turn. Surfaces that do not touch, but lie closer than the depth buffer resolves, may show in either order:
 //! `sightline verify` calls such pixels *depth*.

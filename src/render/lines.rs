@@ -34,8 +34,8 @@ pub(super) fn vertices(view: &View, lines: &[Line]) -> Vec<LineVertex> {
     ends.map(|(end_world, colour)| LineVertex {
         position: {
             let at = view.camera.to_view(end_world);
-            let measured = at.truncate().extend(at.z - origin);
-            (unit * measured.extend(at.z)).as_vec4().to_array()
+            let with_buffer_depth = at.truncate().extend(at.z - origin);
+            (unit * with_buffer_depth.extend(at.z)).as_vec4().to_array()
         },
         colour: colour.to_linear(),
     })

@@ -306,8 +306,8 @@ fn primitive(drawn: Drawn) -> wgpu::PrimitiveState {
     }
 }
 
-/// The comparison is strict: at equal depth the surface drawn first stays, which is that of the lower object or
-/// triangle. The background is as deep as where nothing is, and shows only there.
+/// The comparison is strict: at equal depth the surface drawn first stays, which is that of the object or
+/// triangle with the lower index. The background lies at the cleared depth, and shows only where nothing was drawn.
 fn depth_state(drawn: Drawn, depth: DepthMapping) -> wgpu::DepthStencilState {
     let (nearer, as_near, step_nearer) = match depth {
         DepthMapping::Reversed => (

@@ -6,8 +6,8 @@ use bytemuck::{Pod, Zeroable};
 /// What all of a frame shares: projection, light, background and section.
 ///
 /// Lengths of view space are in *view units* ([`super::view_units::view_unit`]). Depth is two numbers, each precise
-/// where the other is not: *view depth*, from the eye, and *measured depth*, from the plane where the depth buffer
-/// stores 0. Measured depth makes clip z a single product.
+/// where the other is not: *view depth*, from the eye, and *buffer depth*, from the plane where the depth buffer
+/// stores 0. Buffer depth makes clip z a single product.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Frame {
@@ -15,7 +15,7 @@ pub struct Frame {
     pub ndc_per_view: [f32; 2],
     /// Size of the picture in pixels.
     pub viewport_px: [f32; 2],
-    /// Clip z per measured depth: above 0 in standard, below in reversed mapping.
+    /// Clip z per buffer depth: above 0 in standard, below in reversed mapping.
     pub clip_per_depth: f32,
     /// 1 in perspective, 0 in orthographic projection.
     pub perspective: u32,
@@ -58,7 +58,7 @@ pub struct Batch {
     pub view_depth: f32,
     /// Columns of the linear part from vertex to view space.
     pub linear: [[f32; 3]; 3],
-    /// View-space position of the pivot, its z as measured depth; in view units.
+    /// View-space position of the pivot, its z as buffer depth; in view units.
     pub translation: [f32; 3],
     /// Columns of the matrix from object to view normals, of any scale.
     pub normal: [[f32; 3]; 3],
@@ -111,7 +111,7 @@ pub struct Vertex {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct LineVertex {
-    /// x, y, measured depth and view depth, in view units.
+    /// x, y, buffer depth and view depth, in view units.
     pub position: [f32; 4],
     /// Linear colour.
     pub colour: [f32; 3],

@@ -219,8 +219,8 @@ pub struct Rounding {
     /// Error of the discriminant `(o.d)^2 - d.d (o.o - r^2)` of the object-space ray, whose direction is the step of
     /// one unit of view depth.
     pub discriminant: f64,
-    /// Error of the measured depth where the ray enters and where it leaves, in world units.
-    pub measured: [f64; 2],
+    /// Error of the buffer depth where the ray enters and where it leaves, in world units.
+    pub buffer_depth: [f64; 2],
     /// Error of the view depth there, in world units.
     pub depth: [f64; 2],
 }
@@ -238,7 +238,7 @@ pub struct Rounding {
 pub fn rounding(sphere: &Row, unit: f64, px: DVec2) -> Rounding {
     let all = |error: f64| Rounding {
         discriminant: error,
-        measured: [error; 2],
+        buffer_depth: [error; 2],
         depth: [error; 2],
     };
     if *sphere == Row::default() {
@@ -286,7 +286,7 @@ pub fn rounding(sphere: &Row, unit: f64, px: DVec2) -> Rounding {
     };
     Rounding {
         discriminant: wrong_discriminant * (unit / depth_per_root).powi(2),
-        measured: from(sphere.depth),
+        buffer_depth: from(sphere.depth),
         depth: from(sphere.view_depth),
     }
 }

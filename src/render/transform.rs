@@ -86,7 +86,7 @@ pub struct VertexToView {
     pub pivot: Vec3,
     /// Linear part of View * Model.
     pub linear: Mat3,
-    /// The pivot in view space: right, up, measured depth.
+    /// The pivot in view space: right, up, buffer depth.
     pub translation: Vec3,
     /// The pivot's view depth.
     pub view_depth: f32,
@@ -110,8 +110,8 @@ pub struct ViewError {
     pub aside: DVec2,
     /// In view depth.
     pub depth: f64,
-    /// In measured depth.
-    pub measured: f64,
+    /// In buffer depth.
+    pub buffer_depth: f64,
 }
 
 impl ViewError {
@@ -119,7 +119,7 @@ impl ViewError {
     pub const UNKNOWN: Self = Self {
         aside: DVec2::INFINITY,
         depth: f64::INFINITY,
-        measured: f64::INFINITY,
+        buffer_depth: f64::INFINITY,
     };
 
     /// The larger of two, axis by axis.
@@ -140,7 +140,7 @@ impl ViewError {
         Self {
             aside: DVec2::new(x, y),
             depth: both(self.depth, other.depth),
-            measured: both(self.measured, other.measured),
+            buffer_depth: both(self.buffer_depth, other.buffer_depth),
         }
     }
 }
@@ -161,7 +161,7 @@ impl VertexToView {
         let linear = view.camera.rotation() * placement.model().matrix3 * unit;
         let pivot = pivot(view, placement, origin, bounds).as_vec3();
         let at = space.at_quickly(placement, origin, pivot.as_dvec3());
-        let translation = unit * at.aside.extend(at.measured);
+        let translation = unit * at.aside.extend(at.buffer_depth);
         let view_depth = unit * at.depth;
         Self {
             pivot,
@@ -178,7 +178,7 @@ impl VertexToView {
         let at = space.at(placement, origin, self.pivot.as_dvec3());
         let linear = space.linear_less(placement, self.linear.as_dmat3() * unit.recip());
         let linear = (linear * unit).transpose();
-        let translation = unit * at.aside.extend(at.measured) - self.translation.as_dvec3();
+        let translation = unit * at.aside.extend(at.buffer_depth) - self.translation.as_dvec3();
         Rounding {
             linear: [linear.x_axis, linear.y_axis, linear.z_axis].map(DVec3::abs),
             translation: translation.abs(),
@@ -218,7 +218,7 @@ impl VertexToView {
         let of_axis = |i: usize| along(i, self.translation[i], rounding.translation[i]);
         ViewError {
             aside: DVec2::new(of_axis(0), of_axis(1)),
-            measured: of_axis(2),
+            buffer_depth: of_axis(2),
             depth: along(2, self.view_depth, rounding.view_depth),
         }
     }

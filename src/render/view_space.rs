@@ -34,7 +34,7 @@ pub struct ViewPoint {
     /// Depth from the near plane, which keeps digits where `depth` has none left.
     pub past_near: f64,
     /// Depth from [`depth_origin`].
-    pub measured: f64,
+    pub buffer_depth: f64,
 }
 
 impl ViewSpace {
@@ -76,7 +76,7 @@ impl ViewSpace {
             aside: DVec2::new(x.into(), y.into()),
             depth: z.into(),
             past_near: (z - camera.lens().near.into()).into(),
-            measured: (z - depth_origin(&self.view).into()).into(),
+            buffer_depth: (z - depth_origin(&self.view).into()).into(),
         }
     }
 
@@ -117,7 +117,7 @@ impl ViewSpace {
             aside: view.truncate(),
             depth: view.z,
             past_near: view.z - lens.near,
-            measured: view.z - depth_origin(&self.view),
+            buffer_depth: view.z - depth_origin(&self.view),
         }
     }
 }

@@ -5,8 +5,8 @@ use crate::{
     geometry::binary::power_of_two_below,
 };
 
-/// View depth of the plane where the depth buffer stores 0, from which *measured depth* counts: the far plane in
-/// reversed mapping, the near plane in standard mapping. Clip z is measured depth times a factor, so that no digits
+/// View depth of the plane where the depth buffer stores 0, from which *buffer depth* counts: the far plane in
+/// reversed mapping, the near plane in standard mapping. Clip z is buffer depth times a factor, so that no digits
 /// cancel.
 #[must_use]
 pub fn depth_origin(view: &View) -> f64 {

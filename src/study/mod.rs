@@ -47,7 +47,7 @@
 //!
 //! **Near and far are planes.** A test on the distance makes spheres of them and is wrong in a wide picture's corners.
 //!
-//! **Half of a depth buffer is empty.** Standard depth spends most of its numbers on the first few units in front of
+//! **Standard depth wastes its numbers near the eye.** It spends most of its numbers on the first few units in front of
 //! the eye. Reversed, the same 32 bits are as precise at any distance as an `f32` can be.
 //!
 //! **A whole pick is only as good as its worst step**, and a tree saves more time than all of the above together.

@@ -37,7 +37,7 @@ pub struct MethodInfo {
     pub source: &'static str,
     /// Whether Sightline picks by this method.
     pub ours: bool,
-    /// What the method offers although another one is faster and no more often wrong.
+    /// Why Sightline uses this method although another one is faster and no more often wrong.
     pub reason: Option<&'static str>,
 }
 

@@ -10,22 +10,22 @@ use glam::DVec2;
 /// What is drawn of a polygon where only front sides show.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Culled {
-    /// All of it: it shows its front. If it turns over when its corners move, its neighbours overlap it, so a surface
+    /// All of it: it shows its front. If its winding flips when its corners move, its neighbours overlap it, so a surface
     /// has no holes. (At an open edge or a silhouette the edge is an outline anyway.)
     No,
     /// Nothing: it shows its back.
     Yes,
-    /// It shows its back, but drawing may turn it over when it moves the corners. It is then drawn alone, while its
+    /// It shows its back, but drawing may flip its winding when it moves the corners. It is then drawn alone, while its
     /// neighbours stay culled.
     Perhaps,
 }
 
 /// What culling does with a polygon on a rasteriser with this grid; `mirrors` says whether its model matrix mirrors.
 ///
-/// While a triangle turns over, its corners lie on one line. So before, they lay within the distance by which one
-/// corner may move of some line, and the triangle was no wider than twice that. The polygon's part in the picture may
-/// be drawn as any triangles between its corners. What the near or the far plane may cut may turn over: its corners
-/// there are less certain, and a cut just beside a corner makes slivers.
+/// While its winding flips, a triangle's corners lie on one line. Before, each was at most one move away from that
+/// line, so the triangle was at most two moves wide. The polygon's part in the picture may be drawn as any triangles
+/// between its corners. What the near or the far plane may cut may flip: its corners there are less certain, and a cut
+/// just beside a corner makes slivers.
 pub(super) fn culled(view: &View, grid_px: f64, polygon: &Polygon, mirrors: bool) -> Culled {
     let Polygon { shown, error, .. } = polygon;
     let mut px: Vec<DVec2> = shown.iter().map(|corner| project(view, *corner)).collect();

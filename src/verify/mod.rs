@@ -22,12 +22,13 @@
 //! * **unexplained**: anything else: a defect.
 //!
 //! An edge across which the surface continues is no outline: a neighbour may show there, but not what lies behind.
-//! Where only front sides show, a back may turn over if it is no wider than its corners may move towards each other. It
-//! is then drawn while its neighbours stay culled, so all of its edges are outlines.
+//! Where only front sides show, rounding the corners may flip the winding of a narrow back face. It is then drawn while
+//! its neighbours stay culled, so all of its edges are outlines.
 //!
 //! A bound that is infinite or NaN explains nothing: the pixel is then beyond f32. If nothing is drawn but something is
-//! picked, or the reverse, the comparison fails, whatever explains the single pixels. The exceptions are a speck
-//! smaller than a pixel, and a section through most of the pixels ([`Report::verdict`]).
+//! picked, or the reverse, the comparison fails, whatever explains the single pixels. There are two exceptions: at most
+//! four pixels differ, all *edge*; or all are *section* or *edge*, at least half of them *section*
+//! ([`Report::verdict`]).
 //!
 //! Where the bounds leave the order of two surfaces open, the surfaces lie *in one place* ([`Places`]), whether or not
 //! drawing and pick differ there.

@@ -13,9 +13,9 @@
 //! * Not two triangles of one mesh that touch there and do not overlap: they are one surface that continues or turns.
 //!   They touch in an edge or a corner that they share, and also where a corner of one lies exactly on an edge of the
 //!   other (a T-junction), along all that the two edges have in common. They touch *there* if drawing may move that
-//!   point or segment onto the position. Where several meet, each goes on the first surface of which it touches a
-//!   triangle there and overlaps none. Two that share a corner also count once if they can be equally deep only when
-//!   moved aside, which moves both together.
+//!   point or segment onto the position. Where several meet, a triangle joins the first surface that has a triangle
+//!   which it touches there, and none which it overlaps. Two triangles with a common corner also count once if only
+//!   rounding sideways makes them equally deep: it moves both alike.
 //! * Not the near and the far side of one cube or sphere, which share a name.
 //! * Not the near plane or the empty buffer, which the class *depth* includes: they have no name.
 

@@ -334,6 +334,6 @@ fn clipping_error(view: &View, corners: &[Corner]) -> ViewError {
     ViewError {
         aside: DVec2::new(of(&|p| p.x), of(&|p| p.y)),
         depth: of(&|p| lens.near + p.z),
-        measured: of(&|p| p.z - to_origin),
+        buffer_depth: of(&|p| p.z - to_origin),
     }
 }

@@ -55,8 +55,8 @@ pub enum Verdict {
     /// This many pixels differ by more than `f32` can draw. The rest is explained.
     BeyondF32(usize),
     /// This many pixels are picked and none is drawn, whatever explains each of them. There are two exceptions: at most
-    /// four pixels, each on an edge (something smaller than a pixel may be missed), and pixels that lie on a section
-    /// or, no more of them, on an edge.
+    /// four pixels, all *edge* (something smaller than a pixel may be missed); and pixels that are *section* or *edge*,
+    /// at least half of them *section*.
     NothingDrawn(usize),
     /// This many pixels are drawn and none is picked, with the same exceptions.
     NothingPicked(usize),

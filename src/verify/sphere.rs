@@ -54,7 +54,7 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
     let errors = [0, 1].map(|i| ViewError {
         aside: DVec2::ZERO,
         depth: error.depth[i],
-        measured: error.measured[i],
+        buffer_depth: error.buffer_depth[i],
     });
     let section = Sectioned::new(space);
     let projectable = ends.map(|end| depths.projectable(end));

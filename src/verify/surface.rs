@@ -206,8 +206,8 @@ pub(super) struct Depths {
     unit_of_w: f64,
     /// From the near plane to where the depth buffer stores 0.
     origin: f64,
-    /// The stored value times w, per unit of measured depth.
-    per_measured: f64,
+    /// The stored value times w, per unit of buffer depth.
+    per_buffer_depth: f64,
     /// A pixel's height in world units where w is 1.
     pixel_at_w_1: f64,
 }
@@ -226,7 +226,7 @@ impl Depths {
                 DepthMapping::Reversed => lens.far - lens.near,
                 DepthMapping::Standard => 0.0,
             },
-            per_measured: lens.depth_row().0,
+            per_buffer_depth: lens.depth_row().0,
             pixel_at_w_1: 2.0 * space.view().half_extent().y
                 / f64::from(space.view().viewport.height()),
         }
@@ -248,7 +248,7 @@ impl Depths {
 
     /// The depth buffer's value, unrounded.
     pub fn stored(&self, past_near: f64) -> f64 {
-        self.per_measured * (past_near - self.origin) / self.w(past_near)
+        self.per_buffer_depth * (past_near - self.origin) / self.w(past_near)
     }
 
     /// The depth buffer's value as nearness, unrounded: more is nearer.
@@ -261,7 +261,7 @@ impl Depths {
 
     /// An upper bound on the error of the stored value.
     ///
-    /// These are rounded: the factor, its product with the measured depth, the reciprocal of w (2.5 units in the last
+    /// These are rounded: the factor, its product with the buffer depth, the reciprocal of w (2.5 units in the last
     /// place), the product with that, and the stored value. That is 9 half units; one more is for second order.
     pub fn error(&self, past_near: f64, error: &ViewError) -> f64 {
         let (w, stored) = (self.w(past_near), self.stored(past_near).abs());
@@ -269,10 +269,10 @@ impl Depths {
             Projection::Perspective { .. } => error.depth,
             Projection::Orthographic { .. } => 0.0,
         };
-        let measured = (past_near - self.origin).abs();
-        let [measured_drawn, w_drawn] = [self.unit * measured, self.unit_of_w * w];
-        let underflow = UNDERFLOW * (measured_drawn.max(1.0) / w_drawn.min(1.0) + 2.0);
-        (self.per_measured.abs() * error.measured + stored * of_w) / w
+        let buffer_depth = (past_near - self.origin).abs();
+        let [buffer_depth_drawn, w_drawn] = [self.unit * buffer_depth, self.unit_of_w * w];
+        let underflow = UNDERFLOW * (buffer_depth_drawn.max(1.0) / w_drawn.min(1.0) + 2.0);
+        (self.per_buffer_depth.abs() * error.buffer_depth + stored * of_w) / w
             + 10.0 * U * stored
             + underflow
     }
@@ -282,14 +282,14 @@ impl Depths {
     pub fn near_error(&self, error: &ViewError, exact: bool) -> f64 {
         match self.lens.depth {
             DepthMapping::Reversed => self.error_at_w(self.lens.near, error, exact),
-            DepthMapping::Standard => error.measured,
+            DepthMapping::Standard => error.buffer_depth,
         }
     }
 
     /// The same of the far plane.
     pub fn far_error(&self, error: &ViewError) -> f64 {
         match self.lens.depth {
-            DepthMapping::Reversed => error.measured,
+            DepthMapping::Reversed => error.buffer_depth,
             DepthMapping::Standard => self.error_at_w(self.lens.far, error, false),
         }
     }
@@ -298,7 +298,7 @@ impl Depths {
     /// plane's depth, or 1 in orthographic projection. Their difference changes with depth by the factor, less 1 in
     /// perspective. `exact` says that `f32` holds the product.
     fn error_at_w(&self, plane: f64, error: &ViewError, exact: bool) -> f64 {
-        let factor = self.per_measured;
+        let factor = self.per_buffer_depth;
         let (w, of_w, change) = match self.lens.projection {
             Projection::Perspective { .. } => (plane, error.depth, (factor - 1.0).abs()),
             Projection::Orthographic { .. } => (1.0, 0.0, factor.abs()),
@@ -306,7 +306,7 @@ impl Depths {
         let of_product = 2.0 * U * w + 2.0 * UNDERFLOW / self.unit_of_w;
         let product = if exact { 0.0 } else { of_product };
         larger(
-            (product + factor.abs() * error.measured + of_w) / change,
+            (product + factor.abs() * error.buffer_depth + of_w) / change,
             0.0,
         )
     }
@@ -314,13 +314,13 @@ impl Depths {
     /// Whether `f32` represents exactly what clipping compares at this depth.
     pub fn clips_exactly(&self, past_near: f64) -> bool {
         let factor = match self.lens.projection {
-            Projection::Perspective { .. } => self.per_measured,
-            Projection::Orthographic { .. } => self.per_measured / self.unit,
+            Projection::Perspective { .. } => self.per_buffer_depth,
+            Projection::Orthographic { .. } => self.per_buffer_depth / self.unit,
         };
-        let measured = self.unit * (past_near - self.origin);
+        let buffer_depth = self.unit * (past_near - self.origin);
         #[expect(clippy::float_cmp, reason = "to the bit: it may have been rounded")]
-        let is_exact = measured / self.unit + self.origin == past_near;
-        is_exact && is_f32(factor) && is_f32(measured) && is_f32(factor * measured)
+        let is_exact = buffer_depth / self.unit + self.origin == past_near;
+        is_exact && is_f32(factor) && is_f32(buffer_depth) && is_f32(factor * buffer_depth)
     }
 
     /// The largest error of the stored value in a view that `f32` can draw: [`DEPTH_CEILING`] of the depth, or of the
@@ -362,9 +362,9 @@ impl Depths {
         match self.lens.projection {
             Projection::Perspective { .. } => {
                 let w = self.w(past_near);
-                self.per_measured.abs() * (self.lens.near + self.origin) / (w * w)
+                self.per_buffer_depth.abs() * (self.lens.near + self.origin) / (w * w)
             }
-            Projection::Orthographic { .. } => self.per_measured.abs(),
+            Projection::Orthographic { .. } => self.per_buffer_depth.abs(),
         }
     }
 }

@@ -98,7 +98,7 @@ fn views(count: usize) -> impl Iterator<Item = (View, Random)> {
     })
 }
 
-/// The vertex shader's result: right, up, measured depth, view depth.
+/// The vertex shader's result: right, up, buffer depth, view depth.
 fn vertex(to_view: &VertexToView, position: Vec3) -> [f32; 4] {
     let from_pivot = [0, 1, 2].map(|i| sum(position[i], -to_view.pivot[i]));
     let row = |i: usize| {
@@ -123,8 +123,8 @@ fn vertices(size: f64, views: impl Iterator<Item = (View, Random)>) -> [Shares; 
         let position = (size * random.point()).as_vec3();
         let error = to_view.error_view(&rounding, position);
         let exact = space.at(&placement, DVec3::ZERO, position.as_dvec3());
-        let exact = [exact.aside.x, exact.aside.y, exact.measured, exact.depth];
-        let bounds = [error.aside.x, error.aside.y, error.measured, error.depth];
+        let exact = [exact.aside.x, exact.aside.y, exact.buffer_depth, exact.depth];
+        let bounds = [error.aside.x, error.aside.y, error.buffer_depth, error.depth];
         let found = vertex(&to_view, position).map(|at| f64::from(at) / space.unit());
         for i in 0..4 {
             shares[i / 2].add(found[i] - exact[i], bounds[i]);
@@ -202,7 +202,7 @@ fn planes_cut_within_their_bounds() {
                 let error = ViewError {
                     aside: DVec2::ZERO,
                     depth: 4.0 * U * plane,
-                    measured: 4.0 * U * from_origin.abs().max(lens.near),
+                    buffer_depth: 4.0 * U * from_origin.abs().max(lens.near),
                 };
                 let bound = if is_far {
                     depths.far_error(&error)
@@ -212,9 +212,9 @@ fn planes_cut_within_their_bounds() {
                 let past = 1.5 * bound * random.next();
                 // A quarter of the bound is left for rounding.
                 let mut off = |at: f64, error: f64| at + 0.75 * error * random.next().signum();
-                let measured = rounded(unit * off(from_origin + past, error.measured));
+                let buffer_depth = rounded(unit * off(from_origin + past, error.buffer_depth));
                 let depth = rounded(unit * off(plane + past, error.depth));
-                let clip = product(transform::frame(&view).clip_per_depth, measured);
+                let clip = product(transform::frame(&view).clip_per_depth, buffer_depth);
                 let stores_0 = is_far == (mapping == DepthMapping::Reversed);
                 let is_seen = if stores_0 {
                     clip >= 0.0
@@ -250,11 +250,11 @@ fn stored(near: f64) -> [Shares; 2] {
             let error = ViewError {
                 aside: DVec2::ZERO,
                 depth: 2.0 * U * depth,
-                measured: 2.0 * U * exact[0].abs(),
+                buffer_depth: 2.0 * U * exact[0].abs(),
             };
-            let [measured, w] = exact.map(|at| rounded(unit * at));
+            let [buffer_depth, w] = exact.map(|at| rounded(unit * at));
             let factor = rounded(transform::frame(&view).clip_per_depth.into());
-            let found = product(product(factor, measured), reciprocal(&mut random, w));
+            let found = product(product(factor, buffer_depth), reciprocal(&mut random, w));
             let bound = depths.error(past_near, &error);
             shares.add(f64::from(found) - depths.stored(past_near), bound);
         }

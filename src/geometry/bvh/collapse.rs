@@ -1,10 +1,10 @@
 //! Makes nodes of eight out of a binary tree, at the least expected cost (Ylitie, Karras & Laine, "Efficient Incoherent
 //! Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017).
 //!
-//! A node costs its surface, since rays enter it in proportion to that. Packets cost the same whatever is above them.
-//! Each binary node knows the least cost of covering its triangles with at most one tree, at most two, and so on up to
-//! seven. A single tree is a packet, or a node whose children are at most eight trees. Of several trees, the first part
-//! gets as many as is cheapest.
+//! A node costs its surface area, since rays enter it in proportion to that. A leaf costs nothing, since every choice
+//! has the same leaves. Dynamic programming finds, for each binary node, the least cost of covering it by a forest of
+//! at most k trees, for k from 1 to 7. A single tree is a leaf, or a node of up to eight trees. A forest of several is
+//! shared out between both children of the binary node, at the least cost.
 
 use super::{leaf::Leaf, node::WIDTH, simd::Instructions, split::Range};
 use glam::Vec3A;

@@ -1,6 +1,6 @@
 //! Cuts ranges of triangles in two by the surface area heuristic (Mac Donald & Booth 1990).
 //!
-//! A library's builder was tried instead, under the nodes of that time. With the trees of obvhs 0.4 (PLOC, medium
+//! A library's builder was tried instead, with an earlier node layout. With the trees of obvhs 0.4 (PLOC, medium
 //! quality), rays took 2 to 35 % longer on the benchmark's meshes. Building took 1.2 to 2.5 times as long, with twice
 //! the memory. The library's faster presets made rays slower still.
 

@@ -16,9 +16,9 @@
 //! distance.
 //!
 //! From here on nothing that matters is farther from the origin than `D`: `|o| + M`, or `2 M` where the eye was moved.
-//! Then `far / u` is added to `D` and to `M`, so that `u D` and `u M` have room for `far`. To those of a near and
-//! almost exact ray whose direction needs no scaling nothing is added: its `far` is at most `2^-23 u M`, or `2^-1 u M`
-//! with the ray's own errors, and the bounds below have `u M` to spare.
+//! Then `far / u` is added to `D` and to `M`, so that `u D` and `u M` have room for `far`. A near and almost exact ray
+//! whose direction needs no scaling keeps its `D` and `M`: its `far` is at most `2^-23 u M`, or `2^-1 u M` with the
+//! ray's own errors, and the bounds below have `u M` to spare.
 //!
 //! **Boxes.** Each axis is bounded by itself: a plane across it is at most `D_a = |o_a| + M` from the origin. Origin
 //! and direction are rounded to `f32`: `u |o_a|` and, through the direction, `u D_a`. Each plane of the slab is moved

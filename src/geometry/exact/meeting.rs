@@ -57,7 +57,7 @@ impl Surface<'_> {
     }
 }
 
-/// [`parameter`] as the quotient that [`mod@super::root`] has, in pairs of `f64`.
+/// The ray parameter as a quotient of bounded pairs of `f64`; [`parameter`] is the exact one.
 pub(super) fn enclosed(ray: &WorldRay, surface: &Surface) -> Result<Ratio<Enclosure>, InDoubt> {
     let local = |placement| LocalLine::<Enclosure>::new(&Exactly::placed(ray, placement));
     match *surface {

@@ -1,4 +1,4 @@
-//! Where a ray meets what it hits, for a pick's record: in pairs of `f64` where they suffice, else exactly.
+//! The ray parameter of a pick's hit, for its record: in pairs of `f64` where they suffice, else exactly.
 
 use super::{
     super::{WorldRay, local_ray::Exactly},

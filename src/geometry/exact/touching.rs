@@ -55,14 +55,14 @@ impl Sector {
     /// Whether a side or the inside of another sector at this point lies strictly within.
     fn holds_some_of(&self, other: &Self) -> bool {
         let [first, last] = self.sides;
-        // From a corner or an edge, the sum of the ways to all corners points inside.
+        // From a corner or an edge, the sum of the vectors to all corners points inside.
         let ways: [&[DVec3]; 3] = [&other.sides[..1], &other.sides[1..], &other.corners];
         ways.into_iter()
             .any(|way| self.turns_left(&[first], way) && self.turns_left(way, &[last]))
     }
 
-    /// Whether the way from the point to `to` is less than half a turn counter-clockwise from that to `from`. A way
-    /// goes to the sum of the points, each as seen from here.
+    /// Whether the direction `to` lies less than half a turn counter-clockwise from the direction `from`. A direction is
+    /// the sum of the vectors from this point to the given ones.
     fn turns_left(&self, from: &[DVec3], to: &[DVec3]) -> bool {
         solve(&Turn {
             sector: self,

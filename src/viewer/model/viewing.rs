@@ -141,10 +141,10 @@ impl State {
         camera.with_lens(lens)
     }
 
-    /// Near and far for a view's pose, projection and picture. The visible scene lies between them. Far lies behind
-    /// every corner of a frozen frustum, near only in front of the corners that the picture shows: in front of all
-    /// corners, it would be as close as the frozen eye. So near may cut edges that leave the picture. A view like the
-    /// frozen one sees that frustum end on, along the picture's rim, and ignores it: freezing changes neither plane.
+    /// Near and far for a view's pose, projection and picture. The visible scene lies between them. Far encloses the
+    /// whole frozen frustum. Near encloses only those of its corners that are in the picture, or it would move to the
+    /// frozen eye. So near may cut edges that leave the picture. A view like the frozen one ignores the frustum, so
+    /// freezing changes neither plane.
     pub(super) fn planes(&self, view: &View, controls: &LensControls) -> (f64, f64) {
         let (bounds, camera) = (self.scene.visible_bounds(), &view.camera);
         let (mut near, mut far) = fit_near_far(camera, &bounds, controls.near, controls.far);

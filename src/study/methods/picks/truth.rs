@@ -23,7 +23,7 @@ struct Local {
     det: Exact,
 }
 
-/// The nearest hit within the ray's interval on a visible side. Of equally near hits, the lower object counts, then the
+/// The nearest hit within the ray's interval on a visible side. Of equally near hits, the object with the lower index counts, then the
 /// lower triangle.
 pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
     let exact_ray = ExactRay::new(view, px);
