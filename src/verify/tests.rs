@@ -123,8 +123,18 @@ fn vertices(size: f64, views: impl Iterator<Item = (View, Random)>) -> [Shares; 
         let position = (size * random.point()).as_vec3();
         let error = to_view.error_view(&rounding, position);
         let exact = space.at(&placement, DVec3::ZERO, position.as_dvec3());
-        let exact = [exact.aside.x, exact.aside.y, exact.buffer_depth, exact.depth];
-        let bounds = [error.aside.x, error.aside.y, error.buffer_depth, error.depth];
+        let exact = [
+            exact.aside.x,
+            exact.aside.y,
+            exact.buffer_depth,
+            exact.depth,
+        ];
+        let bounds = [
+            error.aside.x,
+            error.aside.y,
+            error.buffer_depth,
+            error.depth,
+        ];
         let found = vertex(&to_view, position).map(|at| f64::from(at) / space.unit());
         for i in 0..4 {
             shares[i / 2].add(found[i] - exact[i], bounds[i]);
