@@ -46,6 +46,21 @@ fn a_key_shows_four_views_with_the_matrices_and_takes_them_away() {
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     assert_eq!(window.state().views(), Views::Picture);
     control(&window, "P, row z");
+    // It makes no difference that their own button shows the four views.
+    click_on(&mut window, "show four");
+    assert_eq!(window.state().views(), Views::Four);
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    assert_eq!(window.state().views(), Views::Picture);
+    control(&window, "P, row z");
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    // What the four views have opened goes with them, however they go.
+    for leave in [Key::Num4, Key::V] {
+        press_key(&mut window, Modifiers::NONE, Key::Num4);
+        control(&window, "P, row z");
+        press_key(&mut window, Modifiers::NONE, leave);
+        assert_eq!(window.state().views(), Views::Picture);
+        assert!(!has_control(&window, "P, row z"), "{leave:?}");
+    }
 }
 
 #[test]
