@@ -46,9 +46,6 @@ enum NotUploaded {
     Gpu(#[from] GpuError),
 }
 
-/// A scene with fewer objects and triangles than this is uploaded, or freed, as fast as a job is started.
-pub(in crate::viewer) const LITTLE: usize = 20_000;
-
 /// A scene in graphics memory.
 pub(in crate::viewer) struct Uploaded {
     pub key: SceneKey,

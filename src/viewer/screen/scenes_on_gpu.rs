@@ -5,8 +5,8 @@ use crate::{
     render::{Gpu, GpuError, MeshStore, SceneBuffers},
     scene::{Scene, SceneKey},
     viewer::{
-        jobs::{LITTLE, Making, Upload, Uploaded, let_go},
-        model::Subject,
+        jobs::{Making, Upload, Uploaded, let_go},
+        model::{LITTLE, Subject},
     },
 };
 
