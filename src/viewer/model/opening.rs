@@ -7,7 +7,7 @@ use super::{
     ortho_height::OrthoHeight,
     overlay::Overlays,
     showing::Showing,
-    state::{Chosen, Edit, Edits, SectionMemory, Source, State, Step, Viewpoint},
+    state::{Chosen, Edit, Edits, SectionMemory, Source, State, UndoStep, Viewpoint},
     timeline::Timeline,
 };
 use crate::{
@@ -105,7 +105,7 @@ impl State {
         let goes_back = next.showing.is_some() && !self.scene.objects().is_empty();
         let mut before = self.exchange(next);
         if goes_back {
-            self.record(None, Step::Open(before));
+            self.record(None, UndoStep::Open(before));
         } else {
             let fresh = self.timeline.fresh();
             before.timeline = mem::replace(&mut self.timeline, fresh);
@@ -178,7 +178,7 @@ impl State {
         }
         let made_it = matches!(
             self.timeline.steps(true).last(),
-            Some(Step::Open(_) | Step::Edited(Edit::Compose(..), ..))
+            Some(UndoStep::Open(_) | UndoStep::Edited(Edit::Compose(..), ..))
         );
         made_it && self.step_in_time(true)
     }
@@ -225,7 +225,7 @@ impl State {
     pub(in crate::viewer) fn saved(&mut self, snapshot: &Snapshot, source: Source) {
         let steps = self.timeline.all_mut();
         let left = steps.filter_map(|step| match step {
-            Step::Open(state) if state.document == snapshot.document => Some(&mut **state),
+            UndoStep::Open(state) if state.document == snapshot.document => Some(&mut **state),
             _ => None,
         });
         let left: Vec<&mut State> = left.collect();
