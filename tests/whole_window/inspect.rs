@@ -159,6 +159,13 @@ fn the_panels_say_what_is_so() {
         press_key(&mut window, Modifiers::NONE, Key::Enter);
         control(&window, said);
     }
+    // A square has no volume.
+    click_on(&mut window, "back");
+    type_into(&mut window, "scale x", "-2");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    control(&window, "determinant -6, mirrored");
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    control(&window, "det -6, mirrored");
     click_on(&mut window, "middle");
     control(&window, "No point of it is picked: click its surface.");
 }
