@@ -243,7 +243,7 @@ fn messages_go_one_by_one_or_all_at_once() {
         !left.iter().any(|text| text.contains("absent 3")),
         "{left:?}"
     );
-    click_on(&mut window, "dismiss all (2 earlier)");
+    click_on(&mut window, "Dismiss all (2 earlier)");
     assert_eq!(window.messages().count(), 0);
     assert_eq!(selected(&window), None, "the clicks were not the scene's");
 }

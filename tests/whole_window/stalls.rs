@@ -225,7 +225,7 @@ fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
     let ways: [(&str, Way); 2] = [
         ("Esc", |_| vec![press(Key::Escape)]),
         ("the button", |window| {
-            let at = control(window, "cancel").rect.center();
+            let at = control(window, "Cancel").rect.center();
             let press = |pressed| button(at, PointerButton::Primary, pressed);
             vec![Event::PointerMoved(at), press(true), press(false)]
         }),

@@ -117,7 +117,7 @@ fn wait_for_load(window: &mut Offscreen) {
         window
             .frame(Event::PointerMoved(pos2(480.0, 80.0)))
             .expect("a frame");
-        if has_control(window, "cancel") {
+        if has_control(window, "Cancel") {
             return;
         }
         thread::sleep(Duration::from_millis(10));

@@ -11,6 +11,7 @@ mod field;
 mod gesture;
 mod help;
 mod hints;
+mod hyphens;
 mod in_file;
 mod inspect;
 mod layout;
