@@ -262,15 +262,6 @@ impl Offscreen {
         self.app.quit
     }
 
-    /// Draws the frame after an event as a window does, without waiting for more events. Returns whether a new picture
-    /// of the scene is shown.
-    ///
-    /// # Errors
-    /// When there is no graphics adapter, or it fails.
-    pub fn frame(&mut self, event: egui::Event) -> Result<bool, GpuError> {
-        self.draw_after(vec![event])
-    }
-
     /// How often the panels were laid out so far: once a frame, or twice where the first time changes what they show.
     #[must_use]
     pub fn passes(&self) -> u64 {
@@ -296,17 +287,13 @@ impl Offscreen {
         canvas.is_some_and(|canvas| canvas.gpu.is_software())
     }
 
-    /// Draws a frame as a window does, the scene only if it changed. Returns whether a new picture of the scene is
-    /// shown.
-    ///
-    /// # Errors
-    /// When there is no graphics adapter, or it fails.
-    pub fn draw(&mut self) -> Result<bool, GpuError> {
-        self.draw_after(Vec::new())
-    }
-
-    fn draw_after(&mut self, events: Vec<egui::Event>) -> Result<bool, GpuError> {
-        let input = self.input(events);
+    /// Draws the frame after these events as a window does, without waiting for more events, and the scene only if it
+    /// changed. Returns whether a new picture of the scene is shown.
+    pub fn draw(
+        &mut self,
+        events: impl IntoIterator<Item = egui::Event>,
+    ) -> Result<bool, GpuError> {
+        let input = self.input(events.into_iter().collect());
         self.make_tree(self.tells_controls);
         let Frame { platform, drawn } = self.app.frame(input, &mut self.picture);
         self.take_told(platform);
@@ -316,9 +303,6 @@ impl Offscreen {
     }
 
     /// A picture of the whole window at rest: its edges are smooth.
-    ///
-    /// # Errors
-    /// When there is no graphics adapter, or it fails.
     pub fn picture(&mut self) -> Result<Image<Rgb>, GpuError> {
         self.draw_whole()?;
         // The first frame may have begun jobs, such as a comparison with what it drew.
@@ -327,25 +311,22 @@ impl Offscreen {
         self.drawn()
     }
 
-    /// The frame that was drawn last, as it is on the screen.
-    ///
-    /// # Errors
-    /// When nothing was drawn yet, or the adapter fails.
+    /// The frame that was drawn last, as it is on the screen. It is an error if nothing was drawn yet.
     pub fn drawn(&self) -> Result<Image<Rgb>, GpuError> {
         let canvas = self.picture.canvas.as_ref();
         canvas.ok_or(GpuError::NoAdapter)?.read()
     }
 
     fn draw_whole(&mut self) -> Result<(), GpuError> {
-        self.draw()?;
+        self.draw([])?;
         while self.app.picture.behind.is_some() {
-            self.draw()?;
+            self.draw([])?;
         }
         if self.app.picture.rough {
             self.time_s += REST_S;
         }
         while self.app.picture.rough {
-            self.draw()?;
+            self.draw([])?;
         }
         Ok(())
     }

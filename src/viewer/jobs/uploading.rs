@@ -58,9 +58,6 @@ pub(in crate::viewer) struct Uploaded {
 
 impl Uploaded {
     /// Uploads a scene, but not the meshes that are there already.
-    ///
-    /// # Errors
-    /// When the scene does not fit.
     pub fn new(gpu: &Gpu, scene: &Scene, meshes: MeshStore) -> Result<Self, GpuError> {
         Self::new_while(gpu, (scene, None), meshes, &|_| Ok(()))
     }

@@ -20,9 +20,6 @@ use std::{mem, path::PathBuf};
 impl State {
     /// Shows a scene in a rectangle of this size. What `choice` leaves open, the scene's own camera decides; what both
     /// leave open is chosen so that the scene is in view. An invalid section is left out.
-    ///
-    /// # Errors
-    /// When the choices make no valid camera.
     pub fn new(
         loaded: Loaded,
         choice: CameraChoice,
@@ -88,10 +85,8 @@ impl State {
     }
 
     /// Shows another scene, loaded from these files; the window's settings stay. Undo leads back from a scene of the
-    /// gallery to what was open; any other scene begins a new history.
-    ///
-    /// # Errors
-    /// When the scene's own camera is invalid; then everything stays as it was.
+    /// gallery to what was open; any other scene begins a new history. If the scene's own camera is invalid, everything
+    /// stays as it was.
     pub fn open(&mut self, loaded: Loaded, paths: Vec<PathBuf>) -> Result<(), CameraError> {
         let inherited = CameraChoice {
             up_axis: Some(self.up_axis),
