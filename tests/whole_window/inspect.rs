@@ -151,6 +151,9 @@ fn the_panels_say_what_is_so() {
     let (mut window, _folder) = row(1.0);
     click(&mut window, MIDDLE);
     click_on(&mut window, "Model matrix");
+    for row in ["nearest edge", "next change", "next surface"] {
+        control(&window, row);
+    }
     for (scale, said) in [
         ("0.5", "determinant 0.5: volumes times 0.5"),
         ("-2", "determinant -2: volumes times 2, mirrored"),
