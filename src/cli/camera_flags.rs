@@ -109,10 +109,8 @@ impl ViewArgs {
         if self.cull { Sides::Front } else { Sides::Both }
     }
 
-    /// Hides the objects of `--hide`, and returns the view of the scene without them.
-    ///
-    /// # Errors
-    /// When an id names no object, or flags and scene give no valid camera.
+    /// Hides the objects of `--hide`, and returns the view of the scene without them. It is an error if an id names no
+    /// object, or if flags and scene give no valid camera.
     pub fn apply(&self, loaded: &mut Loaded) -> Result<View, CliError> {
         let hidden = model::hide(&mut loaded.scene, &self.hide);
         hidden.map_err(|error| CliError::Usage(format!("--hide: {error}")))?;

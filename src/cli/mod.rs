@@ -2,6 +2,11 @@
 //!
 //! Only results go to stdout. Errors, warnings and progress go to stderr, each on one line.
 
+#![allow(
+    clippy::missing_errors_doc,
+    reason = "the program's own code, whose error types say what fails"
+)]
+
 mod camera_flags;
 mod command_first;
 mod contract;

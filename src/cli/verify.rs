@@ -213,11 +213,11 @@ impl<'a> Outcome<'a> {
             let what = match class {
                 Class::Edge => format!("the centre lies on an outline, to 1/{grid} pixel"),
                 Class::Depth => {
-                    "two surfaces have the same depth as far as the depth buffer can tell, at most half a pixel's width apart"
+                    "the depth buffer may show either of two surfaces; they are at most half a pixel's width apart"
                         .into()
                 }
                 Class::Section => format!(
-                    "the section passes the surface, to 1/{grid} pixel or as far as f32 can tell, at most half a pixel's width away"
+                    "the section cuts the surface here, within 1/{grid} pixel or the error of f32, at most half a pixel's width away"
                 ),
                 Class::F32Limit => format!(
                     "the centre lies on an outline as far as f32 can tell, at most {OUTLINE_CEILING_PX} px from it"

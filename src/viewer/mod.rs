@@ -19,6 +19,11 @@
 //!
 //! A frame is drawn only after something has happened.
 
+#![allow(
+    clippy::missing_errors_doc,
+    reason = "the program's own code, whose error types say what fails"
+)]
+
 mod app;
 mod host;
 mod jobs;

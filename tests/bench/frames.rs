@@ -127,7 +127,7 @@ fn scene(file: Option<PathBuf>) {
         events: EVENTS,
         cpu: Vec::new(),
     };
-    let drawn = bench.window.draw();
+    let drawn = bench.window.draw([]);
     drawn.unwrap_or_else(|error| panic!("{error}"));
     // A window does this in its first seconds. No assistive program asks for its controls.
     bench.window.prepare_all();
@@ -297,10 +297,7 @@ impl Costs {
         let (mut event, mut shown) = (Some(event), None);
         for _ in 0..MOST_PASSES {
             let before = worked_ms(ClockId::ThreadCPUTime);
-            let drawn = match event.take() {
-                Some(event) => window.frame(event),
-                None => window.draw(),
-            };
+            let drawn = window.draw(event.take());
             drawn.unwrap_or_else(|error| panic!("{error}"));
             self.cpu.push(worked_ms(ClockId::ThreadCPUTime) - before);
             if shown.is_none() && window.shows_scene() {

@@ -10,9 +10,9 @@ fn a_lost_device_is_replaced_and_everything_is_as_it_was() {
     click(&mut window, MIDDLE);
     press_key(&mut window, Modifiers::NONE, Key::P);
     let before = window.picture().expect("a picture");
-    assert!(!window.draw().expect("a frame"), "nothing had changed");
+    assert!(!window.draw([]).expect("a frame"), "nothing had changed");
     window.lose_device();
-    assert!(window.draw().expect("a frame"), "all of it anew");
+    assert!(window.draw([]).expect("a frame"), "all of it anew");
     let after = window.picture().expect("a picture");
     assert!(before.pixels() == after.pixels());
     assert_eq!(selected(&window), Some("front"));

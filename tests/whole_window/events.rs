@@ -203,7 +203,7 @@ fn tiny_windows_and_back() {
     for tiny in [[1, 1], [40, 30], [560, 80], [3, 700]] {
         window.resize(Viewport::new(tiny[0], tiny[1]).expect("a viewport"));
         click(&mut window, pos2(1.0, 1.0));
-        window.draw().expect("a frame");
+        window.draw([]).expect("a frame");
     }
     window.resize(px(super::SIZE, 1.0));
     assert_eq!(window.state().view().camera, before.camera);
@@ -243,7 +243,7 @@ fn messages_go_one_by_one_or_all_at_once() {
         !left.iter().any(|text| text.contains("absent 3")),
         "{left:?}"
     );
-    click_on(&mut window, "dismiss all (2 earlier)");
+    click_on(&mut window, "Dismiss all (2 earlier)");
     assert_eq!(window.messages().count(), 0);
     assert_eq!(selected(&window), None, "the clicks were not the scene's");
 }

@@ -40,12 +40,26 @@ fn a_key_shows_four_views_with_the_matrices_and_takes_them_away() {
     press_key(&mut window, Modifiers::NONE, Key::Num4);
     assert!(!has_control(&window, "P, row z") && !has_control(&window, "stage world"));
     assert_eq!(differing(&away(&mut window), &before), 0);
-    // If the matrices were open before, they stay.
+    // If the matrices were open before, they stay, whether their own button shows the four views or the key.
     press_key(&mut window, Modifiers::NONE, Key::P);
+    click_on(&mut window, "show four");
+    assert_eq!(window.state().views(), Views::Four);
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    assert_eq!(window.state().views(), Views::Picture);
+    control(&window, "P, row z");
     press_key(&mut window, Modifiers::NONE, Key::Num4);
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     assert_eq!(window.state().views(), Views::Picture);
     control(&window, "P, row z");
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    // What the four views have opened goes with them, however they go.
+    for leave in [Key::Num4, Key::V] {
+        press_key(&mut window, Modifiers::NONE, Key::Num4);
+        control(&window, "P, row z");
+        press_key(&mut window, Modifiers::NONE, leave);
+        assert_eq!(window.state().views(), Views::Picture);
+        assert!(!has_control(&window, "P, row z"), "{leave:?}");
+    }
 }
 
 #[test]

@@ -203,7 +203,7 @@ fn a_scene_too_large_for_the_adapter_is_said_and_the_old_one_stays() {
     });
     click(&mut window, MIDDLE);
     press_key(&mut window, NONE, Key::Num9);
-    window.draw().expect("a frame");
+    window.draw([]).expect("a frame");
     let before = *window.state().view();
     let mut text = String::new();
     for i in 0..40_000 {
@@ -241,7 +241,7 @@ fn a_wide_picture_is_compared() {
     let mut frames = 0..5_000;
     while !(window.is_at_rest() && has_control(&window, "V closes this")) {
         assert!(frames.next().is_some(), "the check does not end");
-        window.draw().expect("a frame");
+        window.draw([]).expect("a frame");
     }
     assert!(window.state().view().viewport.width() > 2048);
     let card = control(&window, "V closes this").rect;

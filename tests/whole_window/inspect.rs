@@ -151,6 +151,9 @@ fn the_panels_say_what_is_so() {
     let (mut window, _folder) = row(1.0);
     click(&mut window, MIDDLE);
     click_on(&mut window, "Model matrix");
+    for row in ["nearest edge", "next change", "next surface"] {
+        control(&window, row);
+    }
     for (scale, said) in [
         ("0.5", "determinant 0.5: volumes times 0.5"),
         ("-2", "determinant -2: volumes times 2, mirrored"),
@@ -159,6 +162,13 @@ fn the_panels_say_what_is_so() {
         press_key(&mut window, Modifiers::NONE, Key::Enter);
         control(&window, said);
     }
+    // A square has no volume.
+    click_on(&mut window, "back");
+    type_into(&mut window, "scale x", "-2");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    control(&window, "determinant -6, mirrored");
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    control(&window, "det -6, mirrored");
     click_on(&mut window, "middle");
     control(&window, "No point of it is picked: click its surface.");
 }

@@ -37,7 +37,7 @@ fn watch(window: &mut Offscreen, old: &[[u8; 3]]) -> Seen {
     let mut cursor = None;
     for i in 0..100_000_u32 {
         let at = NOTHING + vec2(f32::from((i % 2) as u8), 0.0);
-        window.frame(Event::PointerMoved(at)).expect("a frame");
+        window.draw([Event::PointerMoved(at)]).expect("a frame");
         let moved = window.state().cursor().map(|cursor| cursor.px);
         assert!(moved.is_some() && moved != cursor, "the mouse is followed");
         cursor = moved;
@@ -82,7 +82,7 @@ fn what_is_large_is_added_in_shares() {
     window.send([Event::ModifiersChanged(Modifiers::SHIFT)]);
     window.begin_to_drop(path);
     let released = Event::ModifiersChanged(Modifiers::NONE);
-    window.frame(released).expect("a frame");
+    window.draw([released]).expect("a frame");
     let seen = watch(&mut window, &old);
     check(&window, &seen, 4);
 }
@@ -97,7 +97,7 @@ fn what_is_large_is_read_again_in_shares() {
     // One more triangle, since an object that has not changed stays as it is.
     let text = std::fs::read_to_string(&path).expect("a file");
     std::fs::write(&path, text + "f 1 2 452\n").expect("writable");
-    window.frame(press(Key::R)).expect("a frame");
+    window.draw([press(Key::R)]).expect("a frame");
     let seen = watch(&mut window, &old);
     check(&window, &seen, 1);
 }
@@ -112,7 +112,7 @@ fn a_large_stage_is_taken_into_graphics_memory_beside_the_window() {
         let before = window.drawn().expect("a picture");
         click_on(&mut window, &format!("show {stage}"));
         let is_shown = (0..100_000).any(|_| {
-            window.draw().expect("a frame");
+            window.draw([]).expect("a frame");
             assert!(window.uploaded_work() < LITTLE, "{stage}");
             window.shows_scene()
         });
@@ -136,7 +136,7 @@ fn what_is_not_drawn_yet_is_not_picked() {
         if is_there(&window) {
             break;
         }
-        window.draw().expect("a frame");
+        window.draw([]).expect("a frame");
         std::thread::sleep(std::time::Duration::from_millis(2));
     }
     assert!(is_there(&window));

@@ -47,6 +47,23 @@ fn the_arrows_walk_through_the_list() {
         &window,
         "No name contains \u{201c}xyz\u{201d}."
     ));
+    // Esc clears the search first, then leaves its field.
+    click(&mut window, MIDDLE);
+    let picked = selected(&window).expect("a pick").to_owned();
+    type_into(&mut window, "search", "back");
+    assert!(has_control(&window, "1 of 3 objects") && !has_control(&window, "show front"));
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(control(&window, "search").value, "");
+    control(&window, "show front");
+    window.send([Event::Text("mid".into())]);
+    assert_eq!(control(&window, "search").value, "mid");
+    for _ in 0..2 {
+        assert_eq!(selected(&window), Some(&*picked));
+        press_key(&mut window, Modifiers::NONE, Key::Escape);
+    }
+    assert_eq!(selected(&window), Some(&*picked));
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(selected(&window), None);
 }
 
 #[test]
@@ -137,9 +154,9 @@ fn every_word_is_explained() {
     for i in 0..7 {
         window.drop_file(folder.path().join(format!("absent {i}.obj")));
     }
-    assert!(has_control(&window, "dismiss all (2 earlier)"));
+    assert!(has_control(&window, "Dismiss all (2 earlier)"));
     check(&window);
-    click_on(&mut window, "dismiss all (2 earlier)");
+    click_on(&mut window, "Dismiss all (2 earlier)");
     // Help explains keys and mouse: it needs no tooltips itself.
     press_key(&mut window, Modifiers::NONE, Key::H);
     click_on(&mut window, "Take the tour");

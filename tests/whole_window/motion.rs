@@ -36,19 +36,19 @@ fn what_moves_is_coarse_and_what_rests_is_exact() {
     ]);
     for x in [10.0, 20.0, 30.0] {
         let at = MIDDLE + vec2(x, 0.0);
-        let anew = window.frame(Event::PointerMoved(at)).expect("a frame");
+        let anew = window.draw([Event::PointerMoved(at)]).expect("a frame");
         assert!(anew && window.shows_scene());
         assert_eq!(coarseness(&window) > 1, is_software, "{x}");
     }
     let last = MIDDLE + vec2(30.0, 0.0);
     window
-        .frame(button(last, PointerButton::Primary, false))
+        .draw([button(last, PointerButton::Primary, false)])
         .expect("a frame");
     assert_eq!(coarseness(&window) > 1, is_software, "a moment ago");
     // A click into the coarse picture picks exactly and is marked.
     let bare = window.drawn().expect("a picture");
     click(&mut window, MIDDLE);
-    window.draw().expect("a frame");
+    window.draw([]).expect("a frame");
     let clicked = window.drawn().expect("a picture");
     let marked = (bare.pixels().iter().zip(clicked.pixels())).filter(|(a, b)| a != b);
     assert!(marked.count() > 100);
@@ -97,7 +97,7 @@ fn a_drag_lays_the_panels_out_once_and_they_show_what_it_did() {
             for x in [20.0, 30.0] {
                 let drawn = window.drawn().expect("a picture");
                 let (view, passes) = (*window.state().view(), window.passes());
-                window.frame(Event::PointerMoved(to(x))).expect("a frame");
+                window.draw([Event::PointerMoved(to(x))]).expect("a frame");
                 assert_eq!(window.passes(), passes + 1, "{views:?} {modifiers:?} {x}");
                 assert_ne!(window.drawn().expect("a picture"), drawn);
                 let camera = &window.state().view().camera;
@@ -117,9 +117,9 @@ fn a_leap_is_exact_at_once_and_steps_in_a_row_move() {
     window.picture().expect("a picture");
     let is_software = window.is_software();
     window.wait_s(1.0);
-    window.frame(press(Key::Num9)).expect("a frame");
+    window.draw([press(Key::Num9)]).expect("a frame");
     assert_eq!(coarseness(&window), 1);
-    window.frame(press(Key::Num3)).expect("a frame");
+    window.draw([press(Key::Num3)]).expect("a frame");
     assert_eq!(coarseness(&window) > 1, is_software);
 }
 
@@ -129,7 +129,7 @@ fn large_ground(side: u32) -> (Offscreen, TempDir) {
     let mut window = open(vec![stalls::ground(folder.path(), side)], 1.0);
     window.picture().expect("a picture");
     while !window.state().scene().trees_are_built() {
-        window.draw().expect("a frame");
+        window.draw([]).expect("a frame");
     }
     (window, folder)
 }
@@ -139,7 +139,7 @@ fn drag_until(window: &mut Offscreen, steps: u16, is_so: impl Fn(&Offscreen) -> 
     window.send([button(MIDDLE, PointerButton::Primary, true)]);
     (1..=steps).any(|step| {
         let at = MIDDLE + vec2(f32::from(step % 40) * 3.0, 0.0);
-        window.frame(Event::PointerMoved(at)).expect("a frame");
+        window.draw([Event::PointerMoved(at)]).expect("a frame");
         is_so(window)
     })
 }
@@ -176,7 +176,7 @@ fn an_exact_picture_under_way_gives_way_to_motion() {
     // A million triangles: more than software draws in a pass.
     let (mut window, _folder) = large_ground(707);
     window.wait_s(1.0);
-    window.frame(press(Key::Num7)).expect("a frame");
+    window.draw([press(Key::Num7)]).expect("a frame");
     assert_eq!(coarseness(&window), 1);
     let is_software = window.is_software();
     assert!(
@@ -204,7 +204,7 @@ fn a_click_on_a_large_object_outlines_it_at_once() {
         window.wait_s(1.0);
         click(window, MIDDLE);
         assert!(window.state().selection().is_some());
-        window.draw().expect("a frame");
+        window.draw([]).expect("a frame");
         assert!(window.looks_different());
         window.shows_scene() && (window.drawn_work() == 0) == is_software
     };
@@ -244,18 +244,18 @@ fn a_frame_that_looks_as_before_is_not_shown_again() {
     let (mut window, _folder) = row(1.0);
     window.picture().expect("a picture");
     for _ in 0..3 {
-        window.draw().expect("a frame");
+        window.draw([]).expect("a frame");
         assert!(!window.looks_different());
     }
-    window.frame(Event::PointerMoved(MIDDLE)).expect("a frame");
+    window.draw([Event::PointerMoved(MIDDLE)]).expect("a frame");
     assert!(window.state().hover().is_some() && window.looks_different());
-    window.frame(Event::PointerMoved(MIDDLE)).expect("a frame");
+    window.draw([Event::PointerMoved(MIDDLE)]).expect("a frame");
     assert!(!window.looks_different());
     // The panels report a click in the very frame that shows it.
     let before = window.drawn().expect("a picture");
     window.send([button(MIDDLE, PointerButton::Primary, true)]);
     window
-        .frame(button(MIDDLE, PointerButton::Primary, false))
+        .draw([button(MIDDLE, PointerButton::Primary, false)])
         .expect("a frame");
     let clicked = window.drawn().expect("a picture");
     let panel = (100..600).flat_map(|y| (980..1270).map(move |x| (x, y)));

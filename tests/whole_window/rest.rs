@@ -8,7 +8,7 @@ use sightline::{
 
 /// Draws a frame, and returns what is then on screen.
 fn next(window: &mut Offscreen) -> Image<Rgb> {
-    window.draw().expect("a frame");
+    window.draw([]).expect("a frame");
     window.drawn().expect("a picture")
 }
 

@@ -268,7 +268,7 @@ fn without_a_dialog_the_path_is_typed() {
     let [other, free] = ["other.toml", "free"].map(|name| folder.path().join(name));
     fs::write(&other, "other").expect("writable");
     type_into(&mut window, "path", &other.display().to_string());
-    assert!(!has_control(&window, &exists) && !has_control(&window, "replace"));
+    assert!(!has_control(&window, &exists) && !has_control(&window, "Replace"));
     press_key(&mut window, Modifiers::NONE, Key::Enter);
     assert_eq!(read(&other), "other");
     type_into(&mut window, "path", &own.display().to_string());
@@ -281,7 +281,7 @@ fn without_a_dialog_the_path_is_typed() {
     press_key(&mut window, CTRL, Key::Z);
     asks(&mut window);
     type_into(&mut window, "path", &free.display().to_string());
-    click_on(&mut window, "save");
+    click_on(&mut window, "Save");
     assert_eq!(window.state().name(), "free.toml");
     asks_about(&mut window, &folder);
 }
@@ -301,14 +301,14 @@ fn asks_about(window: &mut Offscreen, folder: &TempDir) {
     press_key(window, Modifiers::NONE, Key::Enter);
     control(window, &format!("{} does not exist.", none.display()));
     type_into(window, "path", &row.display().to_string());
-    click_on(window, "open");
+    click_on(window, "Open");
     assert!(is_asked(window));
     click_on(window, "Cancel");
     window.close();
     click_on(window, "Save first\u{2026}");
     window.save_without_dialog();
-    click_on(window, "save");
+    click_on(window, "Save");
     assert!(!window.has_quit());
-    click_on(window, "replace");
+    click_on(window, "Replace");
     assert!(window.has_quit());
 }

@@ -46,7 +46,7 @@ fn a_large_scene_is_drawn_in_pieces_and_the_old_picture_stays() {
     press_key(&mut window, Modifiers::NONE, Key::Num3);
     let turned = *window.state().view();
     // The picture is not complete after its first piece, and there is no older picture to show.
-    let anew = window.draw().expect("a frame");
+    let anew = window.draw([]).expect("a frame");
     assert_eq!(anew, !in_software);
     assert_eq!(window.is_at_rest(), !in_software);
     // The window still answers. The picture that was begun is finished first.
@@ -55,7 +55,7 @@ fn a_large_scene_is_drawn_in_pieces_and_the_old_picture_stays() {
     press_key(&mut window, Modifiers::NONE, Key::G);
     let mut passes = 1;
     while !window.is_at_rest() {
-        window.draw().expect("a frame");
+        window.draw([]).expect("a frame");
         passes += 1;
         assert!(passes < 1000, "it comes to an end");
     }
@@ -99,7 +99,7 @@ fn ndc_of_many_objects_is_made_beside_the_window() {
     let first = window.picture().expect("a picture");
     // While the camera keeps moving, the window answers at once, and NDC follows.
     for _ in 0..3 {
-        window.frame(press(Key::Num7)).expect("a frame");
+        window.draw([press(Key::Num7)]).expect("a frame");
         assert!(!window.is_at_rest());
     }
     window.send([]);
@@ -112,7 +112,7 @@ fn ndc_of_many_objects_is_made_beside_the_window() {
 /// Draws until the wanted scene shows.
 fn draw_all(window: &mut Offscreen) {
     for _ in 0..1000 {
-        window.draw().expect("a frame");
+        window.draw([]).expect("a frame");
         if window.shows_scene() {
             return;
         }
@@ -163,8 +163,8 @@ fn the_picture_is_not_shown_as_the_world() {
     // Rays would be quicker, but they find no edges.
     press_key(&mut window, Modifiers::NONE, Key::W);
     window.picture().expect("a picture");
-    window.frame(press(Key::Num4)).expect("a frame");
-    window.frame(Event::PointerGone).expect("a frame");
+    window.draw([press(Key::Num4)]).expect("a frame");
+    window.draw([Event::PointerGone]).expect("a frame");
     let world = control(&window, "stage world").rect;
     if window.shows_scene() {
         assert!(!window.is_software(), "software takes longer");
@@ -199,7 +199,7 @@ fn percent(window: &Offscreen, of: &str) -> Option<f64> {
 fn is_loaded_beyond(window: &mut Offscreen, share: f64) -> bool {
     let begun = Instant::now();
     loop {
-        window.frame(Event::PointerGone).expect("a frame");
+        window.draw([Event::PointerGone]).expect("a frame");
         // What cannot be loaded is told.
         let said: Vec<_> = window.messages().collect();
         assert!(said.is_empty(), "{said:?}");
@@ -225,7 +225,7 @@ fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
     let ways: [(&str, Way); 2] = [
         ("Esc", |_| vec![press(Key::Escape)]),
         ("the button", |window| {
-            let at = control(window, "cancel").rect.center();
+            let at = control(window, "Cancel").rect.center();
             let press = |pressed| button(at, PointerButton::Primary, pressed);
             vec![Event::PointerMoved(at), press(true), press(false)]
         }),
@@ -244,7 +244,7 @@ fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
             return false;
         }
         for event in events(&window) {
-            window.frame(event).expect("a frame");
+            window.draw([event]).expect("a frame");
         }
         window.send([Event::PointerGone]);
         assert_eq!(loaded_percent(&window), None);
@@ -273,14 +273,14 @@ fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
 fn is_ended(window: &mut Offscreen, phase: &str) -> bool {
     let begun = Instant::now();
     loop {
-        window.frame(Event::PointerGone).expect("a frame");
+        window.draw([Event::PointerGone]).expect("a frame");
         if window.state().name() != "row.toml" {
             return false;
         }
         let share = percent(window, phase);
         if share.is_some_and(|share| 0.0 < share && share < 100.0) {
-            window.frame(press(Key::Escape)).expect("a frame");
-            window.frame(Event::PointerGone).expect("a frame");
+            window.draw([press(Key::Escape)]).expect("a frame");
+            window.draw([Event::PointerGone]).expect("a frame");
             return window.state().name() == "row.toml";
         }
         assert!(begun.elapsed() < LONGEST_LOAD, "{phase}: {share:?}");
@@ -346,7 +346,7 @@ fn a_pass_over_many_objects_lays_out_what_one_over_few_does() {
         press_key(&mut window, Modifiers::NONE, Key::ArrowDown);
         assert_eq!(window.state().scene().objects().len(), count);
         window.picture().expect("a picture");
-        assert!(!window.draw().expect("a frame"), "nothing had changed");
+        assert!(!window.draw([]).expect("a frame"), "nothing had changed");
         assert_eq!((window.drawn_work(), window.uploaded_work()), (0, 0));
         window.controls().len()
     };

@@ -26,7 +26,7 @@ fn edited_while_another_loads() -> (Offscreen, TempDir) {
     assert!(!is_marked(&window));
     window.begin_to_drop(path);
     assert!(!is_asked(&window), "nothing is edited yet");
-    window.frame(redo()).expect("a frame");
+    window.draw([redo()]).expect("a frame");
     assert_eq!(window.state().name(), "row.toml", "the other still loads");
     assert_eq!(shown(&window), [false, true, true]);
     window.send([]);
@@ -98,9 +98,9 @@ fn large_with_a_move() -> (Offscreen, TempDir) {
 #[test]
 fn moves_while_the_files_are_read_again_are_asked_about() {
     let (mut window, _folder) = large_with_a_move();
-    window.frame(press(Key::R)).expect("a frame");
+    window.draw([press(Key::R)]).expect("a frame");
     assert!(!is_asked(&window));
-    window.frame(redo()).expect("a frame");
+    window.draw([redo()]).expect("a frame");
     assert_eq!(place(&window).x, 1.5);
     window.send([]);
     assert!(is_asked(&window));
@@ -115,9 +115,9 @@ fn moves_while_the_files_are_read_again_are_asked_about() {
 fn wait_for_load(window: &mut Offscreen) {
     for _ in 0..500 {
         window
-            .frame(Event::PointerMoved(pos2(480.0, 80.0)))
+            .draw([Event::PointerMoved(pos2(480.0, 80.0))])
             .expect("a frame");
-        if has_control(window, "cancel") {
+        if has_control(window, "Cancel") {
             return;
         }
         thread::sleep(Duration::from_millis(10));
@@ -144,7 +144,7 @@ fn a_file_that_changes_while_it_is_read_again_is_read_once_more() {
     wait_for_load(&mut window);
     append(b"f 1 2 45");
     for _ in 0..3000 {
-        window.frame(Event::PointerGone).expect("a frame");
+        window.draw([Event::PointerGone]).expect("a frame");
         let told: Vec<_> = window.messages().collect();
         let expected = "ground.obj has changed and was read again";
         assert!(told.iter().all(|told| *told == expected), "{told:?}");
@@ -163,7 +163,7 @@ fn moves_while_a_changed_file_is_read_are_kept() {
     let text = fs::read_to_string(&path).expect("a file");
     fs::write(&path, text + "# changed\n").expect("writable");
     wait_for_load(&mut window);
-    window.frame(redo()).expect("a frame");
+    window.draw([redo()]).expect("a frame");
     window.send([]);
     assert_eq!(place(&window).x, 1.5);
     assert!(!is_asked(&window) && is_marked(&window));

@@ -7,8 +7,8 @@ use super::{
 use crate::{
     render::GpuError,
     viewer::{
-        jobs::{LITTLE, Projecting, Upload},
-        model::Stage,
+        jobs::{Projecting, Upload},
+        model::{LITTLE, Stage},
         ui::{Attempt, Underway},
     },
 };

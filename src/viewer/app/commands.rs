@@ -33,6 +33,7 @@ impl App {
                     "nothing is frozen in the four views, which show the camera already: {key}"
                 ));
             }
+            Command::Act(Action::Views(views)) => self.show_views(views),
             Command::Act(action) => self.act(action),
             Command::OpenDialog if self.host == Host::Picture => {}
             Command::OpenDialog if self.asks_for_files => {
@@ -105,7 +106,7 @@ impl App {
             Command::LeaveGallery => self.intend(Intent::Open(Vec::new())),
             Command::ToggleCheck => {
                 // Only the camera's picture can be compared.
-                self.act(Action::Views(Views::Picture));
+                self.show_views(Views::Picture);
                 self.toggle_check();
             }
             Command::ToggleHelp => self.floating.help ^= true,

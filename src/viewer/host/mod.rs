@@ -5,6 +5,7 @@ mod controls;
 mod mark;
 mod memory_picture;
 mod offscreen;
+mod offscreen_facts;
 mod offscreen_files;
 #[cfg(feature = "screen-readers")]
 mod reader;

@@ -11,7 +11,7 @@ use crate::{
     render::{GpuError, Restraint},
     viewer::{
         app::{App, Frame, Host, REST_S, Wake, Waker},
-        model::{Seen, State},
+        model::Seen,
         options::Options,
     },
 };
@@ -37,16 +37,16 @@ const FRAME_S: f64 = 1.0 / 60.0;
 pub struct Offscreen {
     pub(super) app: App,
     wakes: Receiver<Wake>,
-    picture: MemoryPicture,
+    pub(super) picture: MemoryPicture,
     pixels_per_point: f32,
     time_s: f64,
-    copied: Option<String>,
-    controls: Vec<Control>,
+    pub(super) copied: Option<String>,
+    pub(super) controls: Vec<Control>,
     /// The last pass's accessibility tree, until [`Self::controls`] is made of it.
     tree: Option<TreeUpdate>,
     /// Whether passes that no other follows at once make that tree.
     tells_controls: bool,
-    at_rest: bool,
+    pub(super) at_rest: bool,
     theme: Option<egui::Theme>,
     due: Due,
 }
@@ -169,112 +169,9 @@ impl Offscreen {
         }
     }
 
-    /// What stands in the window's title.
-    #[must_use]
-    pub fn title(&self) -> String {
-        self.app.title()
-    }
-
-    /// The window's controls and texts, by its accessibility tree.
-    #[must_use]
-    pub fn controls(&self) -> &[Control] {
-        &self.controls
-    }
-
-    /// What it shows.
-    #[must_use]
-    pub fn state(&self) -> &State {
-        &self.app.state
-    }
-
-    /// The messages that wait to be read, oldest first.
-    pub fn messages(&self) -> impl Iterator<Item = &str> {
-        let notices = self.app.notices.iter();
-        notices.map(|notice| notice.text.as_str())
-    }
-
-    /// Whether the window is at rest after the last event: nothing is animated, and nothing but smooth edges is under
-    /// way.
-    #[must_use]
-    pub fn is_at_rest(&self) -> bool {
-        self.at_rest && self.app.picture.behind.is_none()
-    }
-
-    /// Whether the last frame shows the wanted scene, in whatever resolution.
-    #[must_use]
-    pub fn shows_scene(&self) -> bool {
-        self.app.picture.behind.is_none()
-    }
-
-    /// About how many triangles of the scene the last frame drew.
-    #[must_use]
-    pub fn drawn_work(&self) -> u64 {
-        self.app.picture.drawn
-    }
-
-    /// How many objects and triangles the last frame itself uploaded. Those that a job uploaded do not count.
-    #[must_use]
-    pub fn uploaded_work(&self) -> usize {
-        self.app.picture.uploaded
-    }
-
-    /// How many triangles of meshes were uploaded so far, by frames and by jobs.
-    #[must_use]
-    pub fn uploaded_triangles(&self) -> u64 {
-        let canvas = self.picture.canvas.as_ref();
-        canvas.map_or(0, |canvas| canvas.gpu.uploaded_triangles())
-    }
-
-    /// Whether the last frame looks different from the one before: a window presents only such frames.
-    #[must_use]
-    pub fn looks_different(&self) -> bool {
-        self.picture.is_another
-    }
-
-    /// Whether it fills the screen.
-    #[must_use]
-    pub fn is_full_screen(&self) -> bool {
-        self.app.fills_screen
-    }
-
-    /// Whether the panels have a glyph for each character of a text.
-    #[must_use]
-    pub fn can_write(&self, text: &str) -> bool {
-        let font = egui::FontId::default();
-        let context = &self.app.context;
-        context.fonts_mut(|fonts| fonts.has_glyphs(&font, text))
-    }
-
-    /// What was put on the clipboard last.
-    #[must_use]
-    pub fn copied(&self) -> Option<&str> {
-        self.copied.as_deref()
-    }
-
     /// Where screenshots go.
     pub fn save_screenshots_in(&mut self, folder: PathBuf) {
         self.app.screenshots.folder = folder;
-    }
-
-    /// Whether the user has closed it.
-    #[must_use]
-    pub fn has_quit(&self) -> bool {
-        self.app.quit
-    }
-
-    /// Draws the frame after an event as a window does, without waiting for more events. Returns whether a new picture
-    /// of the scene is shown.
-    ///
-    /// # Errors
-    /// When there is no graphics adapter, or it fails.
-    pub fn frame(&mut self, event: egui::Event) -> Result<bool, GpuError> {
-        self.draw_after(vec![event])
-    }
-
-    /// How often the panels were laid out so far: once a frame, or twice where the first time changes what they show.
-    #[must_use]
-    pub fn passes(&self) -> u64 {
-        self.app.context.cumulative_pass_nr()
     }
 
     /// Rasterises all glyphs and makes all pipelines ahead, as an idle window does a few at a time.
@@ -282,31 +179,13 @@ impl Offscreen {
         while self.app.prepare(&mut self.picture) {}
     }
 
-    /// What the adapter calls itself, once something was drawn.
-    #[must_use]
-    pub fn adapter_name(&self) -> &str {
-        let canvas = self.picture.canvas.as_ref();
-        canvas.map_or("", |canvas| canvas.gpu.adapter_name())
-    }
-
-    /// Whether the adapter is a program on the CPU, once something was drawn.
-    #[must_use]
-    pub fn is_software(&self) -> bool {
-        let canvas = self.picture.canvas.as_ref();
-        canvas.is_some_and(|canvas| canvas.gpu.is_software())
-    }
-
-    /// Draws a frame as a window does, the scene only if it changed. Returns whether a new picture of the scene is
-    /// shown.
-    ///
-    /// # Errors
-    /// When there is no graphics adapter, or it fails.
-    pub fn draw(&mut self) -> Result<bool, GpuError> {
-        self.draw_after(Vec::new())
-    }
-
-    fn draw_after(&mut self, events: Vec<egui::Event>) -> Result<bool, GpuError> {
-        let input = self.input(events);
+    /// Draws the frame after these events as a window does, without waiting for more events, and the scene only if it
+    /// changed. Returns whether a new picture of the scene is shown.
+    pub fn draw(
+        &mut self,
+        events: impl IntoIterator<Item = egui::Event>,
+    ) -> Result<bool, GpuError> {
+        let input = self.input(events.into_iter().collect());
         self.make_tree(self.tells_controls);
         let Frame { platform, drawn } = self.app.frame(input, &mut self.picture);
         self.take_told(platform);
@@ -316,9 +195,6 @@ impl Offscreen {
     }
 
     /// A picture of the whole window at rest: its edges are smooth.
-    ///
-    /// # Errors
-    /// When there is no graphics adapter, or it fails.
     pub fn picture(&mut self) -> Result<Image<Rgb>, GpuError> {
         self.draw_whole()?;
         // The first frame may have begun jobs, such as a comparison with what it drew.
@@ -327,25 +203,22 @@ impl Offscreen {
         self.drawn()
     }
 
-    /// The frame that was drawn last, as it is on the screen.
-    ///
-    /// # Errors
-    /// When nothing was drawn yet, or the adapter fails.
+    /// The frame that was drawn last, as it is on the screen. It is an error if nothing was drawn yet.
     pub fn drawn(&self) -> Result<Image<Rgb>, GpuError> {
         let canvas = self.picture.canvas.as_ref();
         canvas.ok_or(GpuError::NoAdapter)?.read()
     }
 
     fn draw_whole(&mut self) -> Result<(), GpuError> {
-        self.draw()?;
+        self.draw([])?;
         while self.app.picture.behind.is_some() {
-            self.draw()?;
+            self.draw([])?;
         }
         if self.app.picture.rough {
             self.time_s += REST_S;
         }
         while self.app.picture.rough {
-            self.draw()?;
+            self.draw([])?;
         }
         Ok(())
     }

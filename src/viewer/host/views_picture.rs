@@ -17,9 +17,6 @@ use glam::DVec2;
 /// A picture of a loaded scene, `size` pixels large, with the views and files that `options` name. It looks as a window
 /// without panels does, so stages have their labels. If `pick` is given, that pixel of the camera's own picture, which
 /// has the same size, is clicked first.
-///
-/// # Errors
-/// When there is no graphics adapter, or it fails.
 pub fn picture_of_views(
     loaded: Loaded,
     options: Options,

@@ -24,9 +24,6 @@ use winit::{
 };
 
 /// Opens the window and returns when it is closed.
-///
-/// # Errors
-/// When there is no display or no adapter.
 pub fn run(options: Options) -> Result<(), ViewerError> {
     let event_loop = EventLoop::with_user_event().build();
     let event_loop = event_loop.map_err(|error| ViewerError::no_display(&error))?;
@@ -50,10 +47,7 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
     host.failed.map_or(Ok(()), Err)
 }
 
-/// Checks that there is a display to open a window on.
-///
-/// # Errors
-/// When there is none. Not to be called in a process that has a window.
+/// Checks that there is a display to open a window on. Not to be called in a process that has a window.
 pub fn display() -> Result<(), ViewerError> {
     let event_loop = EventLoop::<()>::with_user_event().build();
     event_loop

@@ -1,6 +1,6 @@
 //! Frees large data in the background.
 
-use super::uploading::LITTLE;
+use crate::viewer::model::LITTLE;
 use std::thread;
 
 /// Drops something of this `size` in objects and triangles: in the background if it is large.

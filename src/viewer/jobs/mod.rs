@@ -34,5 +34,5 @@ pub(super) use snapping::Snapping;
 pub(super) use study::Chart;
 pub(super) use trees::TreeBuild;
 pub(super) use typefaces::{Missing, Typeface, Typefaces};
-pub(super) use uploading::{LITTLE, Making, Upload, Uploaded};
+pub(super) use uploading::{Making, Upload, Uploaded};
 pub(super) use watching::{Stamps, Watching};

@@ -13,7 +13,7 @@ use crate::{
 use glam::DVec2;
 
 /// Where a click snapped to, and the area of the object there.
-type Snapped = Option<(Snap, Option<Measured>)>;
+type Snapped = Option<(Snap, Measured)>;
 
 /// A click that is being snapped. Dropping it cancels that.
 pub(in crate::viewer) struct Snapping(Job<Snapped>);
@@ -32,7 +32,7 @@ impl Snapping {
             let mut faces = |object, triangle| files.face_of(object, triangle).map_err(Into::into);
             let snap = Snap::at(&scene, &view, px, Measuring::RADIUS_PX, &mut faces)?;
             let area = object_area(&scene.objects()[snap.id - 1]);
-            Some((snap, Some(area)))
+            Some((snap, area))
         };
         Self(Job::start(find, wake))
     }

@@ -46,9 +46,6 @@ enum NotUploaded {
     Gpu(#[from] GpuError),
 }
 
-/// A scene with fewer objects and triangles than this is uploaded, or freed, as fast as a job is started.
-pub(in crate::viewer) const LITTLE: usize = 20_000;
-
 /// A scene in graphics memory.
 pub(in crate::viewer) struct Uploaded {
     pub key: SceneKey,
@@ -61,9 +58,6 @@ pub(in crate::viewer) struct Uploaded {
 
 impl Uploaded {
     /// Uploads a scene, but not the meshes that are there already.
-    ///
-    /// # Errors
-    /// When the scene does not fit.
     pub fn new(gpu: &Gpu, scene: &Scene, meshes: MeshStore) -> Result<Self, GpuError> {
         Self::new_while(gpu, (scene, None), meshes, &|_| Ok(()))
     }

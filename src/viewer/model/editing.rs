@@ -3,7 +3,7 @@
 use super::{
     made::Made,
     measuring::{MeasureAction, Measuring},
-    state::{Chosen, Edit, Edits, State, Step},
+    state::{Chosen, Edit, Edits, State, UndoStep},
     timeline::Gesture,
 };
 use crate::{
@@ -30,7 +30,7 @@ impl State {
         let chosen = self.chosen.clone();
         let edits = self.edit(|edits| &mut edits.matrices);
         let inverse = self.make(Edit::Place(object, placement));
-        let step = Step::Edited(inverse, edits, chosen);
+        let step = UndoStep::Edited(inverse, edits, chosen);
         self.record(Some(Gesture::Place(object)), step);
     }
 
@@ -58,7 +58,7 @@ impl State {
         }
         let edits = self.edit(|edits| &mut edits.visibility);
         let inverse = self.make(Edit::Toggle(objects));
-        self.record(None, Step::Edited(inverse, edits, chosen));
+        self.record(None, UndoStep::Edited(inverse, edits, chosen));
     }
 
     /// Adds the objects of other files to the scene. View and selection stay.
@@ -85,7 +85,7 @@ impl State {
         let made = made.filter(|made| made.is_of(&self.scene));
         let made = made.unwrap_or_else(|| Made::with(&self.scene, &loaded.scene));
         let inverse = self.make(Edit::Compose(made.scene, source));
-        self.record(None, Step::Edited(inverse, edits, chosen));
+        self.record(None, UndoStep::Edited(inverse, edits, chosen));
         self.refresh_panes();
     }
 
@@ -150,17 +150,17 @@ impl State {
             MeasureAction::Clear => self.measuring.list.clear(),
         }
         if self.measuring.list != list {
-            self.record(None, Step::Measured(list));
+            self.record(None, UndoStep::Measured(list));
         }
     }
 
     /// Takes the point that a click snapped to.
-    pub(in crate::viewer) fn take_snap(&mut self, snap: Snap, object_area: Option<Measured>) {
+    pub(in crate::viewer) fn take_snap(&mut self, snap: Snap, object_area: Measured) {
         let points = &mut self.measuring.points;
         points.push(snap);
         let old = points.len().saturating_sub(2);
         points.drain(..old);
-        self.measuring.object_area = object_area;
+        self.measuring.object_area = Some(object_area);
     }
 
     /// Drops the points: they may have moved with the scene.

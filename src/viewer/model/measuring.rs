@@ -73,7 +73,7 @@ pub struct Measuring {
     pub is_on: bool,
     /// The last two points, the older one first.
     pub points: Vec<Snap>,
-    /// The area of the last point's object.
+    /// The area of the last point's object; `None` without a point.
     pub object_area: Option<Measured>,
     /// What was measured, oldest first.
     pub list: Vec<Entry>,
@@ -117,11 +117,14 @@ impl Measuring {
             }
             What::Distance if self.points.is_empty() => "click two points",
             What::Distance => "click a second point",
-            _ if self.points.is_empty() => "click what is to be measured",
-            What::Length => "the last click did not snap to an edge: click one",
-            What::FaceArea | What::ObjectArea => {
+            What::Length if !self.points.is_empty() => {
+                "the last click did not snap to an edge: click one"
+            }
+            What::FaceArea if !self.points.is_empty() => {
                 "a corner of that face is not three numbers in the file"
             }
+            // Every object has an area.
+            What::Length | What::FaceArea | What::ObjectArea => "click what is to be measured",
         }
     }
 

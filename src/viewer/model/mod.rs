@@ -49,6 +49,7 @@ pub use pane_mouse::Followed;
 pub use showing::{Compared, Distance, Fault, Showing};
 pub use sought::{Numbered, Sought};
 pub use stages::{Stage, projected};
+pub(super) use staging::LITTLE;
 pub use state::{Cursor, DOUBLE_CLICK_S, Frozen, Selection, Source, State};
 pub(super) use subject::{Lesson, Subject};
 pub(super) use unsaved::Version;

@@ -7,7 +7,7 @@ use super::{
     ortho_height::OrthoHeight,
     overlay::Overlays,
     showing::Showing,
-    state::{Chosen, Edit, Edits, SectionMemory, Source, State, Step, Viewpoint},
+    state::{Chosen, Edit, Edits, SectionMemory, Source, State, UndoStep, Viewpoint},
     timeline::Timeline,
 };
 use crate::{
@@ -20,9 +20,6 @@ use std::{mem, path::PathBuf};
 impl State {
     /// Shows a scene in a rectangle of this size. What `choice` leaves open, the scene's own camera decides; what both
     /// leave open is chosen so that the scene is in view. An invalid section is left out.
-    ///
-    /// # Errors
-    /// When the choices make no valid camera.
     pub fn new(
         loaded: Loaded,
         choice: CameraChoice,
@@ -88,10 +85,8 @@ impl State {
     }
 
     /// Shows another scene, loaded from these files; the window's settings stay. Undo leads back from a scene of the
-    /// gallery to what was open; any other scene begins a new history.
-    ///
-    /// # Errors
-    /// When the scene's own camera is invalid; then everything stays as it was.
+    /// gallery to what was open; any other scene begins a new history. If the scene's own camera is invalid, everything
+    /// stays as it was.
     pub fn open(&mut self, loaded: Loaded, paths: Vec<PathBuf>) -> Result<(), CameraError> {
         let inherited = CameraChoice {
             up_axis: Some(self.up_axis),
@@ -105,7 +100,7 @@ impl State {
         let goes_back = next.showing.is_some() && !self.scene.objects().is_empty();
         let mut before = self.exchange(next);
         if goes_back {
-            self.record(None, Step::Open(before));
+            self.record(None, UndoStep::Open(before));
         } else {
             let fresh = self.timeline.fresh();
             before.timeline = mem::replace(&mut self.timeline, fresh);
@@ -178,7 +173,7 @@ impl State {
         }
         let made_it = matches!(
             self.timeline.steps(true).last(),
-            Some(Step::Open(_) | Step::Edited(Edit::Compose(..), ..))
+            Some(UndoStep::Open(_) | UndoStep::Edited(Edit::Compose(..), ..))
         );
         made_it && self.step_in_time(true)
     }
@@ -225,7 +220,7 @@ impl State {
     pub(in crate::viewer) fn saved(&mut self, snapshot: &Snapshot, source: Source) {
         let steps = self.timeline.all_mut();
         let left = steps.filter_map(|step| match step {
-            Step::Open(state) if state.document == snapshot.document => Some(&mut **state),
+            UndoStep::Open(state) if state.document == snapshot.document => Some(&mut **state),
             _ => None,
         });
         let left: Vec<&mut State> = left.collect();

@@ -3,7 +3,7 @@
 use super::{
     made::Made,
     showing::Showing,
-    state::{Chosen, Edit, Edits, State, Step},
+    state::{Chosen, Edit, Edits, State, UndoStep},
 };
 use crate::{
     pick::Pick,
@@ -87,8 +87,8 @@ impl State {
             let mut nearer = self.edits;
             let mut same = vec![(before, nearer)];
             let mut kept = Vec::new();
-            for mut step in self.timeline.take_near(back, Step::is_of_another_scene) {
-                let Step::Edited(edit, edits, chosen) = &mut step else {
+            for mut step in self.timeline.take_near(back, UndoStep::is_of_another_scene) {
+                let UndoStep::Edited(edit, edits, chosen) = &mut step else {
                     kept.push(step);
                     continue;
                 };
@@ -103,7 +103,7 @@ impl State {
                 } else {
                     same.push((*edits, nearer));
                     self.filed.rename(edits, &nearer);
-                    if let Step::Edited(Edit::Compose(scene, _), ..) = step {
+                    if let UndoStep::Edited(Edit::Compose(scene, _), ..) = step {
                         self.unused.push(scene);
                     }
                 }
@@ -119,9 +119,9 @@ impl State {
     fn outdate_all_measures(&mut self) {
         self.outdate_measures();
         for back in [true, false] {
-            let mut near = self.timeline.take_near(back, Step::is_of_another_scene);
+            let mut near = self.timeline.take_near(back, UndoStep::is_of_another_scene);
             for step in &mut near {
-                if let Step::Measured(list) = step {
+                if let UndoStep::Measured(list) = step {
                     for entry in list {
                         entry.outdated = true;
                     }
@@ -144,7 +144,7 @@ impl State {
     }
 }
 
-impl Step {
+impl UndoStep {
     fn is_of_another_scene(&self) -> bool {
         matches!(self, Self::Open(_))
     }

@@ -14,8 +14,9 @@ use crate::{
 };
 use glam::{DAffine3, DMat3, DVec3};
 
-/// Fewer objects and triangles than this are projected within a pass, more on another thread.
-const LITTLE: usize = 20_000;
+/// A scene with fewer objects and triangles than this is projected, uploaded or freed within a pass, as fast as a job
+/// is started.
+pub(in crate::viewer) const LITTLE: usize = 20_000;
 /// Farther from the origin than anything in NDC.
 const BEYOND_NDC: f64 = 1e30;
 

@@ -129,7 +129,7 @@ pub(super) enum Edit {
 
 /// An undo step: how things were before a change. See [`Timeline`].
 #[expect(clippy::large_enum_variant, reason = "most steps are edits")]
-pub(super) enum Step {
+pub(super) enum UndoStep {
     /// The scene was as this edit makes it, with these numbers, and that was chosen.
     Edited(Edit, Edits, Chosen),
     /// The view was there.
@@ -140,7 +140,7 @@ pub(super) enum Step {
     Open(Box<State>),
 }
 
-impl Step {
+impl UndoStep {
     /// The scene that it leads to, if that is another one.
     pub fn scene(&self) -> Option<&State> {
         match self {
@@ -206,7 +206,7 @@ pub struct State {
     pub(super) filed: Edits,
     /// The section as the scene was opened or saved with it.
     pub(super) filed_section: Option<Section>,
-    pub(super) timeline: Timeline<Step>,
+    pub(super) timeline: Timeline<UndoStep>,
     pub(super) grid: bool,
     pub(super) overlays: Overlays,
     pub(super) frozen: Option<Frozen>,
@@ -283,12 +283,12 @@ impl State {
     #[must_use]
     pub fn next_step(&self, back: bool) -> Option<&'static str> {
         Some(match self.timeline.steps(back).last()? {
-            Step::Edited(Edit::Place(..), ..) => "model matrix",
-            Step::Edited(Edit::Toggle(_), ..) => "hide and show",
-            Step::Edited(Edit::Compose(..), ..) => "objects added",
-            Step::Viewpoint(_) => "view",
-            Step::Measured(_) => "measures",
-            Step::Open(_) => "gallery",
+            UndoStep::Edited(Edit::Place(..), ..) => "model matrix",
+            UndoStep::Edited(Edit::Toggle(_), ..) => "hide and show",
+            UndoStep::Edited(Edit::Compose(..), ..) => "objects added",
+            UndoStep::Viewpoint(_) => "view",
+            UndoStep::Measured(_) => "measures",
+            UndoStep::Open(_) => "gallery",
         })
     }
 

@@ -1,12 +1,12 @@
 //! What can be undone: each change leaves a step that takes it back.
 
 use super::{
-    state::{Edits, State, Step, Viewpoint},
+    state::{Edits, State, UndoStep, Viewpoint},
     timeline::Gesture,
 };
 use std::mem;
 
-impl Step {
+impl UndoStep {
     /// Whether it leads back to what was open before the gallery. Such a step is never forgotten.
     fn leads_out(&self) -> bool {
         matches!(self, Self::Open(state) if state.showing.is_none())
@@ -15,14 +15,14 @@ impl Step {
 
 impl State {
     /// Keeps the step that takes back what was just done. Within a gesture, only the first change leaves a step.
-    pub(super) fn record(&mut self, gesture: Option<Gesture>, step: Step) {
-        self.timeline.push(gesture, step, Step::leads_out);
+    pub(super) fn record(&mut self, gesture: Option<Gesture>, step: UndoStep) {
+        self.timeline.push(gesture, step, UndoStep::leads_out);
     }
 
     /// Keeps a step back to where the view stood, if it has moved.
     pub(super) fn record_viewpoint(&mut self, gesture: Option<Gesture>, was: &Viewpoint) {
         if *was != self.viewpoint() {
-            self.record(gesture, Step::Viewpoint(*was));
+            self.record(gesture, UndoStep::Viewpoint(*was));
         }
     }
 
@@ -46,26 +46,28 @@ impl State {
     /// Whether something was open before the gallery.
     #[must_use]
     pub fn has_outside(&self) -> bool {
-        self.timeline.steps(true).iter().any(Step::leads_out)
+        self.timeline.steps(true).iter().any(UndoStep::leads_out)
     }
 
     /// Does what a step says; returns the step that does the opposite.
-    fn take_back(&mut self, step: Step) -> Step {
+    fn take_back(&mut self, step: UndoStep) -> UndoStep {
         match step {
-            Step::Edited(edit, edits, chosen) => {
+            UndoStep::Edited(edit, edits, chosen) => {
                 let edits = mem::replace(&mut self.edits, edits);
                 let now = self.chosen.clone();
-                let inverse = Step::Edited(self.make(edit), edits, now);
+                let inverse = UndoStep::Edited(self.make(edit), edits, now);
                 self.chosen = chosen;
                 inverse
             }
-            Step::Viewpoint(viewpoint) => {
-                let inverse = Step::Viewpoint(self.viewpoint());
+            UndoStep::Viewpoint(viewpoint) => {
+                let inverse = UndoStep::Viewpoint(self.viewpoint());
                 self.restore_viewpoint(&viewpoint);
                 inverse
             }
-            Step::Measured(list) => Step::Measured(mem::replace(&mut self.measuring.list, list)),
-            Step::Open(state) => Step::Open(self.exchange(state)),
+            UndoStep::Measured(list) => {
+                UndoStep::Measured(mem::replace(&mut self.measuring.list, list))
+            }
+            UndoStep::Open(state) => UndoStep::Open(self.exchange(state)),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::{
     measuring::Entry,
-    state::{Edits, State, Step},
+    state::{Edits, State, UndoStep},
 };
 use crate::geometry::Section;
 
@@ -30,7 +30,7 @@ impl State {
 
     /// The scenes that closing the window would lose: first those left for the gallery, oldest first, then this one.
     fn scenes_back(&self) -> impl Iterator<Item = &Self> {
-        let left = self.timeline.steps(true).iter().filter_map(Step::scene);
+        let left = self.timeline.steps(true).iter().filter_map(UndoStep::scene);
         left.chain([self])
     }
 
@@ -79,7 +79,7 @@ impl State {
 
     /// The scene with this number: the one on show, or one that undo or redo leads to.
     pub(in crate::viewer) fn opened(&self, document: u64) -> Option<&Self> {
-        let left = self.timeline.all().filter_map(Step::scene);
+        let left = self.timeline.all().filter_map(UndoStep::scene);
         let mut all = left.chain([self]);
         all.find(|state| state.document == document)
     }

@@ -71,9 +71,6 @@ impl State {
     }
 
     /// Checks an action with a typed value, without doing it.
-    ///
-    /// # Errors
-    /// When the action makes no valid camera or model matrix.
     pub fn check(&self, action: &Action) -> Result<(), InvalidAction> {
         match action {
             Action::Lens(controls) => {

@@ -62,18 +62,12 @@ pub(in crate::viewer) struct Laid {
 /// Where frames go: the surface of a window, or a picture in memory.
 pub(in crate::viewer) trait Screen {
     /// Replaces a lost device. Returns whether the device is new: then it has none of egui's textures.
-    ///
-    /// # Errors
-    /// When no device can be had.
     fn restore(&mut self) -> Result<bool, GpuError>;
 
     /// The device's canvas; `None` before there is a device.
     fn canvas(&mut self) -> Option<&mut Canvas>;
 
     /// Draws and shows a frame. Returns how far the scene's picture has come.
-    ///
-    /// # Errors
-    /// When scene or picture are too large, or the device fails.
     fn draw(&mut self, state: &State, laid: &Laid) -> Result<PictureProgress, GpuError>;
 }
 
@@ -127,9 +121,6 @@ impl Canvas {
     }
 
     /// Brings the page up to date. Returns how far the scene's picture has come.
-    ///
-    /// # Errors
-    /// When scene or picture are too large, or the device fails.
     pub fn draw(
         &mut self,
         size: Viewport,
@@ -239,9 +230,6 @@ impl Canvas {
     }
 
     /// A picture of the frame, drawn until its edges are smooth.
-    ///
-    /// # Errors
-    /// When memory runs out, or the device fails.
     pub fn picture(&mut self, state: &State, laid: &Laid) -> Result<Image<Rgb>, GpuError> {
         let rested = Laid {
             motion: Motion::Rests,
@@ -251,9 +239,6 @@ impl Canvas {
     }
 
     /// The scene's picture without panels, drawn until its edges are smooth.
-    ///
-    /// # Errors
-    /// When memory runs out, or the device fails.
     pub fn picture_alone(
         &mut self,
         state: &State,
@@ -287,9 +272,6 @@ impl Canvas {
     }
 
     /// Reads the page.
-    ///
-    /// # Errors
-    /// When memory runs out, or the device fails.
     pub fn read(&self) -> Result<Image<Rgb>, GpuError> {
         read_rgb(&self.gpu, &self.page, self.size)
     }

@@ -265,9 +265,6 @@ impl ScenePicture {
     }
 
     /// Draws the picture into its place on a page.
-    ///
-    /// # Errors
-    /// As [`Renderer::composite`](crate::render::Renderer::composite).
     pub fn composite(
         &self,
         brush: &mut Brush,

@@ -5,8 +5,8 @@ use crate::{
     render::{Gpu, GpuError, MeshStore, SceneBuffers},
     scene::{Scene, SceneKey},
     viewer::{
-        jobs::{LITTLE, Making, Upload, Uploaded, let_go},
-        model::Subject,
+        jobs::{Making, Upload, Uploaded, let_go},
+        model::{LITTLE, Subject},
     },
 };
 
@@ -57,9 +57,6 @@ impl ScenesOnGpu {
 
     /// Uploads a picture's scene, or what changed in it. Returns how many objects and triangles this call uploaded;
     /// `None` while the upload is under way.
-    ///
-    /// # Errors
-    /// When the scene does not fit.
     pub fn upload(&mut self, gpu: &Gpu, subject: &Subject) -> Result<Option<usize>, GpuError> {
         let mut taken = 0;
         let (revision, visibility) = (subject.revision, subject.visibility);

@@ -19,248 +19,72 @@ pub(in crate::viewer) struct Binding {
 const NONE: Modifiers = Modifiers::NONE;
 const SHIFT: Modifiers = Modifiers::SHIFT;
 const CTRL: Modifiers = Modifiers::COMMAND;
+const CTRL_SHIFT: Modifiers = CTRL.plus(SHIFT);
+
+/// The bindings: in each row keys, what they do, and each shortcut with what it asks for.
+macro_rules! bindings {
+    ($($keys:literal, $does:literal: $($modifiers:ident $key:ident => $command:expr),+;)+) => {
+        &[$(Binding {
+            keys: $keys,
+            does: $does,
+            shortcuts: &[$(($modifiers, Key::$key, $command)),+],
+        }),+]
+    };
+}
 
 /// Every key, in the order of the help. A shortcut with Shift stands before the one without, which would match both.
-pub(in crate::viewer) const BINDINGS: &[Binding] = &[
-    Binding {
-        keys: "F",
-        does: "frame the selection",
-        shortcuts: &[(NONE, Key::F, act(Action::FrameSelection))],
-    },
-    Binding {
-        keys: "A, Home",
-        does: "frame all",
-        shortcuts: &[
-            (NONE, Key::A, act(Action::FrameAll)),
-            (NONE, Key::Home, act(Action::FrameAll)),
-        ],
-    },
-    Binding {
-        keys: "Enter",
-        does: "the view that the scene opened with",
-        shortcuts: &[(NONE, Key::Enter, act(Action::ResetView))],
-    },
-    Binding {
-        keys: "1, Ctrl+1",
-        does: "front, back",
-        shortcuts: &[
-            (NONE, Key::Num1, look(DVec3::Z)),
-            (CTRL, Key::Num1, look(DVec3::NEG_Z)),
-        ],
-    },
-    Binding {
-        keys: "3, Ctrl+3",
-        does: "right, left",
-        shortcuts: &[
-            (NONE, Key::Num3, look(DVec3::X)),
-            (CTRL, Key::Num3, look(DVec3::NEG_X)),
-        ],
-    },
-    Binding {
-        keys: "7, Ctrl+7",
-        does: "top, bottom",
-        shortcuts: &[
-            (NONE, Key::Num7, look(DVec3::Y)),
-            (CTRL, Key::Num7, look(DVec3::NEG_Y)),
-        ],
-    },
-    Binding {
-        keys: "9",
-        does: "from the corner",
-        shortcuts: &[(NONE, Key::Num9, look(DVec3::ONE))],
-    },
-    Binding {
-        keys: "5",
-        does: "perspective, orthographic",
-        shortcuts: &[(NONE, Key::Num5, act(Action::ToggleProjection))],
-    },
-    Binding {
-        keys: "B",
-        does: "back faces",
-        shortcuts: &[(NONE, Key::B, act(Action::ToggleSides))],
-    },
-    Binding {
-        keys: "Z",
-        does: "section",
-        shortcuts: &[(NONE, Key::Z, act(Action::ToggleSection))],
-    },
-    Binding {
-        keys: "G",
-        does: "grid and axes",
-        shortcuts: &[(NONE, Key::G, act(Action::ToggleGrid))],
-    },
-    Binding {
-        keys: "Shift+H",
-        does: "hide the selection",
-        shortcuts: &[(SHIFT, Key::H, act(Action::HideSelection))],
-    },
-    Binding {
-        keys: "I",
-        does: "hide all but the selection",
-        shortcuts: &[(NONE, Key::I, act(Action::Isolate))],
-    },
-    Binding {
-        keys: "U",
-        does: "show all",
-        shortcuts: &[(NONE, Key::U, act(Action::ShowAll))],
-    },
-    Binding {
-        keys: "Down, Up",
-        does: "in the list of objects: select the next, the one before",
-        shortcuts: &[
-            (NONE, Key::ArrowUp, Command::SelectRow { down: false }),
-            (NONE, Key::ArrowDown, Command::SelectRow { down: true }),
-        ],
-    },
-    Binding {
-        keys: "Ctrl+O",
-        does: "open files",
-        shortcuts: &[(CTRL, Key::O, Command::OpenDialog)],
-    },
-    Binding {
-        keys: "Ctrl+S",
-        does: "save as a scene file",
-        shortcuts: &[(CTRL, Key::S, Command::SaveDialog)],
-    },
-    Binding {
-        keys: "Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y",
-        does: "undo; redo (either key)",
-        shortcuts: &[
-            (CTRL.plus(SHIFT), Key::Z, act(Action::Redo)),
-            (CTRL, Key::Y, act(Action::Redo)),
-            (CTRL, Key::Z, act(Action::Undo)),
-        ],
-    },
-    Binding {
-        keys: "R",
-        does: "read the files again",
-        shortcuts: &[(NONE, Key::R, Command::Reload)],
-    },
-    Binding {
-        keys: "N, Shift+N",
-        does: "the next surface on the pick's ray, the one before",
-        shortcuts: &[
-            (SHIFT, Key::N, act(Action::Step { forward: false })),
-            (NONE, Key::N, act(Action::Step { forward: true })),
-        ],
-    },
-    Binding {
-        keys: "Y",
-        does: "the triangle under the pick, with its barycentrics",
-        shortcuts: &[(NONE, Key::Y, act(Action::Toggle(Overlay::Triangle)))],
-    },
-    Binding {
-        keys: "D",
-        does: "the distance between the last two picks",
-        shortcuts: &[(NONE, Key::D, act(Action::Toggle(Overlay::Distance)))],
-    },
-    Binding {
-        keys: "W",
-        does: "wireframe, of the selection or of everything",
-        shortcuts: &[(NONE, Key::W, act(Action::Toggle(Overlay::Wireframe)))],
-    },
-    Binding {
-        keys: "L",
-        does: "normals of faces, of the selection or of everything",
-        shortcuts: &[(NONE, Key::L, act(Action::Toggle(Overlay::Normals)))],
-    },
-    Binding {
-        keys: "X",
-        does: "bounding boxes, of the selection or of everything",
-        shortcuts: &[(NONE, Key::X, act(Action::Toggle(Overlay::Boxes)))],
-    },
-    Binding {
-        keys: "K, Shift+K",
-        does: "boxes of the meshes' search trees: one level down, one up",
-        shortcuts: &[
-            (SHIFT, Key::K, act(Action::TreeLevel { deeper: false })),
-            (NONE, Key::K, act(Action::TreeLevel { deeper: true })),
-        ],
-    },
-    Binding {
-        keys: "T",
-        does: "freeze the camera: it stays as lines while you look around",
-        shortcuts: &[(NONE, Key::T, act(Action::ToggleFreeze))],
-    },
-    Binding {
-        keys: "4",
-        does: "object, world, view and NDC side by side; the picture again",
-        shortcuts: &[(NONE, Key::Num4, Command::ToggleFour)],
-    },
-    Binding {
-        keys: "P",
-        does: "the matrices, and the pick's way through them",
-        shortcuts: &[(NONE, Key::P, Command::TogglePipeline)],
-    },
-    Binding {
-        keys: "V",
-        does: "compare drawn with picked, pixel by pixel",
-        shortcuts: &[(NONE, Key::V, Command::ToggleCheck)],
-    },
-    Binding {
-        keys: "E, Shift+E",
-        does: "failure gallery: the next scene, the one before",
-        shortcuts: &[
-            (SHIFT, Key::E, Command::NextExhibit { forward: false }),
-            (NONE, Key::E, Command::NextExhibit { forward: true }),
-        ],
-    },
-    Binding {
-        keys: "M, Shift+M",
-        does: "in the gallery: pick by the next method, the one before",
-        shortcuts: &[
-            (SHIFT, Key::M, act(Action::NextMethod { forward: false })),
-            (NONE, Key::M, act(Action::NextMethod { forward: true })),
-        ],
-    },
-    Binding {
-        keys: "Shift+C",
-        does: "copy the camera; Ctrl+V applies a copied one",
-        shortcuts: &[(SHIFT, Key::C, Command::CopyCamera)],
-    },
-    Binding {
-        keys: "F12, Shift+F12",
-        does: "save what is on screen as a PNG file; the picture alone",
-        shortcuts: &[
-            (SHIFT, Key::F12, Command::Screenshot { alone: true }),
-            (NONE, Key::F12, Command::Screenshot { alone: false }),
-        ],
-    },
-    Binding {
-        keys: "F11",
-        does: "full screen, and back",
-        shortcuts: &[(NONE, Key::F11, Command::ToggleFullScreen)],
-    },
-    Binding {
-        keys: "C",
-        does: "copy a command that repeats the pick; no pick: the view",
-        shortcuts: &[(NONE, Key::C, Command::CopyCommandLine)],
-    },
-    Binding {
-        keys: "J",
-        does: "copy the pick as JSON",
-        shortcuts: &[(NONE, Key::J, Command::CopyPick)],
-    },
-    Binding {
-        keys: "Esc",
-        does: "cancel, close, deselect, leave the gallery",
-        shortcuts: &[(NONE, Key::Escape, Command::Escape)],
-    },
-    Binding {
-        keys: "H, ?",
-        does: "this help",
-        shortcuts: &[
-            (NONE, Key::H, Command::ToggleHelp),
-            (SHIFT, Key::Questionmark, Command::ToggleHelp),
-            (NONE, Key::Questionmark, Command::ToggleHelp),
-        ],
-    },
-    Binding {
-        keys: "Ctrl+Q",
-        does: "quit",
-        shortcuts: &[(CTRL, Key::Q, Command::Quit)],
-    },
-];
+pub(in crate::viewer) const BINDINGS: &[Binding] = bindings! {
+    "F", "frame the selection": NONE F => act(Action::FrameSelection);
+    "A, Home", "frame all": NONE A => act(Action::FrameAll), NONE Home => act(Action::FrameAll);
+    "Enter", "the view that the scene opened with": NONE Enter => act(Action::ResetView);
+    "1, Ctrl+1", "front, back": NONE Num1 => look(DVec3::Z), CTRL Num1 => look(DVec3::NEG_Z);
+    "3, Ctrl+3", "right, left": NONE Num3 => look(DVec3::X), CTRL Num3 => look(DVec3::NEG_X);
+    "7, Ctrl+7", "top, bottom": NONE Num7 => look(DVec3::Y), CTRL Num7 => look(DVec3::NEG_Y);
+    "9", "from the corner": NONE Num9 => look(DVec3::ONE);
+    "5", "perspective, orthographic": NONE Num5 => act(Action::ToggleProjection);
+    "B", "back faces": NONE B => act(Action::ToggleSides);
+    "Z", "section": NONE Z => act(Action::ToggleSection);
+    "G", "grid and axes": NONE G => act(Action::ToggleGrid);
+    "Shift+H", "hide the selection": SHIFT H => act(Action::HideSelection);
+    "I", "hide all but the selection": NONE I => act(Action::Isolate);
+    "U", "show all": NONE U => act(Action::ShowAll);
+    "Down, Up", "in the list of objects: select the next, the one before":
+        NONE ArrowUp => Command::SelectRow { down: false }, NONE ArrowDown => Command::SelectRow { down: true };
+    "Ctrl+O", "open files": CTRL O => Command::OpenDialog;
+    "Ctrl+S", "save as a scene file": CTRL S => Command::SaveDialog;
+    "Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y", "undo; redo (either key)":
+        CTRL_SHIFT Z => act(Action::Redo), CTRL Y => act(Action::Redo), CTRL Z => act(Action::Undo);
+    "R", "read the files again": NONE R => Command::Reload;
+    "N, Shift+N", "the next surface on the pick's ray, the one before":
+        SHIFT N => act(Action::Step { forward: false }), NONE N => act(Action::Step { forward: true });
+    "Y", "the triangle under the pick, with its barycentrics": NONE Y => act(Action::Toggle(Overlay::Triangle));
+    "D", "the distance between the last two picks": NONE D => act(Action::Toggle(Overlay::Distance));
+    "W", "wireframe, of the selection or of everything": NONE W => act(Action::Toggle(Overlay::Wireframe));
+    "L", "normals of faces, of the selection or of everything": NONE L => act(Action::Toggle(Overlay::Normals));
+    "X", "bounding boxes, of the selection or of everything": NONE X => act(Action::Toggle(Overlay::Boxes));
+    "K, Shift+K", "boxes of the meshes' search trees: one level down, one up":
+        SHIFT K => act(Action::TreeLevel { deeper: false }), NONE K => act(Action::TreeLevel { deeper: true });
+    "T", "freeze the camera: it stays as lines while you look around": NONE T => act(Action::ToggleFreeze);
+    "4", "object, world, view and NDC side by side; the picture again": NONE Num4 => Command::ToggleFour;
+    "P", "the matrices, and the pick's way through them": NONE P => Command::TogglePipeline;
+    "V", "compare drawn with picked, pixel by pixel": NONE V => Command::ToggleCheck;
+    "E, Shift+E", "failure gallery: the next scene, the one before":
+        SHIFT E => Command::NextExhibit { forward: false }, NONE E => Command::NextExhibit { forward: true };
+    "M, Shift+M", "in the gallery: pick by the next method, the one before":
+        SHIFT M => act(Action::NextMethod { forward: false }), NONE M => act(Action::NextMethod { forward: true });
+    "Shift+C", "copy the camera; Ctrl+V applies a copied one": SHIFT C => Command::CopyCamera;
+    "F12, Shift+F12", "save what is on screen as a PNG file; the picture alone":
+        SHIFT F12 => Command::Screenshot { alone: true }, NONE F12 => Command::Screenshot { alone: false };
+    "F11", "full screen, and back": NONE F11 => Command::ToggleFullScreen;
+    "C", "copy a command that repeats the pick; no pick: the view": NONE C => Command::CopyCommandLine;
+    "J", "copy the pick as JSON": NONE J => Command::CopyPick;
+    "Esc", "cancel, close, deselect, leave the gallery": NONE Escape => Command::Escape;
+    "H, ?", "this help":
+        NONE H => Command::ToggleHelp,
+        SHIFT Questionmark => Command::ToggleHelp,
+        NONE Questionmark => Command::ToggleHelp;
+    "Ctrl+Q", "quit": CTRL Q => Command::Quit;
+};
 
 /// What the mouse does, for the help.
 pub(in crate::viewer) const MOUSE: &[(&str, &str)] = &[

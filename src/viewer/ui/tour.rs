@@ -7,7 +7,7 @@ use just_done::turns;
 
 use super::{
     command::{Command, TourMove},
-    panels::Section,
+    panels::PanelKind,
 };
 use crate::{
     camera::{DepthMapping, Projection},
@@ -34,7 +34,7 @@ pub(in crate::viewer) struct Step {
     /// The step is done in the camera's picture, not in the four views.
     is_in_picture: bool,
     /// The panel that the step is about, where it is about one. In a small window another panel may stand in its place.
-    pub panel: Option<Section>,
+    pub panel: Option<PanelKind>,
     is_done: fn(&JustDone) -> bool,
 }
 
@@ -63,7 +63,7 @@ impl Step {
         self
     }
 
-    const fn about(mut self, panel: Section) -> Self {
+    const fn about(mut self, panel: PanelKind) -> Self {
         self.panel = Some(panel);
         self
     }
@@ -111,7 +111,7 @@ const CHAPTERS: [Chapter; 8] = [
                             == (90.0, Some(1.0), Some(10.0), DepthMapping::Standard)
                 },
             )
-            .about(Section::Camera)
+            .about(PanelKind::Camera)
             .with_example([-1.0, 1.5, 2.0]),
             step(
                 "Press 5: orthographic.",
@@ -137,7 +137,7 @@ const CHAPTERS: [Chapter; 8] = [
                 "What lies in front of near or beyond far is cut away. Picture and picks agree on that by one number, depth along F: a hit counts where near <= t < far, and t is that depth.",
                 |done| done.near_is_past(EGG),
             )
-            .about(Section::Camera),
+            .about(PanelKind::Camera),
             step(
                 "Check fit beside near.",
                 "A fitted near plane is as far away as the scene allows, which saves digits of the depth buffer.",
@@ -146,7 +146,7 @@ const CHAPTERS: [Chapter; 8] = [
                         && done.state.controls().near.is_none()
                 },
             )
-            .about(Section::Camera),
+            .about(PanelKind::Camera),
         ],
     },
     Chapter {
@@ -157,7 +157,7 @@ const CHAPTERS: [Chapter; 8] = [
                 "The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. Its ray starts at the eye and runs along F + x aspect tan(fov / 2) R + y tan(fov / 2) U. That direction is not normalised, so that t is depth.",
                 |done| done.clicks() && done.has_picked(EGG),
             )
-            .about(Section::Pick),
+            .about(PanelKind::Pick),
             step(
                 "Press T and drag: this camera stays behind, as lines.",
                 "They show its eye, its frustum, the pixel grid on its near plane and the ray through your pixel, with every surface that it hits. T removes them again.",
@@ -237,7 +237,7 @@ const CHAPTERS: [Chapter; 8] = [
                         && done.command == Some(&Command::ShowsDepthSteps)
                 },
             )
-            .about(Section::Camera),
+            .about(PanelKind::Camera),
             step(
                 "Set depth to reversed.",
                 "Reversed depth puts far at 0, where f32 has most of its values: that makes up for 1 / z. Enter brings back the view that the scene opened with.",
@@ -246,7 +246,7 @@ const CHAPTERS: [Chapter; 8] = [
                         && done.state.controls().depth == DepthMapping::Reversed
                 },
             )
-            .about(Section::Camera),
+            .about(PanelKind::Camera),
         ],
     },
     Chapter {

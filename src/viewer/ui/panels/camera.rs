@@ -144,7 +144,7 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
         let mut fitted = which(next).is_none();
         let fit = ui.checkbox(&mut fitted, "fit");
         let fit = fit.named(&format!("fit {name}"));
-        let hint = "let the plane follow the scene, as close as possible";
+        let hint = "fit this plane to the scene, with little room to spare";
         if fit.hint(hint).changed() {
             *which(next) = (!fitted).then_some(value);
         }

@@ -1,7 +1,7 @@
 //! What a comparison of the picture with its picks found: marks on the pixels that differ, and how many there are of
 //! each class.
 
-use super::{messages::plate, prelude::*};
+use super::{hyphens::apart, messages::plate, prelude::*};
 use crate::{
     verify::{COLOURS, Class, IN_ONE_PLACE, Verdict},
     viewer::jobs::{Check, Checked, Checking},
@@ -70,6 +70,7 @@ fn table(ui: &mut Ui, check: &Check, found: &Checked) {
         ui.weak(format!("{differ} of {all} outline pixels{elsewhere}"))
             .hint("how many differ, of all pixels next to another object's: outlines are where a rasteriser rounds");
         if let Some(advice) = advice(report.verdict()) {
+            let advice = apart(ui, advice, ui.visuals().text_color());
             ui.label(advice).hint("what can be trusted here");
         }
     }
@@ -80,8 +81,12 @@ fn table(ui: &mut Ui, check: &Check, found: &Checked) {
 fn meaning(class: Class) -> &'static str {
     match class {
         Class::Edge => "the pixel's centre lies on an outline, where drawing rounds",
-        Class::Depth => "two surfaces are equally deep there, to the depth buffer",
-        Class::Section => "the section passes the surface there, as far as drawing can tell",
+        Class::Depth => {
+            "the depth buffer may show either of two surfaces; they are at most half a pixel's width apart"
+        }
+        Class::Section => {
+            "the section cuts the surface there, within the error of drawing, at most half a pixel's width away"
+        }
         Class::F32Limit => "the pixel's centre lies on an outline, as far as f32 can tell",
         Class::BeyondF32 => "f32 is too coarse to draw this view there",
         Class::Unexplained => "drawing does not explain it: the picture or the pick is wrong",

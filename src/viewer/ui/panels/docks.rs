@@ -1,10 +1,7 @@
 //! Where panels stand beside the picture, and how much of the window they leave to it.
 
 use serde::{Deserialize, Serialize};
-use std::{
-    mem,
-    ops::{Index, IndexMut},
-};
+use std::mem;
 
 /// A side of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -27,7 +24,7 @@ impl Side {
 
 /// A panel. Each side shows its panels in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::viewer) enum Section {
+pub(in crate::viewer) enum PanelKind {
     Gallery,
     Camera,
     Pipeline,
@@ -37,7 +34,7 @@ pub(in crate::viewer) enum Section {
     Objects,
 }
 
-impl Section {
+impl PanelKind {
     pub const ALL: [Self; 6] = [
         Self::Gallery,
         Self::Camera,
@@ -120,13 +117,13 @@ struct Before {
     /// The side that was opened last.
     first: Side,
     /// Which panels took room since, and are still there.
-    takers: [bool; Section::ALL.len()],
+    takers: [bool; PanelKind::ALL.len()],
 }
 
 /// Where all panels stand.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(in crate::viewer) struct Docks {
-    places: [Place; Section::ALL.len()],
+    pub(super) places: [Place; PanelKind::ALL.len()],
     wings: [Wing; 2],
     /// The side that was opened last. It shows where there is no room for both.
     first: Side,
@@ -143,37 +140,25 @@ pub(in crate::viewer) struct Docks {
 
 impl Default for Docks {
     fn default() -> Self {
-        let place = |section| Place {
-            side: match section {
-                Section::Camera | Section::Pick => Side::Right,
-                Section::Gallery | Section::Pipeline | Section::Measure | Section::Objects => {
-                    Side::Left
-                }
+        let place = |panel| Place {
+            side: match panel {
+                PanelKind::Camera | PanelKind::Pick => Side::Right,
+                PanelKind::Gallery
+                | PanelKind::Pipeline
+                | PanelKind::Measure
+                | PanelKind::Objects => Side::Left,
             },
-            folded: section == Section::Measure,
+            folded: panel == PanelKind::Measure,
         };
         let wing = |width| Wing { open: true, width };
         Self {
-            places: Section::ALL.map(place),
+            places: PanelKind::ALL.map(place),
             wings: [wing(210.0), wing(310.0)],
             first: Side::Right,
             before: None,
             in_gallery: false,
             showing: [true; 2],
         }
-    }
-}
-
-impl Index<Section> for Docks {
-    type Output = Place;
-    fn index(&self, section: Section) -> &Place {
-        &self.places[section as usize]
-    }
-}
-
-impl IndexMut<Section> for Docks {
-    fn index_mut(&mut self, section: Section) -> &mut Place {
-        &mut self.places[section as usize]
     }
 }
 
@@ -198,98 +183,99 @@ impl Docks {
     /// Makes the matrices visible, wherever their panel stands. If they are visible already, they are no longer wanted.
     /// Returns whether they are wanted.
     pub fn toggle_matrices(&mut self, are_wanted: bool) -> bool {
-        let are_visible = are_wanted && self.is_visible(Section::Pipeline);
+        let are_visible = are_wanted && self.is_visible(PanelKind::Pipeline);
         if are_visible {
             self.leave_matrices();
         } else {
-            self.take_room(Section::Pipeline);
+            self.take_room(PanelKind::Pipeline);
         }
         !are_visible
     }
 
     /// The matrices are no longer wanted: gives their room back, as `give_back` says.
     pub fn leave_matrices(&mut self) {
-        self.give_back(Section::Pipeline);
+        self.give_back(PanelKind::Pipeline);
     }
 
     /// How wide each side is, as [`Self::widths`] says. As the gallery is entered, its panel becomes visible, wherever
     /// it stands. As it is left, the sides are as they were before, unless the user has arranged them since.
-    pub(super) fn lay_out(&mut self, sections: &[Section], room: f32) -> [Option<f32>; 2] {
-        let in_gallery = sections.contains(&Section::Gallery);
+    pub(super) fn lay_out(&mut self, panels: &[PanelKind], room: f32) -> [Option<f32>; 2] {
+        let in_gallery = panels.contains(&PanelKind::Gallery);
         let was = mem::replace(&mut self.in_gallery, in_gallery);
         if was && !in_gallery {
-            self.give_back(Section::Gallery);
+            self.give_back(PanelKind::Gallery);
         }
-        let widths = self.widths_shown(sections, room);
+        let widths = self.widths_shown(panels, room);
         // If another panel has taken room, the gallery's panel could vanish when that room is given back.
-        let is_safe = self.is_visible(Section::Gallery) && self.before.is_none();
+        let is_safe = self.is_visible(PanelKind::Gallery) && self.before.is_none();
         if in_gallery && !was && !is_safe {
-            self.take_room(Section::Gallery);
-            return self.widths_shown(sections, room);
+            self.take_room(PanelKind::Gallery);
+            return self.widths_shown(panels, room);
         }
         widths
     }
 
     /// The same as [`Self::widths`], and notes which sides show.
-    fn widths_shown(&mut self, sections: &[Section], room: f32) -> [Option<f32>; 2] {
-        let widths = self.widths(sections, room);
+    fn widths_shown(&mut self, panels: &[PanelKind], room: f32) -> [Option<f32>; 2] {
+        let widths = self.widths(panels, room);
         self.showing = widths.map(|width| width.is_some());
         widths
     }
 
-    fn is_visible(&self, section: Section) -> bool {
-        let Place { side, folded } = self[section];
+    fn is_visible(&self, panel: PanelKind) -> bool {
+        let Place { side, folded } = self.places[panel as usize];
         !folded && self.showing[side as usize]
     }
 
     /// Makes a panel visible that comes and goes, and keeps how the sides were before.
-    fn take_room(&mut self, section: Section) {
+    fn take_room(&mut self, panel: PanelKind) {
         let mut before = self.before.unwrap_or(Before {
             wings: self.wings,
             first: self.first,
-            takers: [false; Section::ALL.len()],
+            takers: [false; PanelKind::ALL.len()],
         });
-        before.takers[section as usize] = true;
-        self.show(section);
+        before.takers[panel as usize] = true;
+        self.show(panel);
         self.before = Some(before);
     }
 
     /// After a panel that comes and goes has gone: if no other one still takes room, puts the sides back as they were
     /// before, unless the user has arranged them since.
-    fn give_back(&mut self, section: Section) {
+    fn give_back(&mut self, panel: PanelKind) {
         let Some(before) = &mut self.before else {
             return;
         };
-        before.takers[section as usize] = false;
+        before.takers[panel as usize] = false;
         if !before.takers.contains(&true) {
             (self.wings, self.first) = (before.wings, before.first);
             self.before = None;
         }
     }
 
-    /// Those of `sections` that stand at a side.
-    pub fn at(&self, side: Side, sections: &[Section]) -> Vec<Section> {
-        let here = sections.iter().copied();
-        here.filter(|section| self[*section].side == side).collect()
+    /// Those of `panels` that stand at a side.
+    pub fn at(&self, side: Side, panels: &[PanelKind]) -> Vec<PanelKind> {
+        let here = panels.iter().copied();
+        here.filter(|panel| self.places[*panel as usize].side == side)
+            .collect()
     }
 
     /// Makes a panel visible, wherever it stands.
-    pub fn show(&mut self, section: Section) {
-        self[section].folded = false;
-        self.open(self[section].side);
+    pub fn show(&mut self, panel: PanelKind) {
+        self.places[panel as usize].folded = false;
+        self.open(self.places[panel as usize].side);
     }
 
     /// How wide each side is in points, both together at most `room`; `None` for a side that does not show: it is
     /// folded, has no panel or has no room. If there is no room for the panels of both sides, the one that was opened
     /// last shows.
-    pub fn widths(&self, sections: &[Section], room: f32) -> [Option<f32>; 2] {
+    pub fn widths(&self, panels: &[PanelKind], room: f32) -> [Option<f32>; 2] {
         let least = Side::BOTH.map(|side| {
-            let widths = self.at(side, sections).into_iter();
-            let open = widths.filter(|section| !self[*section].folded);
-            open.map(Section::least_width).fold(NARROWEST, f32::max)
+            let widths = self.at(side, panels).into_iter();
+            let open = widths.filter(|panel| !self.places[*panel as usize].folded);
+            open.map(PanelKind::least_width).fold(NARROWEST, f32::max)
         });
         let wing = |side: Side| self.wings[side as usize];
-        let shows = |side: Side| wing(side).open && !self.at(side, sections).is_empty();
+        let shows = |side: Side| wing(side).open && !self.at(side, panels).is_empty();
         // NaN, which a file may hold, becomes the least.
         let wanted = |side: Side| wing(side).width.max(least[side as usize]);
         let alone = |side| Some(wanted(side).min(room)).filter(|width| *width >= NARROWEST);

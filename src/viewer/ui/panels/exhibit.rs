@@ -4,6 +4,7 @@ use super::{
     field::{short, value_text},
     plot,
     prelude::*,
+    shown::Shown,
 };
 use crate::{
     look,
@@ -28,8 +29,8 @@ pub(super) const WRONG: Color32 = color32(look::WRONG);
 pub(super) const RIGHT: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
 
 /// The gallery's scenes, for the toolbar.
-pub(super) fn menu(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
-    let now = state.showing().map(|showing| showing.exhibit.name);
+pub(super) fn menu(ui: &mut Ui, shown: &Shown, commands: &mut Vec<Command>) {
+    let now = shown.state.showing().map(|showing| showing.exhibit.name);
     for exhibit in &GALLERY {
         let label = ui.selectable_label(now == Some(exhibit.name), exhibit.title());
         if label.hint(exhibit.about()).clicked() {

@@ -3,7 +3,7 @@
 
 use super::{
     axis_cross, banner, differences,
-    docks::{Section, Side, room},
+    docks::{PanelKind, Side, room},
     help, marks, menu, messages, panes, path_field,
     prelude::*,
     question, section_handle,
@@ -36,7 +36,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     // Esc closes a menu while the panels are laid out, so this is asked before.
     let has_menu = Popup::is_any_open(ui.ctx());
     let window = ui.max_rect().size();
-    let wanted = sections(shown);
+    let wanted = panels(shown);
     if !shown.is_bare {
         Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &wanted, &mut of_toolbar));
         Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
@@ -104,18 +104,18 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
 }
 
 /// The panels that show. In the gallery, its own panel replaces objects and measures.
-fn sections(shown: &Shown) -> Vec<Section> {
+fn panels(shown: &Shown) -> Vec<PanelKind> {
     if shown.is_bare {
         return Vec::new();
     }
     let in_gallery = shown.state.showing().is_some();
-    let is_there = |section: &Section| match section {
-        Section::Gallery => in_gallery,
-        Section::Objects | Section::Measure => !in_gallery,
-        Section::Pipeline => shown.floating.pipeline,
-        Section::Camera | Section::Pick => true,
+    let is_there = |panel: &PanelKind| match panel {
+        PanelKind::Gallery => in_gallery,
+        PanelKind::Objects | PanelKind::Measure => !in_gallery,
+        PanelKind::Pipeline => shown.floating.pipeline,
+        PanelKind::Camera | PanelKind::Pick => true,
     };
-    Section::ALL.into_iter().filter(is_there).collect()
+    PanelKind::ALL.into_iter().filter(is_there).collect()
 }
 
 /// Where the picture goes. In the gallery it is an odd number of pixels wide, so that its middle column looks straight

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     camera::{DepthMapping, Projection},
-    scene::Object,
+    scene::{self, Object},
     viewer::model::Matrix,
 };
 use egui::Shape;
@@ -62,14 +62,24 @@ fn does(matrix: Matrix, row: usize) -> &'static str {
     rows[row]
 }
 
-/// What the determinant of a model matrix says.
-pub(super) const VOLUMES: &str =
-    "volumes are multiplied by its absolute value; where it is negative, the object is mirrored";
+/// What the determinant of a model matrix says about volumes, and what it is. A square has no volume.
+pub(super) fn volumes(determinant: f64, object: Option<&Object>) -> (String, &'static str) {
+    if object.is_some_and(|object| matches!(object.shape, scene::Shape::Square)) {
+        let hint = "where it is negative, the object is mirrored";
+        return (short(determinant), hint);
+    }
+    let [value, times] = [determinant, determinant.abs()].map(short);
+    (
+        format!("{value}: volumes times {times}"),
+        "volumes are multiplied by its absolute value; where it is negative, the object is mirrored",
+    )
+}
 
 /// What a determinant says about volumes and handedness.
 pub(super) fn determinant(
     matrix: Matrix,
     entries: &DMat4,
+    object: Option<&Object>,
     state: &State,
 ) -> (String, &'static str) {
     let value = short(entries.determinant());
@@ -90,17 +100,13 @@ pub(super) fn determinant(
             "the world is right-handed, and z forward makes view space left-handed: -1. The picture is not mirrored by that: only the coordinates differ",
         ),
         Matrix::Model => {
-            let is_mirrored = entries.determinant() < 0.0;
-            let hand = if is_mirrored {
+            let (text, hint) = volumes(entries.determinant(), object);
+            let hand = if entries.determinant() < 0.0 {
                 "mirrored"
             } else {
                 "not mirrored"
             };
-            let times = value.trim_start_matches('-');
-            (
-                format!("det {value}: volumes times {times}, {hand}"),
-                VOLUMES,
-            )
+            (format!("det {text}, {hand}"), hint)
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{
     banner,
+    hyphens::apart,
     prelude::*,
     shown::{Shown, Underway},
 };
@@ -40,7 +41,7 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mut Ve
                 let bar = bar.animate(fraction.is_none());
                 ui.add(bar.desired_width(220.0).text(*what));
                 if *can_stop {
-                    ui.button("cancel").asks("(Esc)", Command::Escape, commands);
+                    ui.button("Cancel").asks("(Esc)", Command::Escape, commands);
                 }
             });
         });
@@ -63,7 +64,7 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
     const SHOWN: usize = 5;
     let earlier = notices.len().saturating_sub(SHOWN);
     if earlier > 0 {
-        let text = format!("dismiss all ({earlier} earlier)");
+        let text = format!("Dismiss all ({earlier} earlier)");
         if ui.button(text).hint("remove every message").clicked() {
             return notices.clear();
         }
@@ -87,7 +88,7 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
                 } else {
                     "this message goes away by itself"
                 };
-                let text = RichText::new(&notice.text).color(colour);
+                let text = apart(ui, &notice.text, colour);
                 ui.add(Label::new(text).wrap())
                     .hint(format!("{what}: {goes}"));
             });

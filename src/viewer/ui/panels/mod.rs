@@ -11,6 +11,7 @@ mod field;
 mod gesture;
 mod help;
 mod hints;
+mod hyphens;
 mod in_file;
 mod inspect;
 mod layout;
@@ -59,7 +60,7 @@ mod prelude {
     pub(super) use glam::DVec3;
 }
 
-pub(in crate::viewer) use docks::{Docks, Section};
+pub(in crate::viewer) use docks::{Docks, PanelKind};
 pub(super) use field::give_up_refused;
 pub(in crate::viewer) use layout::show;
 pub(in crate::viewer) use objects::Filter;

@@ -1,9 +1,9 @@
 //! The selected object's model matrix in parts, to be edited while picks follow.
 
 use super::{
-    field::{AXES, Field, WIDTH, short},
+    field::{AXES, Field, WIDTH},
     gesture::Gesture,
-    matrix_rows::VOLUMES,
+    matrix_rows::volumes,
     prelude::*,
 };
 use crate::geometry::Trs;
@@ -99,11 +99,8 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
     }
     let determinant = model.matrix3.determinant();
     let mirrors = if determinant < 0.0 { ", mirrored" } else { "" };
-    let [value, times] = [determinant, determinant.abs()].map(short);
-    ui.weak(format!(
-        "determinant {value}: volumes times {times}{mirrors}"
-    ))
-    .hint(VOLUMES);
+    let (text, hint) = volumes(determinant, Some(&state.scene().objects()[object]));
+    ui.weak(format!("determinant {text}{mirrors}")).hint(hint);
     if state.edited() {
         ui.weak("Edited. Ctrl+S saves it; R reads the files again.")
             .hint("the scene differs from its files");

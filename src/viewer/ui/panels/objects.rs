@@ -1,7 +1,7 @@
 //! The list of objects: visibility and selection.
 
 use super::{docks::GUTTER, elided::elided, menu, prelude::*, visual_order::visual_order};
-use egui::{Role, ScrollArea, StrokeKind, TextStyle, UiBuilder, WidgetInfo};
+use egui::{Key, Role, ScrollArea, StrokeKind, TextStyle, UiBuilder, WidgetInfo};
 
 /// What is typed to narrow the list, and the rows that are left.
 #[derive(Default)]
@@ -69,9 +69,7 @@ pub(super) fn show(
     ui.scope(|ui| {
         ui.set_max_width(ui.available_width() - GUTTER);
         above(ui, state, filter, commands);
-        let search = egui::TextEdit::singleline(&mut filter.text).hint_text("search");
-        let search = ui.add(search.desired_width(f32::INFINITY)).named("search");
-        search.hint("list only objects whose name contains this");
+        search(ui, &mut filter.text);
         ui.separator();
     });
     filter.apply(state);
@@ -95,6 +93,18 @@ pub(super) fn show(
             row(ui, state, index, commands);
         }
     });
+}
+
+/// The field for what is searched. Esc clears it, or leaves it if it is empty.
+fn search(ui: &mut Ui, text: &mut String) {
+    let field = egui::TextEdit::singleline(text).hint_text("search");
+    let field = ui.add(field.desired_width(f32::INFINITY)).named("search");
+    // egui takes the focus from a field at Esc.
+    if field.lost_focus() && !text.is_empty() && ui.input(|input| input.key_pressed(Key::Escape)) {
+        text.clear();
+        field.request_focus();
+    }
+    field.hint("list only objects whose name contains this; Esc clears it");
 }
 
 /// How many objects the search finds, or else how many objects and triangles there are; and buttons that hide and show.

@@ -10,8 +10,8 @@ use egui::{Context, Id, Key, Modal, Modifiers, TextEdit};
 /// Shown in the middle of the window, over everything else.
 pub(super) fn show(ctx: &Context, question: &mut PathQuestion, commands: &mut Vec<Command>) {
     let (heading, does) = match question.what {
-        PathFor::Open => ("Open", "open"),
-        PathFor::Save => ("Save scene", "save"),
+        PathFor::Open => ("Open", "Open"),
+        PathFor::Save => ("Save scene", "Save"),
     };
     let mut answer = None;
     Modal::new(Id::unique("path question")).show(ctx, |ui| {
@@ -37,7 +37,7 @@ pub(super) fn show(ctx: &Context, question: &mut PathQuestion, commands: &mut Ve
         }
         ui.add_space(8.0);
         ui.horizontal(|ui| {
-            let take = question.replaces.as_ref().map_or(does, |_| "replace");
+            let take = question.replaces.as_ref().map_or(does, |_| "Replace");
             if ui.button(take).hint("(Enter)").clicked() {
                 answer = Some(TypedPath::Take);
             }

@@ -140,7 +140,7 @@ fn certainty(hit: &Pick, digits: Digits) -> [Row; 4] {
     let differs = hit.differs_px.map(|px| format!("{px:.1} px away"));
     let differs = differs.unwrap_or_else(|| "none within 8 px".into());
     let hint = "the nearest pixel where a click would pick something else";
-    let differs = ("other answer", differs, hint);
+    let differs = ("next change", differs, hint);
     let gap = match hit.gap {
         None => "none".to_owned(),
         Some(0.0) => "in the same place".to_owned(),

@@ -52,7 +52,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                 .hint(hint);
         });
         rows(ui, name, entries, Some((matrix, state)), commands);
-        let (text, hint) = determinant(matrix, entries, state);
+        let (text, hint) = determinant(matrix, entries, object, state);
         ui.weak(text).hint(hint);
     }
     ui.separator();
@@ -162,7 +162,7 @@ const ROWS: [&str; 8] = [
     "NDC: clip / w: normalised device coordinates: from -1 to 1 over the picture; z for the depth buffer",
     "pixel: from the top left corner: where it is in the picture",
     "ray from: back again: where the pixel's ray starts",
-    "ray along: not normalised, so that t is depth: which way the pixel's ray goes: it leads back to the point",
+    "ray along: the direction of the pixel's ray, which leads back to the point; not normalised, so t is depth",
 ];
 
 /// The numbers of [`ROWS`]; none where there is nothing to follow.

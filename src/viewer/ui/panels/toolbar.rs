@@ -2,11 +2,11 @@
 //! its end.
 
 use super::{
-    docks::{Section, Side},
+    docks::{PanelKind, Side},
     elided,
     prelude::*,
     shown::Shown,
-    tools::{Does, Tool, groups, open},
+    tools::{Does, Tool, groups},
 };
 use egui::{AtomExt as _, Atoms, TextStyle};
 
@@ -26,7 +26,7 @@ const END: f32 = 100.0;
 pub(super) fn show(
     ui: &mut Ui,
     shown: &mut Shown,
-    sections: &[Section],
+    panels: &[PanelKind],
     commands: &mut Vec<Command>,
 ) {
     let groups = groups(shown);
@@ -54,7 +54,7 @@ pub(super) fn show(
                 (Side::Right, "\u{25e8}", "right side"),
                 (Side::Left, "\u{25e7}", "left side"),
             ] {
-                let has_any = !shown.docks.at(side, sections).is_empty();
+                let has_any = !shown.docks.at(side, panels).is_empty();
                 let on = shown.docks.showing[side as usize];
                 let fold = Button::selectable(on, icon(picture)).frame_when_inactive(true);
                 let fold = ui.add_enabled(has_any, fold).named(name);
@@ -119,7 +119,7 @@ fn add(ui: &mut Ui, shown: &Shown, tool: &Tool, with_name: bool, commands: &mut 
     };
     let response = match &tool.does {
         Does::Open(menu) => {
-            let inside = |ui: &mut Ui| open(ui, shown, *menu, commands);
+            let inside = |ui: &mut Ui| menu(ui, shown, commands);
             ui.menu_button(atoms(with_name), inside).response
         }
         Does::Ask(command) => {

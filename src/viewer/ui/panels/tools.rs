@@ -2,7 +2,6 @@
 
 use super::{exhibit, prelude::*, shown::Shown};
 use crate::viewer::{jobs::Checking, model::Overlay};
-use std::path::PathBuf;
 
 /// A button of the toolbar.
 pub(super) struct Tool {
@@ -29,14 +28,8 @@ pub(super) enum Does {
     Open(Menu),
 }
 
-/// A menu of the toolbar.
-#[derive(Clone, Copy)]
-pub(super) enum Menu {
-    Recent,
-    Views,
-    Overlays,
-    Gallery,
-}
+/// Shows what a menu of the toolbar holds.
+type Menu = fn(&mut Ui, &Shown, &mut Vec<Command>);
 
 impl Tool {
     /// The same tool as a switch that is on or off.
@@ -73,8 +66,8 @@ fn ask(
 }
 
 /// A button that opens a menu.
-fn menu(icon: &'static str, name: &'static str, hint: &str, which: Menu) -> Tool {
-    tool(icon, name, hint, Does::Open(which))
+fn menu(icon: &'static str, name: &'static str, hint: &str, opens: Menu) -> Tool {
+    tool(icon, name, hint, Does::Open(opens))
 }
 
 /// All tools, by group.
@@ -93,7 +86,7 @@ fn files() -> Vec<Tool> {
     let hint = "OBJ and scene files (Ctrl+O); or drop them on the window";
     let open = ask("\u{1f4c2}", "Open\u{2026}", hint, Command::OpenDialog);
     let hint = "scenes that were opened before";
-    let recent = menu("\u{1f553}", "Recent", hint, Menu::Recent);
+    let recent = menu("\u{1f553}", "Recent", hint, recent);
     let hint = "as a scene file (Ctrl+S)";
     let save = ask("\u{1f4be}", "Save\u{2026}", hint, Command::SaveDialog);
     let hint = "read the files again (R)";
@@ -120,7 +113,7 @@ fn looking() -> Vec<Tool> {
     let hint = "move the camera until the selected object fills the view (F)";
     let selection = ask("\u{1f3af}", "Frame selection", hint, Action::FrameSelection);
     let hint = "look along an axis of the world";
-    let views = menu("\u{1f3a5}", "Views", hint, Menu::Views);
+    let views = menu("\u{1f3a5}", "Views", hint, views);
     let hint = "the view that the scene opened with (Enter)";
     let reset = ask("\u{1f3e0}", "Reset", hint, Action::ResetView);
     vec![all, selection, views, reset]
@@ -136,7 +129,7 @@ fn showing(state: &State) -> Vec<Tool> {
     vec![
         grid.switched(state.grid()),
         freeze.enabled(state.stages().is_empty()),
-        menu("\u{25f0}", "Overlays", hint, Menu::Overlays),
+        menu("\u{25f0}", "Overlays", hint, overlays),
     ]
 }
 
@@ -153,7 +146,7 @@ fn learning(shown: &Shown) -> Vec<Tool> {
     let hint = "compare each pixel as drawn with what a click there picks (V)";
     let compare = ask("\u{2714}", "Compare", hint, Command::ToggleCheck);
     let hint = "scenes on which known methods break (E: the next, Shift+E: the one before)";
-    let gallery = menu("\u{1f5bc}", "Gallery", hint, Menu::Gallery);
+    let gallery = menu("\u{1f5bc}", "Gallery", hint, exhibit::menu);
     let hint = format!("dark or light panels; now: {}", shown.look.about());
     let look = ask("\u{2600}", "Look", hint, Command::NextLook);
     let hint = "keys and mouse (H)";
@@ -168,29 +161,13 @@ fn learning(shown: &Shown) -> Vec<Tool> {
     ]
 }
 
-/// Shows what a menu holds.
-pub(super) fn open(ui: &mut Ui, shown: &Shown, menu: Menu, commands: &mut Vec<Command>) {
-    let state = shown.state;
-    match menu {
-        Menu::Recent => recent(ui, shown.recent, commands),
-        Menu::Views => views(ui, commands),
-        Menu::Overlays => {
-            for which in Overlay::ALL {
-                overlay(ui, state, which, commands);
-            }
-            tree_level(ui, state, commands);
-        }
-        Menu::Gallery => exhibit::menu(ui, state, commands),
-    }
-}
-
 /// Scenes that were opened before.
-fn recent(ui: &mut Ui, recent: &[Vec<PathBuf>], commands: &mut Vec<Command>) {
-    if recent.is_empty() {
+fn recent(ui: &mut Ui, shown: &Shown, commands: &mut Vec<Command>) {
+    if shown.recent.is_empty() {
         ui.weak("nothing yet")
             .hint("files that you open are offered here");
     }
-    for paths in recent {
+    for paths in shown.recent {
         let names = paths.iter().filter_map(|path| path.file_name());
         let names: Vec<_> = names.map(|name| name.to_string_lossy()).collect();
         let whole = paths.iter().map(|path| path.display().to_string());
@@ -202,7 +179,7 @@ fn recent(ui: &mut Ui, recent: &[Vec<PathBuf>], commands: &mut Vec<Command>) {
     }
 }
 
-fn views(ui: &mut Ui, commands: &mut Vec<Command>) {
+fn views(ui: &mut Ui, _: &Shown, commands: &mut Vec<Command>) {
     for (name, key, to_eye) in [
         ("Front", "1", DVec3::Z),
         ("Back", "Ctrl+1", DVec3::NEG_Z),
@@ -216,6 +193,13 @@ fn views(ui: &mut Ui, commands: &mut Vec<Command>) {
         let hint = "look at the scene from there";
         button.asks(hint, Action::LookFrom(to_eye), commands);
     }
+}
+
+fn overlays(ui: &mut Ui, shown: &Shown, commands: &mut Vec<Command>) {
+    for which in Overlay::ALL {
+        overlay(ui, shown.state, which, commands);
+    }
+    tree_level(ui, shown.state, commands);
 }
 
 /// Which level of the trees over meshes shows.

@@ -2,7 +2,7 @@
 
 use super::{
     camera,
-    docks::{Docks, FIELDS, GUTTER, Section, Side, TO_BORDER, TO_PICTURE},
+    docks::{Docks, FIELDS, GUTTER, PanelKind, Side, TO_BORDER, TO_PICTURE},
     exhibit, measure, objects, pick, pipeline,
     prelude::*,
     shown::Shown,
@@ -19,7 +19,7 @@ pub(super) fn show(
     ui: &mut Ui,
     side: Side,
     width: Option<f32>,
-    sections: &[Section],
+    panels: &[PanelKind],
     shown: &mut Shown,
     commands: &mut Vec<Command>,
 ) -> Option<Rect> {
@@ -27,7 +27,7 @@ pub(super) fn show(
         Side::Left => (Panel::left("left side"), TO_BORDER, TO_PICTURE),
         Side::Right => (Panel::right("right side"), TO_PICTURE, TO_BORDER),
     };
-    let here = shown.docks.at(side, sections);
+    let here = shown.docks.at(side, panels);
     let mut frame = Frame::side_top_panel(ui.style());
     (frame.inner_margin.left, frame.inner_margin.right) = (left, right);
     let panel = panel.exact_size(width?).resizable(false).frame(frame);
@@ -43,7 +43,7 @@ pub(super) fn show(
 
 /// A side's panels. All headings are in view: an open panel is as high as what it holds, but leaves the panels below it
 /// their least heights, and scrolls by itself. The side scrolls only where not even these have room.
-fn wing(ui: &mut Ui, here: &[Section], shown: &mut Shown, commands: &mut Vec<Command>) {
+fn wing(ui: &mut Ui, here: &[PanelKind], shown: &mut Shown, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.x = 5.0;
     ui.spacing_mut().slider_width = 72.0;
     ui.spacing_mut().scroll = ScrollStyle {
@@ -60,29 +60,29 @@ fn wing(ui: &mut Ui, here: &[Section], shown: &mut Shown, commands: &mut Vec<Com
         ui.set_max_height(height);
         let bottom = ui.cursor().top() + height;
         let width = ui.available_width() - GUTTER;
-        for (at, section) in here.iter().copied().enumerate() {
+        for (at, panel) in here.iter().copied().enumerate() {
             let heading = ui.scope(|ui| {
                 ui.set_max_width(width);
                 if at > 0 {
                     ui.separator();
                 }
-                header(ui, section, shown, commands)
+                header(ui, panel, shown, commands)
             });
             if heading.inner {
                 let below = least_height(&here[at + 1..], shown.docks);
                 let room = bottom - ui.cursor().top() - below;
-                let height = room.max(section.least_height());
-                body(ui, section, [width, height], shown, commands);
+                let height = room.max(panel.least_height());
+                body(ui, panel, [width, height], shown, commands);
             }
         }
     });
 }
 
 /// The least height of panels, one below the other, in points.
-fn least_height(sections: &[Section], docks: &Docks) -> f32 {
-    let each = sections.iter().map(|section| {
-        let open = !docks[*section].folded;
-        HEADING + if open { section.least_height() } else { 0.0 }
+fn least_height(panels: &[PanelKind], docks: &Docks) -> f32 {
+    let each = panels.iter().map(|panel| {
+        let open = !docks.places[*panel as usize].folded;
+        HEADING + if open { panel.least_height() } else { 0.0 }
     });
     each.sum()
 }
@@ -90,34 +90,32 @@ fn least_height(sections: &[Section], docks: &Docks) -> f32 {
 /// What a panel holds, at most `height` points high. The list of objects takes all of it, and scrolls its rows.
 fn body(
     ui: &mut Ui,
-    section: Section,
+    panel: PanelKind,
     [width, height]: [f32; 2],
     shown: &mut Shown,
     commands: &mut Vec<Command>,
 ) {
-    if section == Section::Objects {
+    if panel == PanelKind::Objects {
         ui.scope(|ui| {
             ui.set_max_height(height);
-            contents(ui, section, shown, commands);
+            contents(ui, panel, shown, commands);
         });
         return;
     }
-    let area = ScrollArea::both()
-        .id_salt(section.name())
-        .max_height(height);
+    let area = ScrollArea::both().id_salt(panel.name()).max_height(height);
     let area = area.auto_shrink([false, true]).min_scrolled_height(0.0);
     area.show(ui, |ui| {
         ui.set_max_width(width.max(FIELDS));
-        contents(ui, section, shown, commands);
+        contents(ui, panel, shown, commands);
     });
 }
 
 /// A panel's heading: it folds the panel and moves it to the other side. Returns whether the panel is open.
-fn header(ui: &mut Ui, section: Section, shown: &mut Shown, commands: &mut Vec<Command>) -> bool {
-    let place = shown.docks[section];
+fn header(ui: &mut Ui, panel: PanelKind, shown: &mut Shown, commands: &mut Vec<Command>) -> bool {
+    let place = shown.docks.places[panel as usize];
     let title = match shown.state.showing() {
-        Some(showing) if section == Section::Gallery => showing.exhibit.title(),
-        _ => section.name().to_owned(),
+        Some(showing) if panel == PanelKind::Gallery => showing.exhibit.title(),
+        _ => panel.name().to_owned(),
     };
     ui.horizontal(|ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -126,16 +124,16 @@ fn header(ui: &mut Ui, section: Section, shown: &mut Shown, commands: &mut Vec<C
                 Side::Right => ("\u{2b05}", "to the left"),
             };
             let over = ui.add(Button::new(other.0).small().frame_when_inactive(false));
-            let over = over.named(&format!("move {} {}", section.name(), other.1));
+            let over = over.named(&format!("move {} {}", panel.name(), other.1));
             let hint = "move this panel to the other side of the picture";
             if over.hint(hint).clicked() {
-                shown.docks[section].side = place.side.other();
+                shown.docks.places[panel as usize].side = place.side.other();
                 shown.docks.open(place.side.other());
             }
-            if section == Section::Camera {
+            if panel == PanelKind::Camera {
                 camera::copy(ui, commands);
             }
-            if section == Section::Pipeline {
+            if panel == PanelKind::Pipeline {
                 pipeline::close(ui, commands);
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
@@ -146,8 +144,8 @@ fn header(ui: &mut Ui, section: Section, shown: &mut Shown, commands: &mut Vec<C
                 };
                 let text = RichText::new(format!("{mark} {title}")).heading();
                 let heading = ui.add(Button::new(text).frame(false).truncate());
-                if heading.named(section.name()).hint(hint).clicked() {
-                    shown.docks[section].folded = !place.folded;
+                if heading.named(panel.name()).hint(hint).clicked() {
+                    shown.docks.places[panel as usize].folded = !place.folded;
                 }
             });
         });
@@ -155,19 +153,19 @@ fn header(ui: &mut Ui, section: Section, shown: &mut Shown, commands: &mut Vec<C
     !place.folded
 }
 
-fn contents(ui: &mut Ui, section: Section, shown: &mut Shown, commands: &mut Vec<Command>) {
+fn contents(ui: &mut Ui, panel: PanelKind, shown: &mut Shown, commands: &mut Vec<Command>) {
     let state = shown.state;
-    match section {
-        Section::Gallery => {
+    match panel {
+        PanelKind::Gallery => {
             if let Some(showing) = state.showing() {
                 exhibit::show(ui, state, showing, shown.chart, commands);
             }
         }
-        Section::Camera => camera::show(ui, state, commands),
-        Section::Pipeline => pipeline::show(ui, state, commands),
-        Section::Pick => pick::show(ui, state, shown.going_to, commands),
-        Section::Measure => measure::show(ui, state, commands),
-        Section::Objects => {
+        PanelKind::Camera => camera::show(ui, state, commands),
+        PanelKind::Pipeline => pipeline::show(ui, state, commands),
+        PanelKind::Pick => pick::show(ui, state, shown.going_to, commands),
+        PanelKind::Measure => measure::show(ui, state, commands),
+        PanelKind::Objects => {
             objects::show(ui, state, shown.filter, shown.reveal_selection, commands);
         }
     }
