@@ -336,11 +336,11 @@ fn object_state(object: &Object) -> ObjectState {
     }
 }
 
-/// The triangles of `parts` parts from `first` on.
+/// The triangles of `parts` parts from `first` on, as far as these exist.
 fn batch_triangles(mesh: &Mesh, first: usize, parts: usize) -> Range<u32> {
-    let parts = &mesh.data().parts[first..first + parts];
-    match (parts.first(), parts.last()) {
-        (Some(first), Some(last)) => first.triangles.start..last.triangles.end,
-        _ => 0..0,
-    }
+    let parts = mesh.data().parts.iter().skip(first).take(parts);
+    let mut triangles = parts.map(|part| &part.triangles);
+    triangles.next().map_or(0..0, |first| {
+        first.start..triangles.next_back().unwrap_or(first).end
+    })
 }
