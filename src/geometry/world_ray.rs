@@ -11,8 +11,9 @@ use std::ops::Deref;
 pub struct WorldRay<'a> {
     ray: Ray,
     error: RayError,
-    line: Line<'a>,
-    section: Option<Across>,
+    pub(super) line: Line<'a>,
+    /// The section that cuts it.
+    pub(crate) section: Option<Across>,
 }
 
 impl<'a> WorldRay<'a> {
@@ -26,19 +27,10 @@ impl<'a> WorldRay<'a> {
         self
     }
 
-    /// The section that cuts it.
-    pub(crate) fn section(&self) -> Option<&Across> {
-        self.section.as_ref()
-    }
-
     /// How far its rounded numbers may be off.
     #[must_use]
     pub fn error(&self) -> RayError {
         self.error
-    }
-
-    pub(super) fn line(&self) -> &Line<'a> {
-        &self.line
     }
 
     /// A line, rounded to `ray`, with bounds on the error.

@@ -24,7 +24,7 @@ pub(super) fn by_name(a: &SceneHit, b: &SceneHit) -> Ordering {
 /// Whether the ray's section, if any, keeps a hit.
 #[inline]
 pub(super) fn is_kept(scene: &Scene, ray: &WorldRay, hit: &SceneHit) -> bool {
-    ray.section().is_none_or(|across| {
+    ray.section.as_ref().is_none_or(|across| {
         let sure = across.keeps(hit.hit.t, hit.hit.t_error);
         sure.unwrap_or_else(|_| keeps(ray, &across.section, &surface(scene, hit)))
     })
@@ -32,7 +32,7 @@ pub(super) fn is_kept(scene: &Scene, ray: &WorldRay, hit: &SceneHit) -> bool {
 
 /// Whether `f64` leaves [`is_kept`] to exact arithmetic.
 pub(super) fn is_at_section(ray: &WorldRay, hit: &SceneHit) -> bool {
-    let across = ray.section();
+    let across = ray.section.as_ref();
     across.is_some_and(|across| across.keeps(hit.hit.t, hit.hit.t_error).is_err())
 }
 

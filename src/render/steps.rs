@@ -47,13 +47,8 @@ impl Step {
 }
 
 impl Steps {
-    /// Whether nothing was drawn yet.
-    pub fn is_at_start(&self) -> bool {
-        *self == Self::default()
-    }
-
     /// How many of the draws of surfaces are finished.
-    pub fn begun(&self) -> usize {
+    pub fn finished(&self) -> usize {
         self.surfaces.draw
     }
 

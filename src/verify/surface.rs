@@ -124,22 +124,9 @@ pub(super) fn with_cut_neighbours(mut surfaces: Vec<Surface>) -> Vec<Surface> {
     surfaces
 }
 
-/// The surfaces of an object that drawing may show at a pixel, without the far side of a solid where its near side is
-/// certainly drawn in front of it.
-pub(super) fn may_be_drawn(surfaces: Vec<Surface>) -> Vec<Surface> {
-    not_behind(surfaces, |near, far| {
-        near.stored.farthest > far.stored.nearest
-    })
-}
-
-/// The surfaces of an object that a pick may find at a pixel, without the far side of a solid where its near side
-/// certainly covers the centre: picks have exact order.
-pub(super) fn may_be_picked(surfaces: Vec<Surface>) -> Vec<Surface> {
-    not_behind(surfaces, |near, far| near.depth < far.depth)
-}
-
-/// The surfaces that no other one certainly hides.
-fn not_behind(
+/// The surfaces that no other one certainly hides: without the far side of a solid where its near side certainly covers
+/// the centre and lies before it.
+pub(super) fn not_behind(
     mut surfaces: Vec<Surface>,
     lies_before: impl Fn(&Surface, &Surface) -> bool,
 ) -> Vec<Surface> {

@@ -85,7 +85,7 @@ impl<'a> BinaryTree<'a> {
         let bounds = range.bounds();
         let area = range.area();
         let (costs, content) = if range.len() <= WIDTH {
-            ([0.0; WIDTH - 1], Content::Packet(range.into_leaves()))
+            ([0.0; WIDTH - 1], Content::Packet(range.leaves))
         } else if stop.load(Ordering::Relaxed) {
             return None;
         } else {

@@ -26,7 +26,7 @@ pub(super) struct Node {
 
 /// Where a node or a packet is in the tree's lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Place(u32);
+pub(super) struct Place(pub u32);
 
 impl Place {
     /// The first node.
@@ -51,17 +51,6 @@ impl Place {
     #[inline(always)]
     pub fn of(self, child: Child) -> Self {
         Self(self.0.wrapping_add(child.0))
-    }
-
-    /// The place as a number, for a walk's stack.
-    #[inline(always)]
-    pub fn bits(self) -> u32 {
-        self.0
-    }
-
-    #[inline(always)]
-    pub fn from_bits(bits: u32) -> Self {
-        Self(bits)
     }
 }
 

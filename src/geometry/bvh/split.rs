@@ -25,7 +25,7 @@ const _: () = assert!(DEEPEST * (WIDTH - 1) <= StackRoom::CAPACITY);
 pub(super) struct Range<'a> {
     /// Cuts that led to it.
     depth: usize,
-    leaves: &'a mut [Leaf],
+    pub leaves: &'a mut [Leaf],
     bounds: Extent,
     centers: Extent,
 }
@@ -46,10 +46,6 @@ impl<'a> Range<'a> {
             bounds: Extent(lanes.store(bounds)),
             centers: Extent(lanes.store(centers)),
         }
-    }
-
-    pub fn into_leaves(self) -> &'a [Leaf] {
-        self.leaves
     }
 
     pub fn len(&self) -> usize {

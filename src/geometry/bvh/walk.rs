@@ -206,13 +206,13 @@ fn prefetch<L: Lanes>(lanes: L, lines: &[Line], item: u64) {
 /// ordered like their bits. (Boxes that begin before 0 are merely visited in another order.)
 #[inline(always)]
 fn item(begins: f32, place: Place) -> u64 {
-    u64::from(begins.to_bits()) << 32 | u64::from(place.bits())
+    u64::from(begins.to_bits()) << 32 | u64::from(place.0)
 }
 
 #[inline(always)]
 #[expect(clippy::cast_possible_truncation, reason = "the lower half")]
 fn place_of(item: u64) -> Place {
-    Place::from_bits(item as u32)
+    Place(item as u32)
 }
 
 /// The greatest item whose box begins no later than `end`, which is 0 or more. Items compare to it as signed

@@ -30,7 +30,7 @@ pub(crate) enum Surface<'a> {
 pub(super) fn parameter(ray: &WorldRay, surface: &Surface) -> Option<Root> {
     let on = |placement| Exactly::placed(ray, placement);
     match *surface {
-        Surface::Triangle(triangle) => plane_parameter(ray.line(), &triangle),
+        Surface::Triangle(triangle) => plane_parameter(&ray.line, &triangle),
         Surface::Sphere(placement, exit) => solids::sphere_parameter(&on(placement), exit),
         Surface::Cube {
             placement, exit, ..
@@ -61,7 +61,7 @@ impl Surface<'_> {
 pub(super) fn enclosed(ray: &WorldRay, surface: &Surface) -> Result<Ratio<Enclosure>, InDoubt> {
     let local = |placement| LocalLine::<Enclosure>::new(&Exactly::placed(ray, placement));
     match *surface {
-        Surface::Triangle(triangle) => Ok(Seen::new(ray.line(), &triangle).plane),
+        Surface::Triangle(triangle) => Ok(Seen::new(&ray.line, &triangle).plane),
         Surface::Sphere(placement, exit) => {
             let line = local(placement);
             let moment = line.origin.cross(&line.direction);

@@ -37,7 +37,7 @@ fn local_rays_are_within_their_bounds() {
         } else {
             Placement::new(placed).expect("random matrices are invertible")
         };
-        by_exact += u32::from(placement.error < 8.0 * U && !placement.is_identity());
+        by_exact += u32::from(placement.error < 8.0 * U && !placement.is_identity);
         let away = 10_f64.powi(i32::from((i % 13) as u8)) * placed.matrix3.x_axis.length();
         let camera = PixelGrid {
             eye: away * random.point(),
