@@ -47,6 +47,7 @@ mod square;
 mod square_hits;
 mod triangle;
 mod trs;
+pub(crate) mod vector;
 mod vertex_ray;
 mod world_ray;
 
@@ -56,6 +57,7 @@ pub(crate) use bvh::Entry;
 pub use bvh::{Bvh, Simd, Visit};
 pub(crate) use clip::{clip, clip_points};
 pub use crease_normals::{CornerNormals, crease_normals, face_normal};
+pub(crate) use crease_normals::{CornersByVertex, corners_by_vertex};
 pub use cuboid::Cuboid;
 pub(crate) use exact::dyadic;
 pub(crate) use exact::{

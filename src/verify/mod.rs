@@ -216,7 +216,9 @@ fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Di
         surface::not_behind(surfaces.of_id(px, drawn), |near, far| {
             near.stored.farthest > far.stored.nearest
         }),
-        surface::not_behind(surfaces.of_id(px, picked), |near, far| near.depth < far.depth),
+        surface::not_behind(surfaces.of_id(px, picked), |near, far| {
+            near.depth < far.depth
+        }),
     ];
     // Identical input gives identical output on the GPU: the order of the two decides which shows.
     let twins = (sides[0].first().zip(sides[1].first())).is_some_and(|(a, b)| a.source == b.source);

@@ -9,8 +9,7 @@ use super::{
 use crate::{
     camera::Projection,
     geometry::{
-        Placement, RayDifferential, Sides, Sphere,
-        double_double::{DoubleDouble, Vector},
+        Placement, RayDifferential, Sides, Sphere, double_double::DoubleDouble, vector::V3,
     },
     render::{sphere, transform::ViewError, view_space::ViewSpace},
 };
@@ -115,7 +114,7 @@ impl Change {
     fn of_discriminant(projection: Projection, ray: &RayDifferential<DoubleDouble>) -> Self {
         let (o, d) = (ray.origin, ray.direction);
         let r2 = Sphere::RADIUS * Sphere::RADIUS;
-        let across = |a: Vector<DoubleDouble>, b: Vector<DoubleDouble>| a.cross(b).rounded();
+        let across = |a: V3<DoubleDouble>, b: V3<DoubleDouble>| a.cross(b).rounded();
         let moment = across(o, d);
         let [(x, bend_x), (y, bend_y)] = [ray.right, ray.down].map(|step| match projection {
             Projection::Perspective { .. } => {

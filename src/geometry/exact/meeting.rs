@@ -6,7 +6,7 @@ use super::{
     exact_line::LocalLine,
     number::{Number, Ratio},
     root::Root,
-    solids,
+    solids::{cube_crossing, local, sphere_crossing, square_crossing},
     triangle::{Corners, Seen, plane_parameter},
 };
 use glam::DVec3;
@@ -28,14 +28,14 @@ pub(crate) enum Surface<'a> {
 
 /// Where a ray's line meets a surface, which it must meet; `None` where a number is not finite.
 pub(super) fn parameter(ray: &WorldRay, surface: &Surface) -> Option<Root> {
-    let on = |placement| Exactly::placed(ray, placement);
+    let on = |placement| local(&Exactly::placed(ray, placement));
     match *surface {
         Surface::Triangle(triangle) => plane_parameter(&ray.line, &triangle),
-        Surface::Sphere(placement, exit) => solids::sphere_parameter(&on(placement), exit),
+        Surface::Sphere(placement, exit) => Some(sphere_crossing(&on(placement)?)?.parameter(exit)),
         Surface::Cube {
             placement, exit, ..
-        } => solids::cube_parameter(&on(placement), exit),
-        Surface::Square(placement) => solids::square_parameter(&on(placement)),
+        } => Some(cube_crossing(&on(placement)?)?.parameter(exit)),
+        Surface::Square(placement) => square_crossing(&on(placement)?),
     }
 }
 

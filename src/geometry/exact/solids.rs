@@ -15,21 +15,22 @@ type Integers = LocalLine<BigInt>;
 
 /// Where a ray's line enters and leaves a shape; both are one point where the line only touches it. For a cube, also
 /// the normals of the faces met there.
-struct Crossing {
+pub(super) struct Crossing {
     enter: (Root, DVec3),
     leave: (Root, DVec3),
     touches: bool,
 }
 
 impl Crossing {
-    fn parameter(self, exit: bool) -> Root {
+    /// Where the line enters the shape; with `exit`, where it leaves it.
+    pub fn parameter(self, exit: bool) -> Root {
         if exit { self.leave.0 } else { self.enter.0 }
     }
 }
 
 /// A ray in object space; `None` where a number is not finite. Where the placement mirrors, all its numbers are
 /// negated, so that [`LocalLine::one`] is positive.
-fn local(exactly: &Exactly) -> Option<Integers> {
+pub(super) fn local(exactly: &Exactly) -> Option<Integers> {
     if !exactly.line.is_finite() {
         return None;
     }
@@ -43,7 +44,7 @@ fn local(exactly: &Exactly) -> Option<Integers> {
     Some(line)
 }
 
-fn sphere_crossing(line: &Integers) -> Option<Crossing> {
+pub(super) fn sphere_crossing(line: &Integers) -> Option<Crossing> {
     let a = line.direction.dot(&line.direction);
     let b = line.origin.dot(&line.direction);
     let radius = line.one.times(&Number::new(Sphere::RADIUS));
@@ -60,7 +61,7 @@ fn sphere_crossing(line: &Integers) -> Option<Crossing> {
     })
 }
 
-fn cube_crossing(line: &Integers) -> Option<Crossing> {
+pub(super) fn cube_crossing(line: &Integers) -> Option<Crossing> {
     let half = line.one.times(&Number::new(Cuboid::HALF_SIDE));
     let mut enter: Option<(Root, DVec3)> = None;
     let mut leave: Option<(Root, DVec3)> = None;
@@ -93,7 +94,7 @@ fn cube_crossing(line: &Integers) -> Option<Crossing> {
     })
 }
 
-fn square_crossing(line: &Integers) -> Option<Root> {
+pub(super) fn square_crossing(line: &Integers) -> Option<Root> {
     let half = line.one.times(&Number::new(Square::HALF_SIDE));
     let [o, d] = [&line.origin, &line.direction].map(|v| [0, 1, 2].map(|i| v.component(i)));
     if d[2].sign().is_eq() {
@@ -108,21 +109,6 @@ fn square_crossing(line: &Integers) -> Option<Root> {
         return None;
     }
     Root::quotient(o[2].negated(), d[2].clone())
-}
-
-/// Where the line of `exactly` meets the sphere; `exit` on its way out.
-pub(super) fn sphere_parameter(exactly: &Exactly, exit: bool) -> Option<Root> {
-    Some(sphere_crossing(&local(exactly)?)?.parameter(exit))
-}
-
-/// Where the line of `exactly` meets the cube; `exit` on its way out.
-pub(super) fn cube_parameter(exactly: &Exactly, exit: bool) -> Option<Root> {
-    Some(cube_crossing(&local(exactly)?)?.parameter(exit))
-}
-
-/// Where the line of `exactly` meets the square.
-pub(super) fn square_parameter(exactly: &Exactly) -> Option<Root> {
-    square_crossing(&local(exactly)?)
 }
 
 /// The hits of the sphere within the ray's interval. `ray` is the ray of `exactly`, rounded.
