@@ -78,14 +78,14 @@ pub(crate) use placement::sin_cos_quarters;
 pub use placement::{Placement, PlacementError};
 pub(crate) use pyramid::Pyramid;
 pub use ray::{Ray, RayError};
-pub(crate) use section::Across;
+pub(crate) use section::SectionOnRay;
 pub use section::{Section, SectionError};
 pub(crate) use slab_test::entry;
 pub use sphere::Sphere;
 pub use square::Square;
 pub(crate) use triangle::overlap;
 #[doc(hidden)] // public for tests and benches
-pub use triangle::{TriangleTest, exact_volume, guarded_volume};
+pub use triangle::{TriangleTest, hit_exact, hit_guarded};
 pub use trs::Trs;
 #[doc(hidden)] // public for tests and benches
 pub use vertex_ray::VertexRay;

@@ -1,6 +1,6 @@
 //! Rays in world space as picks take them.
 
-use super::{Across, Ray, RayError, Section, line::Line};
+use super::{Ray, RayError, Section, SectionOnRay, line::Line};
 use std::ops::Deref;
 
 /// A world-space ray as picks take it: its rounded numbers, bounds on their errors, and the exact numbers behind them.
@@ -13,7 +13,7 @@ pub struct WorldRay<'a> {
     error: RayError,
     pub(super) line: Line<'a>,
     /// The section that cuts it.
-    pub(crate) section: Option<Across>,
+    pub(crate) section: Option<SectionOnRay>,
 }
 
 impl<'a> WorldRay<'a> {
@@ -21,9 +21,9 @@ impl<'a> WorldRay<'a> {
     /// outwards; the caller decides about hits close to the cut.
     #[must_use]
     pub fn cut_by(mut self, section: &Section) -> Self {
-        let across = Across::new(*section, &self.ray, &self.error);
-        [self.ray.t_min, self.ray.t_max] = across.of_interval([self.ray.t_min, self.ray.t_max]);
-        self.section = Some(across);
+        let on_ray = SectionOnRay::new(*section, &self.ray, &self.error);
+        [self.ray.t_min, self.ray.t_max] = on_ray.of_interval([self.ray.t_min, self.ray.t_max]);
+        self.section = Some(on_ray);
         self
     }
 

@@ -3,7 +3,7 @@
 
 use super::{
     Beam, Primitive, SceneHit,
-    order::{by_name, is_at_section, is_kept, is_same_place, order},
+    order::{by_name, is_at_section, is_kept, is_same_t, order},
 };
 use crate::{
     geometry::{
@@ -133,7 +133,7 @@ pub(crate) fn all_near(
     all.retain(|hit| *hit == first || is_near(hit, &first));
     // Many hits may share the first one's `t`. They are ordered by name alone.
     let (mut here, mut others): (Vec<_>, Vec<_>) =
-        (all.into_iter()).partition(|hit| is_same_place(scene, &first, hit));
+        (all.into_iter()).partition(|hit| is_same_t(scene, &first, hit));
     here.sort_unstable_by(by_name);
     others.sort_unstable_by(|a, b| order(scene, ray, a, b));
     here.append(&mut others);

@@ -2,7 +2,6 @@
 
 use super::{
     Onto, Renderer, Wireframe,
-    composing::Draw,
     gpu::GpuError,
     lines::{self, Line},
     pipelines::{BATCHES, Drawn, Pass},
@@ -13,6 +12,7 @@ use super::{
     slices::{Piece, Slice},
     steps::{LINE, Parts, Steps},
     targets::Targets,
+    view_rows::Draw,
     without_depth,
 };
 use crate::camera::View;

@@ -3,7 +3,6 @@
 use super::{
     abilities::Numbers,
     batches::{Batch, Kind, Own, TriangleBatch},
-    composing::{Draw, ToDraw},
     draw_order::index,
     gpu::{Gpu, GpuError},
     mesh_buffers::MeshBuffers,
@@ -12,6 +11,7 @@ use super::{
     shader_structs::ObjectState,
     slices::{Piece, work},
     transform::vertex_space,
+    view_rows::{Draw, ToDraw},
     view_space::ViewSpace,
 };
 use crate::{

@@ -41,7 +41,8 @@ pub(crate) struct ScreenSection {
     pub start: f64,
     /// The change for one pixel right and down.
     pub per_px: DVec2,
-    /// The change for one unit of q: the fragment's w in perspective, the stored depth in orthographic projection.
+    /// The change for one unit of q. In perspective `q = 1 / clip w`, which WGSL gives as `position.w`; in orthographic
+    /// projection it is the stored depth.
     pub per_q: f64,
     /// The change times clip space's w, for one unit of length off the plane.
     pub per_length: f64,

@@ -1,8 +1,8 @@
 //! What a pass draws, in order and in limited steps: surfaces, then edges of triangles, then lines.
 
 use super::{
-    composing::Draw,
     slices::{Cursor, Piece, Slice},
+    view_rows::Draw,
 };
 use std::ops::Range;
 

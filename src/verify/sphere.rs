@@ -75,11 +75,11 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
         let cut_beyond = bound::beyond_f32(0.0, cut_error, ceiling(0.0));
         let cut = Reason::at_near_plane(past_near.abs(), [0.0, near_error], cut_beyond);
         Surface {
-            loose: (rim.reason().into_iter().chain(cut))
+            coverage: (rim.reason().into_iter().chain(cut))
                 .chain(sections[i].reason)
                 .reduce(Reason::or),
-            crossed: None,
-            cut: None,
+            neighbour: None,
+            section: None,
             may_keep: sections[i].may_keep,
             triangle: None,
             outline: rim,

@@ -9,7 +9,7 @@ use super::{
     Bvh,
     collapse::{BinaryTree, Index, Tree},
     leaf::Leaf,
-    node::{Child, Line, Node, Packet, Place, WIDTH},
+    node::{CacheLine, Child, Node, Packet, Place, WIDTH},
     simd::{Instructions, with_large_pages},
     split::{Range, Whole},
     tree_ray::Frame,
@@ -101,7 +101,7 @@ struct Job<'a> {
 struct Grown {
     parent: (usize, usize),
     root: Place,
-    lines: Vec<Line>,
+    lines: Vec<CacheLine>,
 }
 
 /// What the threads share.
@@ -132,7 +132,7 @@ impl<'a> Progress<'a> {
 }
 
 /// The top nodes, then each small tree.
-fn assemble(mut top: Vec<Node>, grown: Vec<Grown>) -> Vec<Line> {
+fn assemble(mut top: Vec<Node>, grown: Vec<Grown>) -> Vec<CacheLine> {
     let mut line = top.len() * Node::LINES;
     for Grown {
         parent: (node, lane),
@@ -235,7 +235,7 @@ impl<'a> Site<'a> {
     }
 
     /// Adds the nodes and packets for a binary node's triangles to `lines`, and returns the place of the first.
-    fn store(&self, tree: &BinaryTree, from: Index, lines: &mut Vec<Line>) -> Place {
+    fn store(&self, tree: &BinaryTree, from: Index, lines: &mut Vec<CacheLine>) -> Place {
         let children = match tree.tree(from) {
             Tree::Packet(leaves) => {
                 let place = Place::new(lines.len(), true);

@@ -25,7 +25,7 @@ pub use simd::Simd;
 
 use super::{Aabb, LocalRay, Pyramid};
 use glam::{DVec3, Vec3};
-use node::{Child, Line, Node, Packet, Place, WIDTH};
+use node::{CacheLine, Child, Node, Packet, Place, WIDTH};
 use simd::Instructions;
 use std::{ops::ControlFlow, sync::atomic::AtomicBool};
 use tree_ray::Frame;
@@ -54,7 +54,7 @@ pub(crate) struct Entry(Node);
 #[derive(Debug)]
 pub struct Bvh {
     /// Nodes and packets; the first is the root, and each comes before its children.
-    lines: Vec<Line>,
+    lines: Vec<CacheLine>,
     frame: Frame,
     instructions: Instructions,
 }

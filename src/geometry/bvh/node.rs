@@ -9,7 +9,7 @@ pub(super) const WIDTH: usize = 8;
 /// A cache line: what nodes and packets are stored in.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(64))]
-pub(super) struct Line([u32; 16]);
+pub(super) struct CacheLine([u32; 16]);
 
 /// Eight boxes and what is in them.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -86,7 +86,7 @@ impl Node {
         unused: [0; WIDTH],
     };
     /// Lines that it takes.
-    pub const LINES: usize = size_of::<Self>() / size_of::<Line>();
+    pub const LINES: usize = size_of::<Self>() / size_of::<CacheLine>();
 
     /// A node with these boxes, by least and greatest corner, and no children yet.
     pub fn about(boxes: impl Iterator<Item = [[f32; 3]; 2]>) -> Self {
@@ -103,19 +103,19 @@ impl Node {
 
     /// The node in this place.
     #[inline(always)]
-    pub fn at(lines: &[Line], place: Place) -> &Self {
+    pub fn at(lines: &[CacheLine], place: Place) -> &Self {
         let lines = lines[place.line()..].first_chunk::<{ Self::LINES }>();
         bytemuck::cast_ref(lines.expect("nodes are whole"))
     }
 
     /// The node in this place, to change it.
-    pub fn at_mut(lines: &mut [Line], place: Place) -> &mut Self {
+    pub fn at_mut(lines: &mut [CacheLine], place: Place) -> &mut Self {
         let lines = lines[place.line()..].first_chunk_mut::<{ Self::LINES }>();
         bytemuck::cast_mut(lines.expect("nodes are whole"))
     }
 
     /// The cache lines that store it.
-    pub fn lines(&self) -> &[Line; Self::LINES] {
+    pub fn lines(&self) -> &[CacheLine; Self::LINES] {
         bytemuck::cast_ref(self)
     }
 
@@ -148,17 +148,17 @@ impl Packet {
         triangles: [u32::MAX; WIDTH],
     };
     /// Lines that it takes.
-    pub const LINES: usize = size_of::<Self>() / size_of::<Line>();
+    pub const LINES: usize = size_of::<Self>() / size_of::<CacheLine>();
 
     /// The packet in this place.
     #[inline(always)]
-    pub fn at(lines: &[Line], place: Place) -> &Self {
+    pub fn at(lines: &[CacheLine], place: Place) -> &Self {
         let lines = lines[place.line()..].first_chunk::<{ Self::LINES }>();
         bytemuck::cast_ref(lines.expect("packets are whole"))
     }
 
     /// The cache lines that store it.
-    pub fn lines(&self) -> &[Line; Self::LINES] {
+    pub fn lines(&self) -> &[CacheLine; Self::LINES] {
         bytemuck::cast_ref(self)
     }
 

@@ -2,7 +2,7 @@
 
 use super::{
     Bvh, Visit,
-    node::{Line, Node, Packet, Place, WIDTH},
+    node::{CacheLine, Node, Packet, Place, WIDTH},
     simd::{Eight, Lanes, Stack, StackRoom, Work},
     tree_ray::{ShearedRay, TreeRay, Unplaced},
 };
@@ -150,7 +150,7 @@ struct Open<'a> {
 impl Open<'_> {
     /// Returns the nearest; the others go onto the stack, farthest first.
     #[inline(always)]
-    fn nearest<L: Lanes>(mut self, lanes: L, lines: &[Line], stack: &mut Stack) -> Place {
+    fn nearest<L: Lanes>(mut self, lanes: L, lines: &[CacheLine], stack: &mut Stack) -> Place {
         let first = self.next();
         if self.hit == 0 {
             return place_of(first);
@@ -195,7 +195,7 @@ impl Open<'_> {
 
 /// Prefetches a whole packet, one line longer than a node.
 #[inline(always)]
-fn prefetch<L: Lanes>(lanes: L, lines: &[Line], item: u64) {
+fn prefetch<L: Lanes>(lanes: L, lines: &[CacheLine], item: u64) {
     let line = place_of(item).line();
     for line in line..line + Packet::LINES {
         lanes.prefetch(lines, line);

@@ -66,7 +66,7 @@ pub(super) fn enclosed(ray: &WorldRay, surface: &Surface) -> Result<Ratio<Enclos
             let line = local(placement);
             let moment = line.origin.cross(&line.direction);
             let denominator = line.direction.dot(&line.direction);
-            let radius = line.one.times(&Number::new(Sphere::RADIUS));
+            let radius = line.weight.times(&Number::new(Sphere::RADIUS));
             let reach = radius.times(&radius).times(&denominator);
             let discriminant = reach.minus(&moment.dot(&moment));
             let root = Number::scaled(discriminant.integer.sqrt()?, 0);
@@ -84,7 +84,7 @@ pub(super) fn enclosed(ray: &WorldRay, surface: &Surface) -> Result<Ratio<Enclos
         Surface::Cube { .. } | Surface::Square(_) => {
             let (placement, (axis, plane)) = surface.plane().ok_or(InDoubt)?;
             let line = local(placement);
-            let plane = line.one.times(&Number::new(plane));
+            let plane = line.weight.times(&Number::new(plane));
             Ok(Ratio {
                 numerator: plane.minus(&line.origin.component(axis)),
                 denominator: line.direction.component(axis),

@@ -29,17 +29,17 @@ impl Crossing {
 }
 
 /// A ray in object space; `None` where a number is not finite. Where the placement mirrors, all its numbers are
-/// negated, so that [`LocalLine::one`] is positive.
+/// negated, so that [`LocalLine::weight`] is positive.
 pub(super) fn local(exactly: &Exactly) -> Option<Integers> {
     if !exactly.line.is_finite() {
         return None;
     }
     let mut line = Integers::new(exactly);
-    if line.one.sign().is_lt() {
+    if line.weight.sign().is_lt() {
         for vector in [&mut line.origin, &mut line.direction] {
             vector.integers = vector.integers.each_ref().map(|n| -n);
         }
-        line.one = line.one.negated();
+        line.weight = line.weight.negated();
     }
     Some(line)
 }
@@ -47,7 +47,7 @@ pub(super) fn local(exactly: &Exactly) -> Option<Integers> {
 pub(super) fn sphere_crossing(line: &Integers) -> Option<Crossing> {
     let a = line.direction.dot(&line.direction);
     let b = line.origin.dot(&line.direction);
-    let radius = line.one.times(&Number::new(Sphere::RADIUS));
+    let radius = line.weight.times(&Number::new(Sphere::RADIUS));
     let c = line.origin.dot(&line.origin).minus(&radius.times(&radius));
     if a.sign().is_eq() {
         return None;
@@ -62,7 +62,7 @@ pub(super) fn sphere_crossing(line: &Integers) -> Option<Crossing> {
 }
 
 pub(super) fn cube_crossing(line: &Integers) -> Option<Crossing> {
-    let half = line.one.times(&Number::new(Cuboid::HALF_SIDE));
+    let half = line.weight.times(&Number::new(Cuboid::HALF_SIDE));
     let mut enter: Option<(Root, DVec3)> = None;
     let mut leave: Option<(Root, DVec3)> = None;
     for axis in 0..3 {
@@ -95,7 +95,7 @@ pub(super) fn cube_crossing(line: &Integers) -> Option<Crossing> {
 }
 
 pub(super) fn square_crossing(line: &Integers) -> Option<Root> {
-    let half = line.one.times(&Number::new(Square::HALF_SIDE));
+    let half = line.weight.times(&Number::new(Square::HALF_SIDE));
     let [o, d] = [&line.origin, &line.direction].map(|v| [0, 1, 2].map(|i| v.component(i)));
     if d[2].sign().is_eq() {
         return None;
@@ -152,13 +152,13 @@ pub(super) fn at<I: Decided>(
     [numerator, denominator]: [&Number<I>; 2],
     known: Option<(usize, f64)>,
 ) -> Result<DVec3, InDoubt> {
-    let one = line.one.times(denominator);
+    let weight = line.weight.times(denominator);
     let coordinate = |axis| match known {
         Some((known, value)) if known == axis => Ok(value),
         _ => {
             let start = line.origin.component(axis).times(denominator);
             let way = line.direction.component(axis).times(numerator);
-            start.plus(&way).decided_ratio(&one)
+            start.plus(&way).decided_ratio(&weight)
         }
     };
     Ok(DVec3::new(coordinate(0)?, coordinate(1)?, coordinate(2)?))

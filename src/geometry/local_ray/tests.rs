@@ -148,10 +148,10 @@ fn errors(ray: &LocalRay) -> [DVec3; 2] {
     let LocalLine {
         origin,
         direction,
-        one,
+        weight,
     } = LocalLine::<BigInt>::new(&ray.exactly());
     [(origin, ray.ray.origin), (direction, ray.ray.direction)].map(|(exact, rounded)| {
-        let error = exact.minus(&Vector::new(rounded).times(&one));
-        DVec3::from_array([0, 1, 2].map(|axis| error.component(axis).ratio(&one).abs()))
+        let error = exact.minus(&Vector::new(rounded).times(&weight));
+        DVec3::from_array([0, 1, 2].map(|axis| error.component(axis).ratio(&weight).abs()))
     })
 }
