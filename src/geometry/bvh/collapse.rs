@@ -6,7 +6,7 @@
 //! seven. A single tree is a packet, or a node whose children are at most eight trees. Of several trees, the first part
 //! gets as many as is cheapest.
 
-use super::{leaf::Leaf, node::WIDTH, simd::Instructions, split::Range};
+use super::{build_primitive::BuildPrimitive, node::WIDTH, simd::Instructions, split::Range};
 use glam::Vec3A;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -27,14 +27,14 @@ struct BinaryNode<'a> {
 }
 
 enum Content<'a> {
-    Packet(&'a [Leaf]),
+    Packet(&'a [BuildPrimitive]),
     Parts([Index; 2]),
 }
 
 /// A single tree over a binary node.
 pub(super) enum Tree<'a> {
     /// Up to eight triangles.
-    Packet(&'a [Leaf]),
+    Packet(&'a [BuildPrimitive]),
     /// A node over up to eight trees.
     Node(Vec<Index>),
 }
@@ -65,7 +65,7 @@ impl<'a> BinaryTree<'a> {
     /// A single tree over a binary node.
     pub fn tree(&self, node: Index) -> Tree<'a> {
         match self.nodes[node.0].content {
-            Content::Packet(leaves) => Tree::Packet(leaves),
+            Content::Packet(primitives) => Tree::Packet(primitives),
             Content::Parts(parts) => {
                 let mut children = Vec::with_capacity(WIDTH);
                 let (_, shares) = self.best_shares(parts, WIDTH);
@@ -85,7 +85,7 @@ impl<'a> BinaryTree<'a> {
         let bounds = range.bounds();
         let area = range.area();
         let (costs, content) = if range.len() <= WIDTH {
-            ([0.0; WIDTH - 1], Content::Packet(range.leaves))
+            ([0.0; WIDTH - 1], Content::Packet(range.primitives))
         } else if stop.load(Ordering::Relaxed) {
             return None;
         } else {
@@ -211,14 +211,14 @@ mod tests {
         let instructions = Instructions::of(Simd::fastest()).expect("it is available");
         let mut gained = 0;
         for round in 0..40_u32 {
-            let mut leaves: Vec<_> = (0..70 + round)
+            let mut primitives: Vec<_> = (0..70 + round)
                 .map(|i| {
                     let spread = if round % 2 == 0 { 1.0 } else { f64::from(i) };
                     let corner = (spread * random.point()).as_vec3a();
-                    Leaf::new(i, corner, corner + random.point().abs().as_vec3a())
+                    BuildPrimitive::new(i, corner, corner + random.point().abs().as_vec3a())
                 })
                 .collect();
-            let all = instructions.run(Whole(&mut leaves));
+            let all = instructions.run(Whole(&mut primitives));
             let tree = BinaryTree::over(all, instructions, &AtomicBool::new(false));
             let tree = tree.expect("nobody stops it");
             let is_packet = |node: &&BinaryNode| matches!(node.content, Content::Packet(_));

@@ -12,8 +12,8 @@
 
 mod binning;
 mod build;
+mod build_primitive;
 mod collapse;
-mod leaf;
 mod node;
 mod simd;
 mod split;
