@@ -124,7 +124,7 @@ pub(super) fn best_cut<const BINS: usize, L: Lanes>(
     })
 }
 
-/// The expected cost of a ray: surface times number of packets. Infinite for no triangles.
+/// The expected cost of a ray: surface times number of leaves. Infinite for no triangles.
 #[expect(clippy::cast_precision_loss, reason = "an estimate")]
 #[inline(always)]
 fn cost(extent: &Extent, count: usize) -> f32 {

@@ -9,7 +9,7 @@ use super::{
     Bvh,
     build_primitive::BuildPrimitive,
     collapse::{BinaryTree, Index, Tree},
-    node::{CacheLine, Child, Node, Packet, Place, WIDTH},
+    node::{CacheLine, Child, Leaf, Node, Place, WIDTH},
     simd::{Instructions, with_large_pages},
     split::{Range, Whole},
     tree_ray::Frame,
@@ -141,7 +141,7 @@ fn assemble(mut top: Vec<Node>, grown: Vec<Grown>) -> Vec<CacheLine> {
     } in &grown
     {
         let node_place = Place::new(node * Node::LINES, false);
-        let place = Place::new(line, root.is_packet());
+        let place = Place::new(line, root.is_leaf());
         top[*node].children[*lane] = Child::between(node_place, place);
         line += lines.len();
     }
@@ -234,12 +234,12 @@ impl<'a> Site<'a> {
         progress.waiting.extend(jobs);
     }
 
-    /// Adds the nodes and packets for a binary node's triangles to `lines`, and returns the place of the first.
+    /// Adds the nodes and leaves for a binary node's triangles to `lines`, and returns the place of the first.
     fn store(&self, tree: &BinaryTree, from: Index, lines: &mut Vec<CacheLine>) -> Place {
         let children = match tree.tree(from) {
-            Tree::Packet(primitives) => {
+            Tree::Leaf(primitives) => {
                 let place = Place::new(lines.len(), true);
-                lines.extend(self.vertices.packet(primitives).lines());
+                lines.extend(self.vertices.leaf(primitives).lines());
                 return place;
             }
             Tree::Node(children) => children,
@@ -295,16 +295,16 @@ impl Vertices<'_> {
         BuildPrimitive::new(triangle, a.min(b).min(c), a.max(b).max(c))
     }
 
-    fn packet(&self, primitives: &[BuildPrimitive]) -> Packet {
-        let mut packet = Packet::EMPTY;
+    fn leaf(&self, primitives: &[BuildPrimitive]) -> Leaf {
+        let mut leaf = Leaf::EMPTY;
         for (lane, primitive) in primitives.iter().enumerate() {
-            packet.triangles[lane] = primitive.triangle();
+            leaf.triangles[lane] = primitive.triangle();
             for (corner, position) in self.corners(primitive.triangle()).into_iter().enumerate() {
                 for (axis, x) in position.into_iter().enumerate() {
-                    packet.corners[corner][axis][lane] = x;
+                    leaf.corners[corner][axis][lane] = x;
                 }
             }
         }
-        packet
+        leaf
     }
 }

@@ -3,7 +3,8 @@
 use super::simd::{Eight, Lanes};
 use glam::Vec3A;
 
-/// A triangle's box, as in [`Extent`]; number 3 holds the triangle's index, below `2^30`, and [`BuildPrimitive::NORMAL`] as bits.
+/// A triangle's box, as in [`Extent`]; number 3 holds the triangle's index, below `2^30`, and
+/// [`BuildPrimitive::NORMAL`] as bits.
 #[derive(Clone, Copy)]
 pub(super) struct BuildPrimitive(pub Eight);
 

@@ -1,12 +1,12 @@
-//! Nodes of eight boxes and packets of eight triangles, as structures of arrays: each number is stored beside its seven
+//! Nodes of eight boxes and leaves of eight triangles, as structures of arrays: each number is stored beside its seven
 //! counterparts.
 
 use bytemuck::{Pod, Zeroable};
 
-/// Children of a node, and triangles of a packet.
+/// Children of a node, and triangles of a leaf.
 pub(super) const WIDTH: usize = 8;
 
-/// A cache line: what nodes and packets are stored in.
+/// A cache line: what nodes and leaves are stored in.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(64))]
 pub(super) struct CacheLine([u32; 16]);
@@ -24,7 +24,7 @@ pub(super) struct Node {
     unused: [u32; WIDTH],
 }
 
-/// Where a node or a packet is in the tree's lines.
+/// Where a node or a leaf is in the tree's lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Place(pub u32);
 
@@ -32,13 +32,13 @@ impl Place {
     /// The first node.
     pub const ROOT: Self = Self(0);
 
-    /// The place of the node or packet that begins in this line, which must be below `2^31`.
-    pub fn new(line: usize, is_packet: bool) -> Self {
-        Self(to_u32(line << 1 | usize::from(is_packet)))
+    /// The place of the node or leaf that begins in this line, which must be below `2^31`.
+    pub fn new(line: usize, is_leaf: bool) -> Self {
+        Self(to_u32(line << 1 | usize::from(is_leaf)))
     }
 
     #[inline(always)]
-    pub fn is_packet(self) -> bool {
+    pub fn is_leaf(self) -> bool {
         self.0 & 1 != 0
     }
 
@@ -134,15 +134,15 @@ impl Node {
 /// Up to eight triangles. Lanes without one are NaN, which hits nothing.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(64))]
-pub(super) struct Packet {
+pub(super) struct Leaf {
     /// By corner and axis.
     pub corners: [[[f32; WIDTH]; 3]; 3],
     /// Which triangles of the mesh.
     pub triangles: [u32; WIDTH],
 }
 
-impl Packet {
-    /// A packet without triangles.
+impl Leaf {
+    /// A leaf without triangles.
     pub const EMPTY: Self = Self {
         corners: [[[f32::NAN; WIDTH]; 3]; 3],
         triangles: [u32::MAX; WIDTH],
@@ -150,11 +150,11 @@ impl Packet {
     /// Lines that it takes.
     pub const LINES: usize = size_of::<Self>() / size_of::<CacheLine>();
 
-    /// The packet in this place.
+    /// The leaf in this place.
     #[inline(always)]
     pub fn at(lines: &[CacheLine], place: Place) -> &Self {
         let lines = lines[place.line()..].first_chunk::<{ Self::LINES }>();
-        bytemuck::cast_ref(lines.expect("packets are whole"))
+        bytemuck::cast_ref(lines.expect("leaves are whole"))
     }
 
     /// The cache lines that store it.

@@ -15,7 +15,7 @@ use glam::Vec3A;
 /// From the first of these counts on, a range is sorted into 16 bins along each axis, from the second on into 32, else
 /// into 8: more bins would cost more than they gain.
 const WORTH_BINS: [usize; 2] = [64, 512];
-/// The most cuts above a packet, and so the most nodes. Where another cut by surface could make a tree deeper, ranges
+/// The most cuts above a leaf, and so the most nodes. Where another cut by surface could make a tree deeper, ranges
 /// are halved by count, whatever that does to their boxes. Real meshes of up to a million triangles need up to 23.
 pub(super) const DEEPEST: usize = 48;
 // At each node on the way down, all children but one may wait.
@@ -74,7 +74,7 @@ impl<'a> Range<'a> {
         self.bounds.area()
     }
 
-    /// Cuts the range in two, neither empty. It must have more triangles than a packet.
+    /// Cuts the range in two, neither empty. It must have more triangles than a leaf.
     pub fn split(self, instructions: Instructions) -> [Self; 2] {
         debug_assert!(self.len() > WIDTH);
         instructions.run(Split(self))
@@ -94,16 +94,17 @@ impl<'a> Range<'a> {
         parts
     }
 
-    /// How often it would have to be halved until packets are left.
+    /// How often it would have to be halved until leaves are left.
     fn halvings(&self) -> usize {
-        let packets = self.primitives.len().div_ceil(WIDTH);
-        packets.next_power_of_two().trailing_zeros() as usize
+        let leaves = self.primitives.len().div_ceil(WIDTH);
+        leaves.next_power_of_two().trailing_zeros() as usize
     }
 
     /// Partitions the primitives at a cut, without branches: a processor would mispredict every other one.
     #[inline(always)]
     fn split_at<L: Lanes>(self, lanes: L, cut: &Cut) -> [Self; 2] {
-        // `max` with +infinity, for a primitive on the other side, widens no box; `max` with -infinity changes no number.
+        // `max` with +infinity, for a primitive on the other side, widens no box; `max` with -infinity changes no
+        // number.
         const GATE: [f32; 2] = [f32::INFINITY, f32::NEG_INFINITY];
         let Self {
             depth, primitives, ..
@@ -177,7 +178,7 @@ mod tests {
     use super::*;
     use crate::geometry::bvh::simd::Simd;
 
-    /// The most cuts that lead to a packet.
+    /// The most cuts that lead to a leaf.
     fn deepest(range: Range, instructions: Instructions) -> usize {
         if range.len() <= WIDTH {
             return range.depth;
@@ -204,7 +205,7 @@ mod tests {
         };
         let by_surface = from(0);
         assert!(by_surface > 20, "{by_surface} cuts: not deep");
-        // 125 packets need seven halvings.
+        // 125 leaves need seven halvings.
         assert_eq!(from(DEEPEST - 7), DEEPEST);
         assert_eq!(from(DEEPEST - 8), DEEPEST);
         assert!(from(DEEPEST - 15) <= DEEPEST);
