@@ -56,7 +56,8 @@ struct ColourAndId {
     @location(1) id: vec2<u32>,
 }
 
-// Whether the section keeps a fragment: q is 1 / w in perspective, else the stored depth. `slack` is for what moves q.
+// Whether the section keeps a fragment. In perspective q = 1 / clip w, which WGSL gives as position.w; else it is the
+// stored depth. `slack` is for what moves q.
 fn kept(px: vec2<f32>, q: f32, slack: f32) -> bool {
     let at = px - 0.5 * frame.viewport_px;
     let aside = frame.section_per_px * at;

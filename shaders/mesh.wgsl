@@ -55,7 +55,7 @@ fn corner(in: Vertex, batch: Batch, triangle: u32) -> Corner {
     return out;
 }
 
-// What colours alone need. The normal of a mirrored object is turned, so that its sign tells the side.
+// What colours alone need. The normal of a mirrored object is negated, so that its sign tells the side.
 struct ColourCorner {
     @invariant @builtin(position) clip: vec4<f32>,
     @location(0) normal_view: vec3<f32>,
@@ -70,7 +70,7 @@ fn colour_vertex(in: Vertex, batch: Batch) -> ColourCorner {
 }
 
 // The shaded colour. Where a section cuts, back faces get the colour of a solid's inside.
-fn lit(in: Corner, winding_front: bool, is_cut: bool) -> vec4<f32> {
+fn shaded(in: Corner, winding_front: bool, is_cut: bool) -> vec4<f32> {
     let front = winding_front != ((in.own.z & MIRRORS) != 0u);
     let albedo = select(in.albedo, frame.inside, is_cut && !front);
     return vec4<f32>(shade(albedo, select(-in.normal_view, in.normal_view, front)), 1.0);
@@ -111,7 +111,7 @@ fn cut(in: Corner) {
 @fragment
 fn colour_cut(in: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     cut(in);
-    return lit(in, front, true);
+    return shaded(in, front, true);
 }
 
 @fragment

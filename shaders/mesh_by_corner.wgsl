@@ -12,7 +12,7 @@ fn id(in: Corner) -> @location(0) vec2<u32> {
 
 @fragment
 fn colour_and_id(in: Corner, @builtin(front_facing) front: bool) -> ColourAndId {
-    return ColourAndId(lit(in, front, false), id_of(in, 0u));
+    return ColourAndId(shaded(in, front, false), id_of(in, 0u));
 }
 
 @fragment
@@ -24,5 +24,5 @@ fn id_cut(in: Corner) -> @location(0) vec2<u32> {
 @fragment
 fn colour_and_id_cut(in: Corner, @builtin(front_facing) front: bool) -> ColourAndId {
     cut(in);
-    return ColourAndId(lit(in, front, true), id_of(in, 0u));
+    return ColourAndId(shaded(in, front, true), id_of(in, 0u));
 }

@@ -16,7 +16,7 @@ fn colour_and_id(
     @builtin(front_facing) front: bool,
     @builtin(primitive_index) primitive: u32,
 ) -> ColourAndId {
-    return ColourAndId(lit(in, front, false), id_of(in, primitive));
+    return ColourAndId(shaded(in, front, false), id_of(in, primitive));
 }
 
 @fragment
@@ -32,5 +32,5 @@ fn colour_and_id_cut(
     @builtin(primitive_index) primitive: u32,
 ) -> ColourAndId {
     cut(in);
-    return ColourAndId(lit(in, front, true), id_of(in, primitive));
+    return ColourAndId(shaded(in, front, true), id_of(in, primitive));
 }

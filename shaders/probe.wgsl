@@ -9,7 +9,8 @@ struct Corner {
 const SIZE_PX = vec2<f32>(16.0, 8.0);
 
 // The corner with this number. There are four groups of eight triangles, one triangle per lane. In rows they lie right,
-// then left of the missed pixels; in columns below, then above. Lane i misses the centre by 3/4 of half of 2^-(i + 1).
+// then left of the missed pixels; in columns below, then above. Lane i misses the centre by 3/8 of 2^-(i + 1) pixel:
+// less than half a step of that grid.
 fn probe(index: u32) -> vec4<f32> {
     let triangle = index / 3u;
     let lane = triangle % 8u;

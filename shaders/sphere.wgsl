@@ -118,7 +118,7 @@ struct IdDepth {
 }
 
 // The shaded colour. Where a section cuts, the back gets the colour of a solid's inside.
-fn lit(index: u32, seen: Surface, is_cut: bool) -> vec4<f32> {
+fn shaded(index: u32, seen: Surface, is_cut: bool) -> vec4<f32> {
     let albedo = select(objects[spheres[index].object].colour, frame.inside, is_cut && !seen.front);
     return vec4<f32>(shade(albedo, seen.normal_view), 1.0);
 }
@@ -131,7 +131,7 @@ fn id_of(index: u32) -> vec2<u32> {
 @fragment
 fn colour(in: Corner, @builtin(sample_index) sample: u32) -> Colour {
     let seen = surface(in.sphere, in.position.xy, false);
-    return Colour(lit(in.sphere, seen, false), seen.depth);
+    return Colour(shaded(in.sphere, seen, false), seen.depth);
 }
 
 @fragment
@@ -143,7 +143,7 @@ fn id(in: Corner) -> IdDepth {
 @fragment
 fn colour_and_id(in: Corner) -> ColourIdDepth {
     let seen = surface(in.sphere, in.position.xy, false);
-    return ColourIdDepth(lit(in.sphere, seen, false), id_of(in.sphere), seen.depth);
+    return ColourIdDepth(shaded(in.sphere, seen, false), id_of(in.sphere), seen.depth);
 }
 
 @fragment
@@ -157,7 +157,7 @@ fn mask(in: Corner) -> @location(0) f32 {
 @fragment
 fn colour_cut(in: Corner, @builtin(sample_index) sample: u32) -> Colour {
     let seen = surface(in.sphere, in.position.xy, true);
-    return Colour(lit(in.sphere, seen, true), seen.depth);
+    return Colour(shaded(in.sphere, seen, true), seen.depth);
 }
 
 @fragment
@@ -169,7 +169,7 @@ fn id_cut(in: Corner) -> IdDepth {
 @fragment
 fn colour_and_id_cut(in: Corner) -> ColourIdDepth {
     let seen = surface(in.sphere, in.position.xy, true);
-    return ColourIdDepth(lit(in.sphere, seen, true), id_of(in.sphere), seen.depth);
+    return ColourIdDepth(shaded(in.sphere, seen, true), id_of(in.sphere), seen.depth);
 }
 
 @fragment

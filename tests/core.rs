@@ -9,7 +9,7 @@ use sightline::{
     geometry::{
         Aabb, Bvh, Mesh, MeshData, MeshError, Part, PixelRays, PlacedPoint, Placement,
         PlacementError, Ray, Section, SectionError, Sides, TriangleTest, VertexRay, WorldRay,
-        exact_volume, guarded_volume,
+        hit_exact, hit_guarded,
     },
     glam::{DVec2, DVec3},
     image::{Id, Image},
@@ -206,7 +206,7 @@ fn t_of(test: TriangleTest, ray: [f64; 8], corners: [[f64; 3]; 3]) -> Option<f64
 /// A number that is not finite makes a ray or triangle a miss, not a panic. Only the interval's ends may be infinite.
 #[test]
 fn what_is_not_finite_is_missed() {
-    for test in [guarded_volume, exact_volume] {
+    for test in [hit_guarded, hit_exact] {
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             for i in 0..8 {
                 let mut ray = RAY;
@@ -248,7 +248,7 @@ fn a_point_that_is_not_finite_is_not_seen() {
 
 #[test]
 fn every_triangle_test_tells_a_hit_from_a_miss() {
-    for test in [guarded_volume, exact_volume] {
+    for test in [hit_guarded, hit_exact] {
         for turn in 0..3 {
             let mut corners = TRIANGLE;
             corners.rotate_left(turn);

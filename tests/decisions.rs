@@ -12,7 +12,7 @@ mod triangle_families;
 
 use common::{Random, mesh};
 use glam::DVec3;
-use sightline::geometry::{LocalRay, Mesh, Ray, Sides, TriangleHit, VertexRay, guarded_volume};
+use sightline::geometry::{LocalRay, Mesh, Ray, Sides, TriangleHit, VertexRay, hit_guarded};
 use signed_volume::signed_volume;
 use std::{sync::Arc, thread};
 use triangle_families::{Case, FAMILIES, Family};
@@ -60,7 +60,7 @@ fn judge(case: &Case, count: &mut Count) {
         .map(|&corners| oracle::hit(ray, *vertex_origin, corners))
         .collect();
     for (&corners, truth) in triangles.iter().zip(&truth) {
-        let found = guarded_volume(&seen, corners);
+        let found = hit_guarded(&seen, corners);
         let unguarded = signed_volume(&seen, corners);
         count.hits += u32::from(truth.is_some());
         count.misses += u32::from(truth.is_none());

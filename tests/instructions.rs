@@ -5,7 +5,7 @@ mod common;
 
 use common::Random;
 use glam::{DVec3, dvec3};
-use sightline::geometry::{Bvh, Ray, Simd, TriangleHit, VertexRay, guarded_volume};
+use sightline::geometry::{Bvh, Ray, Simd, TriangleHit, VertexRay, hit_guarded};
 use std::sync::atomic::AtomicBool;
 
 /// Triangles, named by what they are meant to break.
@@ -197,7 +197,7 @@ fn truth(case: &Case, ray: &Ray) -> Vec<Option<TriangleHit>> {
     let local = VertexRay::exact(*ray);
     let corners = (0..case.triangles.len()).map(|triangle| case.corners(triangle));
     corners
-        .map(|corners| guarded_volume(&local, corners))
+        .map(|corners| hit_guarded(&local, corners))
         .collect()
 }
 

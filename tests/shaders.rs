@@ -59,7 +59,12 @@ macro_rules! same_layout {
 
 #[test]
 fn structs_have_one_layout_on_both_sides() {
-    for shader in ["mesh by primitive", "mesh by corner", "sphere", "overlay"] {
+    for shader in [
+        "mesh by primitive",
+        "mesh by corner",
+        "sphere",
+        "background and lines",
+    ] {
         let frame = wgsl_layout(shader, "Frame");
         assert_eq!(frame, wgsl_layout("mesh by primitive", "Frame"), "{shader}");
     }

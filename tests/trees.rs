@@ -8,7 +8,7 @@ use common::{Random, mesh, placements, ray_to, scene_of};
 use glam::{DAffine3, DVec3, dvec3};
 use sightline::{
     geometry::{
-        Aabb, ColourRun, Mesh, MeshData, Part, Placement, Ray, Sides, VertexRay, guarded_volume,
+        Aabb, ColourRun, Mesh, MeshData, Part, Placement, Ray, Sides, VertexRay, hit_guarded,
     },
     pick::{self, SceneHit},
     scene::{Object, Scene, Shape},
@@ -298,7 +298,7 @@ fn triangles_without_area_are_never_hit() {
                 ray_to(target - step, target),
             ] {
                 assert_eq!(
-                    guarded_volume(&VertexRay::exact(ray), corners),
+                    hit_guarded(&VertexRay::exact(ray), corners),
                     None,
                     "{ray:?} {corners:?}"
                 );
@@ -311,13 +311,13 @@ fn triangles_without_area_are_never_hit() {
             direction: dvec3(1.0, 0.5, 0.0),
             ..ray_to(a - DVec3::X, a)
         };
-        assert_eq!(guarded_volume(&VertexRay::exact(within), [a, b, c]), None);
+        assert_eq!(hit_guarded(&VertexRay::exact(within), [a, b, c]), None);
     }
     assert_eq!(tried, 20_000);
     for bad in [f64::NAN, f64::INFINITY] {
         let corners = [dvec3(bad, 0.0, 0.0), DVec3::Y, DVec3::X];
         assert_eq!(
-            guarded_volume(&VertexRay::exact(ray_to(DVec3::Z, DVec3::ZERO)), corners),
+            hit_guarded(&VertexRay::exact(ray_to(DVec3::Z, DVec3::ZERO)), corners),
             None
         );
     }

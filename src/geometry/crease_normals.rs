@@ -200,20 +200,22 @@ impl Fans<'_> {
 }
 
 /// For each vertex, the corners (3 * triangle + place) that use it, as one array and where each run starts.
-struct CornersByVertex {
+pub(crate) struct CornersByVertex {
     starts: Vec<u32>,
     corners: Vec<u32>,
 }
 
 impl CornersByVertex {
     /// The corners of a run of vertices.
-    fn of(&self, vertices: Range<usize>) -> &[u32] {
+    pub fn of(&self, vertices: Range<usize>) -> &[u32] {
         let [start, end] = [vertices.start, vertices.end].map(|vertex| self.starts[vertex]);
         &self.corners[start as usize..end as usize]
     }
 }
 
-fn corners_by_vertex<E>(
+/// The corners of all triangles by vertex; those of one vertex are in order. `go_on` is told counts of work, done and
+/// in all.
+pub(crate) fn corners_by_vertex<E>(
     vertices: usize,
     triangles: &[[u32; 3]],
     go_on: impl Fn(usize, usize) -> Result<(), E>,

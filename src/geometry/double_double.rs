@@ -5,22 +5,15 @@
 //! technique for extending the available precision", 1971; Hida, Li & Bailey, "Library for double-double and
 //! quad-double arithmetic", 2007).
 
-use super::binary::power_of_two_below;
+use super::{
+    binary::power_of_two_below,
+    vector::{Ring, V3},
+};
 use glam::{DMat3, DVec3};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// What points and directions are made of: `f64` or [`DoubleDouble`].
-pub(crate) trait Number:
-    Copy
-    + From<f64>
-    + Into<f64>
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-{
-}
+pub trait Number: Ring + From<f64> + Into<f64> + Div<Output = Self> {}
 
 impl Number for f64 {}
 impl Number for DoubleDouble {}
@@ -109,74 +102,36 @@ impl Div for DoubleDouble {
     }
 }
 
-/// A point or direction.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Vector<N>(pub [N; 3]);
-
-impl<N: Number> Vector<N> {
-    pub fn dot(self, other: Self) -> N {
-        let [x, y, z] = [0, 1, 2].map(|i| self.0[i] * other.0[i]);
-        x + y + z
-    }
-
-    pub fn cross(self, other: Self) -> Self {
-        let ([a, b], axes) = ([self.0, other.0], [(1, 2), (2, 0), (0, 1)]);
-        Self(axes.map(|(i, j)| a[i] * b[j] - a[j] * b[i]))
-    }
-
+impl<N: Number> V3<N> {
     /// Rounded to `f64`.
-    pub fn rounded(self) -> DVec3 {
-        self.0.map(N::into).into()
+    pub(crate) fn rounded(self) -> DVec3 {
+        self.array().map(N::into).into()
     }
 }
 
-impl<N: Number> From<DVec3> for Vector<N> {
+impl<N: Number> From<DVec3> for V3<N> {
     fn from(v: DVec3) -> Self {
-        Self(v.to_array().map(N::from))
-    }
-}
-
-impl<N: Number> Add for Vector<N> {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self([0, 1, 2].map(|i| self.0[i] + other.0[i]))
-    }
-}
-
-impl<N: Number> Sub for Vector<N> {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        Self([0, 1, 2].map(|i| self.0[i] - other.0[i]))
-    }
-}
-
-impl<N: Number> Mul<N> for Vector<N> {
-    type Output = Self;
-
-    fn mul(self, by: N) -> Self {
-        Self(self.0.map(|c| c * by))
+        v.to_array().map(N::from).into()
     }
 }
 
 /// A matrix by its rows.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Rows<N>(pub [Vector<N>; 3]);
+pub(crate) struct Rows<N>(pub [V3<N>; 3]);
 
 impl<N: Number> Rows<N> {
     /// The inverse of an invertible matrix of any scale: its columns are scaled to about 1 first, which is exact.
     pub fn inverse_of(matrix: DMat3) -> Self {
         let columns = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
         let scales = columns.map(|column| power_of_two_below(column.abs().max_element()).recip());
-        let [x, y, z] = [0, 1, 2].map(|i| Vector::<N>::from(columns[i] * scales[i]));
+        let [x, y, z] = [0, 1, 2].map(|i| V3::<N>::from(columns[i] * scales[i]));
         let across = [y.cross(z), z.cross(x), x.cross(y)];
         let determinant = x.dot(across[0]);
         Self([0, 1, 2].map(|i| across[i] * (N::from(scales[i]) / determinant)))
     }
 
-    pub fn times(&self, v: Vector<N>) -> Vector<N> {
-        Vector(self.0.map(|row| row.dot(v)))
+    pub fn times(&self, v: V3<N>) -> V3<N> {
+        self.0.map(|row| row.dot(v)).into()
     }
 }
 

@@ -15,7 +15,7 @@ pub(super) enum Line<'a> {
 }
 
 impl Line<'_> {
-    /// A ray's own, which is exact as it stands.
+    /// The line of a [`Ray`], whose numbers are exact.
     pub fn given(ray: &Ray) -> Self {
         let (origin, direction) = (ray.origin, ray.direction);
         Self::Given { origin, direction }

@@ -110,7 +110,7 @@ impl<'a> Exactly<'a> {
     /// A world-space ray in the object space of a placement.
     pub fn placed(world: &WorldRay<'a>, placement: &'a Placement) -> Self {
         Self {
-            line: *world.line(),
+            line: world.line,
             placement: Some(placement),
         }
     }

@@ -47,6 +47,7 @@ mod square;
 mod square_hits;
 mod triangle;
 mod trs;
+pub(crate) mod vector;
 mod vertex_ray;
 mod world_ray;
 
@@ -56,6 +57,7 @@ pub(crate) use bvh::Entry;
 pub use bvh::{Bvh, Simd, Visit};
 pub(crate) use clip::{clip, clip_points};
 pub use crease_normals::{CornerNormals, crease_normals, face_normal};
+pub(crate) use crease_normals::{CornersByVertex, corners_by_vertex};
 pub use cuboid::Cuboid;
 pub(crate) use exact::dyadic;
 pub(crate) use exact::{
@@ -76,14 +78,14 @@ pub(crate) use placement::sin_cos_quarters;
 pub use placement::{Placement, PlacementError};
 pub(crate) use pyramid::Pyramid;
 pub use ray::{Ray, RayError};
-pub(crate) use section::Across;
+pub(crate) use section::SectionOnRay;
 pub use section::{Section, SectionError};
 pub(crate) use slab_test::entry;
 pub use sphere::Sphere;
 pub use square::Square;
 pub(crate) use triangle::overlap;
 #[doc(hidden)] // public for tests and benches
-pub use triangle::{TriangleTest, exact_volume, guarded_volume};
+pub use triangle::{TriangleTest, hit_exact, hit_guarded};
 pub use trs::Trs;
 #[doc(hidden)] // public for tests and benches
 pub use vertex_ray::VertexRay;

@@ -1,6 +1,6 @@
 //! The numbers that a pixel's ray is made of, and how the ray changes from pixel to pixel.
 
-use super::double_double::{Number, Vector};
+use super::{double_double::Number, vector::V3};
 use glam::{DVec2, DVec3};
 use std::ops::Add;
 
@@ -27,17 +27,17 @@ pub struct PixelGrid {
 /// of the direction in perspective, of the origin in orthographic projection.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RayDifferential<N> {
-    pub origin: Vector<N>,
-    pub direction: Vector<N>,
+    pub origin: V3<N>,
+    pub direction: V3<N>,
     /// For one pixel to the right.
-    pub right: Vector<N>,
+    pub right: V3<N>,
     /// For one pixel down.
-    pub down: Vector<N>,
+    pub down: V3<N>,
 }
 
 impl<N> RayDifferential<N> {
     /// Its image under a linear map.
-    pub fn map(self, linear: impl Fn(Vector<N>) -> Vector<N>) -> Self {
+    pub fn map(self, linear: impl Fn(V3<N>) -> V3<N>) -> Self {
         let [origin, direction, right, down] =
             [self.origin, self.direction, self.right, self.down].map(linear);
         Self {
@@ -103,11 +103,11 @@ impl PixelGrid {
     /// [`PixelGrid::ray`] relative to `origin`, without bounds, and its change per pixel. In `f64`, or in pairs of them
     /// where that is too coarse.
     pub(crate) fn differential<N: Number>(&self, px: DVec2, origin: DVec3) -> RayDifferential<N> {
-        let [right, up] = [self.right, self.up].map(Vector::<N>::from);
+        let [right, up] = [self.right, self.up].map(V3::<N>::from);
         let [of_right, of_up] = self.factors::<N>(px);
         let aside = right * of_right + up * of_up;
-        let eye = Vector::from(self.eye) - origin.into();
-        let forward = Vector::from(self.forward);
+        let eye = V3::from(self.eye) - origin.into();
+        let forward = V3::from(self.forward);
         let [origin, direction] = self.moved_aside(eye, forward, aside);
         let per_px = N::from(2.0) * self.per_half_px::<N>();
         RayDifferential {

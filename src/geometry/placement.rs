@@ -109,11 +109,6 @@ impl Placement {
         self.mirrors
     }
 
-    /// Whether object space is world space.
-    pub(crate) fn is_identity(&self) -> bool {
-        self.is_identity
-    }
-
     /// A world-space point in object space. The translation is subtracted first, which keeps digits.
     #[inline]
     #[must_use]

@@ -148,15 +148,15 @@ impl Section {
     }
 }
 
-/// A section along a ray `o + t d`, where `n . p + c` is `start + t ahead`.
+/// A section along a ray: there `n . p + c` is `at_origin + t per_t`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Across {
+pub(crate) struct SectionOnRay {
     pub section: Section,
-    start: Approximate,
-    ahead: Approximate,
+    at_origin: Approximate,
+    per_t: Approximate,
 }
 
-impl Across {
+impl SectionOnRay {
     /// Bounds: three products and their sum with c round by less than `5 U` of the terms' sizes. The ray's errors are
     /// weighted by n. The least normal number is slack for underflow.
     pub(super) fn new(section: Section, ray: &Ray, error: &RayError) -> Self {
@@ -169,8 +169,8 @@ impl Across {
         };
         Self {
             section,
-            start: along(ray.origin, error.origin, offset),
-            ahead: along(ray.direction, error.direction, 0.0),
+            at_origin: along(ray.origin, error.origin, offset),
+            per_t: along(ray.direction, error.direction, 0.0),
         }
     }
 
@@ -178,13 +178,15 @@ impl Across {
     ///
     /// The product and the sum round by less than `2 U` of both terms; 1.01 absorbs what the bound itself rounds.
     pub fn keeps(&self, t: f64, t_error: f64) -> Result<bool, InDoubt> {
-        let Self { start, ahead, .. } = self;
-        let way = t * ahead.value;
-        let side = start.value + way;
-        let error = start.error
-            + (t.abs() + t_error) * ahead.error
-            + t_error * ahead.value.abs()
-            + 3.0 * U * (start.value.abs() + way.abs())
+        let Self {
+            at_origin, per_t, ..
+        } = self;
+        let way = t * per_t.value;
+        let side = at_origin.value + way;
+        let error = at_origin.error
+            + (t.abs() + t_error) * per_t.error
+            + t_error * per_t.value.abs()
+            + 3.0 * U * (at_origin.value.abs() + way.abs())
             + f64::MIN_POSITIVE;
         let error = 1.01 * error;
         if side > error {
@@ -198,8 +200,8 @@ impl Across {
 
     /// The part of a parameter interval that may be kept, rounded outwards; all of it for a ray along the plane.
     pub(super) fn of_interval(&self, [t_min, t_max]: [f64; 2]) -> [f64; 2] {
-        match self.start.negative().over(self.ahead) {
-            Ok(at) if self.ahead.value > 0.0 => [t_min.max(at.low()), t_max],
+        match self.at_origin.negative().over(self.per_t) {
+            Ok(at) if self.per_t.value > 0.0 => [t_min.max(at.low()), t_max],
             Ok(at) => [t_min, t_max.min(at.high().next_up())],
             Err(InDoubt) => [t_min, t_max],
         }

@@ -32,32 +32,32 @@ pub type TriangleTest = fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>;
 /// given ray and corners. `t` is within `t_error` of the exact parameter and has at least half of its digits right,
 /// usually all. A ray or corner that is not finite misses.
 #[must_use]
-pub fn guarded_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+pub fn hit_guarded(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
     if is_missed(ray, corners) {
         None
     } else {
-        filtered_volume(ray, corners)
+        hit_filtered(ray, corners)
     }
 }
 
-/// [`guarded_volume`] without its early exit for misses, for triangles that a tree has filtered. The answer is the same
+/// [`hit_guarded`] without its early exit for misses, for triangles that a tree has filtered. The answer is the same
 /// to the bit.
 #[inline(always)]
-pub(super) fn filtered_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
-    filter(ray, corners).unwrap_or_else(|InDoubt| exact_volume(ray, corners))
+pub(super) fn hit_filtered(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+    filter(ray, corners).unwrap_or_else(|InDoubt| hit_exact(ray, corners))
 }
 
 /// Weights with a larger error than this are left to exact arithmetic.
 const WORST_WEIGHT: f64 = power_of_two(-14);
 
-/// [`guarded_volume`] without its filter in `f64`: in pairs of `f64`, or in integers.
+/// [`hit_guarded`] without its filter in `f64`: in pairs of `f64`, or in integers.
 #[cold]
 #[must_use]
-pub fn exact_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+pub fn hit_exact(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
     exact::hit(ray.exactly().line, &ray.ray, ray.exact_triangle(corners))
 }
 
-/// Whether `f64` leaves [`guarded_volume`]'s answer to exact arithmetic.
+/// Whether `f64` leaves [`hit_guarded`]'s answer to exact arithmetic.
 pub(super) fn is_in_doubt(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
     !is_missed(ray, corners) && filter(ray, corners).is_err()
 }

@@ -1,6 +1,6 @@
 //! Rays in world space as picks take them.
 
-use super::{Across, Ray, RayError, Section, line::Line};
+use super::{Ray, RayError, Section, SectionOnRay, line::Line};
 use std::ops::Deref;
 
 /// A world-space ray as picks take it: its rounded numbers, bounds on their errors, and the exact numbers behind them.
@@ -11,8 +11,9 @@ use std::ops::Deref;
 pub struct WorldRay<'a> {
     ray: Ray,
     error: RayError,
-    line: Line<'a>,
-    section: Option<Across>,
+    pub(super) line: Line<'a>,
+    /// The section that cuts it.
+    pub(crate) section: Option<SectionOnRay>,
 }
 
 impl<'a> WorldRay<'a> {
@@ -20,25 +21,16 @@ impl<'a> WorldRay<'a> {
     /// outwards; the caller decides about hits close to the cut.
     #[must_use]
     pub fn cut_by(mut self, section: &Section) -> Self {
-        let across = Across::new(*section, &self.ray, &self.error);
-        [self.ray.t_min, self.ray.t_max] = across.of_interval([self.ray.t_min, self.ray.t_max]);
-        self.section = Some(across);
+        let on_ray = SectionOnRay::new(*section, &self.ray, &self.error);
+        [self.ray.t_min, self.ray.t_max] = on_ray.of_interval([self.ray.t_min, self.ray.t_max]);
+        self.section = Some(on_ray);
         self
-    }
-
-    /// The section that cuts it.
-    pub(crate) fn section(&self) -> Option<&Across> {
-        self.section.as_ref()
     }
 
     /// How far its rounded numbers may be off.
     #[must_use]
     pub fn error(&self) -> RayError {
         self.error
-    }
-
-    pub(super) fn line(&self) -> &Line<'a> {
-        &self.line
     }
 
     /// A line, rounded to `ray`, with bounds on the error.

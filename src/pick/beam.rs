@@ -17,7 +17,7 @@ const MOST_BATCHES: usize = 8;
 /// A tile's rays skip the batches outside the pyramid about them, and enter each mesh's tree at an [`Entry`]. Nothing
 /// that one of them meets is skipped, so every answer is the same, to the bit, as for a ray by itself.
 pub(crate) struct Beam<'a> {
-    scene: &'a Scene,
+    pub scene: &'a Scene,
     /// `None` for all of the scene's.
     batches: Option<Vec<(&'a Range<usize>, Option<Entry>)>>,
 }
@@ -47,10 +47,6 @@ impl<'a> Beam<'a> {
             scene,
             batches: Some(batch.into_iter().collect()),
         }
-    }
-
-    pub fn scene(&self) -> &'a Scene {
-        self.scene
     }
 
     /// Calls `visit` with every batch that the ray, one of the beam's, may meet, and where to enter the mesh's tree if

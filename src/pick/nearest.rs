@@ -3,7 +3,7 @@
 
 use super::{
     Beam, Primitive, SceneHit,
-    order::{by_name, is_at_section, is_kept, is_same_place, order},
+    order::{by_name, is_at_section, is_kept, is_same_t, order},
 };
 use crate::{
     geometry::{
@@ -48,7 +48,7 @@ pub(super) fn nearest(
     sides: Sides,
     after: Option<&SceneHit>,
 ) -> Option<SceneHit> {
-    let scene = beam.scene();
+    let scene = beam.scene;
     let mut best: Option<SceneHit> = None;
     let mut limit = ray.t_max;
     beam.visit(ray, |batch, entry| {
@@ -69,7 +69,7 @@ pub(super) fn nearest(
 
 /// Whether a ray meets a given object, if that is visible. What lies before it does not matter.
 pub(super) fn meets(beam: &Beam, ray: &WorldRay, sides: Sides, object: usize) -> bool {
-    let scene = beam.scene();
+    let scene = beam.scene;
     let mut found = false;
     beam.visit(ray, |batch, entry| {
         let placed = scene.objects()[batch.start].placement.local_ray(ray);
@@ -125,7 +125,7 @@ pub(crate) fn all_near(
     sides: Sides,
     is_near: impl Fn(&SceneHit, &SceneHit) -> bool,
 ) -> Vec<SceneHit> {
-    let scene = beam.scene();
+    let scene = beam.scene;
     let mut all = unordered(beam, ray, sides);
     let Some(first) = all.iter().copied().min_by(|a, b| order(scene, ray, a, b)) else {
         return all;
@@ -133,7 +133,7 @@ pub(crate) fn all_near(
     all.retain(|hit| *hit == first || is_near(hit, &first));
     // Many hits may share the first one's `t`. They are ordered by name alone.
     let (mut here, mut others): (Vec<_>, Vec<_>) =
-        (all.into_iter()).partition(|hit| is_same_place(scene, &first, hit));
+        (all.into_iter()).partition(|hit| is_same_t(scene, &first, hit));
     here.sort_unstable_by(by_name);
     others.sort_unstable_by(|a, b| order(scene, ray, a, b));
     here.append(&mut others);
@@ -143,7 +143,7 @@ pub(crate) fn all_near(
 }
 
 fn unordered(beam: &Beam, ray: &WorldRay, sides: Sides) -> Vec<SceneHit> {
-    let scene = beam.scene();
+    let scene = beam.scene;
     let mut all = Vec::new();
     beam.visit(ray, |batch, entry| {
         let first = &scene.objects()[batch.start];
@@ -162,7 +162,7 @@ fn unordered(beam: &Beam, ray: &WorldRay, sides: Sides) -> Vec<SceneHit> {
         }
         ray.t_max
     });
-    if ray.section().is_some() {
+    if ray.section.is_some() {
         all.retain(|hit| is_kept(scene, ray, hit));
     }
     all
@@ -217,7 +217,7 @@ pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
                     Shape::Cube => Cuboid::is_in_doubt(&local),
                     Shape::Square => Square::is_in_doubt(&local),
                 }
-            || ray.section().is_some() && {
+            || ray.section.is_some() && {
                 // A tree may leave out hits behind the limit.
                 let is_open = |hit: &SceneHit| hit.limit() <= limit && is_at_section(ray, hit);
                 in_batch(scene, batch, None, &local, Sides::Both, is_open).is_some()

@@ -24,16 +24,16 @@ pub(super) fn by_name(a: &SceneHit, b: &SceneHit) -> Ordering {
 /// Whether the ray's section, if any, keeps a hit.
 #[inline]
 pub(super) fn is_kept(scene: &Scene, ray: &WorldRay, hit: &SceneHit) -> bool {
-    ray.section().is_none_or(|across| {
-        let sure = across.keeps(hit.hit.t, hit.hit.t_error);
-        sure.unwrap_or_else(|_| keeps(ray, &across.section, &surface(scene, hit)))
+    ray.section.as_ref().is_none_or(|on_ray| {
+        let sure = on_ray.keeps(hit.hit.t, hit.hit.t_error);
+        sure.unwrap_or_else(|_| keeps(ray, &on_ray.section, &surface(scene, hit)))
     })
 }
 
 /// Whether `f64` leaves [`is_kept`] to exact arithmetic.
 pub(super) fn is_at_section(ray: &WorldRay, hit: &SceneHit) -> bool {
-    let across = ray.section();
-    across.is_some_and(|across| across.keeps(hit.hit.t, hit.hit.t_error).is_err())
+    let on_ray = ray.section.as_ref();
+    on_ray.is_some_and(|on_ray| on_ray.keeps(hit.hit.t, hit.hit.t_error).is_err())
 }
 
 /// How far `next` lies behind `hit`, which is at `t`: the exact difference in `t`, rounded once.
@@ -43,7 +43,7 @@ pub(super) fn gap(
     (hit, t): (&SceneHit, &Parameter),
     next: &SceneHit,
 ) -> f64 {
-    if is_same_place(scene, hit, next) {
+    if is_same_t(scene, hit, next) {
         return 0.0;
     }
     let behind = parameter(scene, ray, next).behind(t);
@@ -69,7 +69,7 @@ fn by_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
 
 #[cold]
 fn by_exact_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
-    if is_same_place(scene, a, b) {
+    if is_same_t(scene, a, b) {
         return Ordering::Equal;
     }
     compare_surfaces(ray, &surface(scene, a), &surface(scene, b))
@@ -77,7 +77,7 @@ fn by_exact_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Orde
 
 /// Whether two hits of one ray have the same `t` because of what was hit: the same surface, or two coplanar ones. This
 /// is cheaper than comparing their parameters.
-pub(super) fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
+pub(super) fn is_same_t(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
     if !a.overlaps(b) {
         return false;
     }

@@ -100,6 +100,10 @@ impl Batch {
     /// where `U = 2^-53`, `s = |M| m + |T|`, and m has the largest coordinates in object space. A slack of `32 U s` is
     /// enough, as for the scene's own boxes that move.
     pub fn with_room(&self, bounds_world: Aabb) -> Aabb {
+        // The slack of an empty box is NaN, which would spoil the boxes about it.
+        if bounds_world.is_empty() {
+            return bounds_world;
+        }
         let model = self.placement.model();
         let largest = match &self.own {
             Own::Triangles(own) => {

@@ -2,7 +2,6 @@
 
 use super::{
     Onto, Renderer, Wireframe,
-    composing::Draw,
     gpu::GpuError,
     lines::{self, Line},
     pipelines::{BATCHES, Drawn, Pass},
@@ -13,6 +12,7 @@ use super::{
     slices::{Piece, Slice},
     steps::{LINE, Parts, Steps},
     targets::Targets,
+    view_rows::Draw,
     without_depth,
 };
 use crate::camera::View;
@@ -169,7 +169,7 @@ impl Renderer {
         };
         let view = drawing.view;
         let gpu = &self.gpu;
-        let begins = drawing.steps.is_at_start();
+        let begins = drawing.steps == Steps::default();
         let has_colours = pass.has_colours();
         let has_edges = has_colours && gpu.draws_wireframes();
         let wireframe = self.wireframe.filter(|_| has_edges);
@@ -185,7 +185,7 @@ impl Renderer {
         }
         let seen = match drawing.selection {
             Some(_) => None,
-            None => Some(scene.seen_in(&view, drawing.steps.begun(), piece == Piece::WHOLE)),
+            None => Some(scene.seen_in(&view, drawing.steps.finished(), piece == Piece::WHOLE)),
         };
         let (draws, are_known) = match (&seen, &drawing.selection) {
             (Some(seen), _) => (seen.draws.as_slice(), seen.is_whole()),

@@ -29,7 +29,7 @@ mod abilities;
 mod adapters;
 mod batches;
 pub(crate) mod bindings;
-mod composing;
+mod composite;
 mod draw_order;
 mod drawing;
 mod enlarge;
@@ -41,7 +41,6 @@ mod lines;
 mod mesh_buffers;
 mod mesh_store;
 mod open;
-mod outline;
 mod pipelines;
 mod pixels;
 mod probe;
@@ -60,17 +59,18 @@ pub mod sphere;
 mod steps;
 mod targets;
 pub mod transform;
+mod view_rows;
 pub mod view_space;
 pub mod view_units;
 pub(crate) mod without_depth;
 
 pub use abilities::{Numbers, Restraint};
 pub use adapters::{AdapterCan, AdapterFound, adapters};
+pub use composite::{Destination, Marks};
 pub use drawing::Drawing;
 pub use gpu::{Gpu, GpuError};
 pub use lines::Line;
 pub use mesh_store::MeshStore;
-pub use outline::{Destination, Marks};
 pub use raster::Wireframe;
 pub use rasteriser::Rasteriser;
 pub(crate) use readback::read_rgb;
@@ -104,7 +104,7 @@ pub struct Renderer {
     pub wireframe: Option<Wireframe>,
     pipelines: pipelines::Pipelines,
     /// Made at first use.
-    post: Option<outline::PostPasses>,
+    post: Option<composite::PostPasses>,
     /// Made at first use.
     resolve: OnceCell<resolve::Resolve>,
     frame: wgpu::Buffer,

@@ -213,9 +213,9 @@ impl Pipelines {
             Drawn::Triangles { .. } => (mesh, triangle_vertex, surface_entry),
             Drawn::Edges => (mesh, "vertex", edge_entry),
             Drawn::Spheres => ("sphere", "vertex", surface_entry),
-            Drawn::Lines => ("overlay", "line_vertex", "line_colour"),
-            Drawn::Background => ("overlay", "behind", "background_colour"),
-            Drawn::Depths => ("overlay", "cover", "given_depth"),
+            Drawn::Lines => ("background and lines", "line_vertex", "line_colour"),
+            Drawn::Background => ("background and lines", "behind", "background_colour"),
+            Drawn::Depths => ("background and lines", "cover", "given_depth"),
         };
         let module = self.modules.entry(module);
         let module = &*module.or_insert_with_key(|name| shader_module(gpu, name));

@@ -3,7 +3,6 @@
 use super::{
     abilities::Numbers,
     batches::{Batch, Kind, Own, TriangleBatch},
-    composing::{Draw, ToDraw},
     draw_order::index,
     gpu::{Gpu, GpuError},
     mesh_buffers::MeshBuffers,
@@ -12,6 +11,7 @@ use super::{
     shader_structs::ObjectState,
     slices::{Piece, work},
     transform::vertex_space,
+    view_rows::{Draw, ToDraw},
     view_space::ViewSpace,
 };
 use crate::{
@@ -336,11 +336,11 @@ fn object_state(object: &Object) -> ObjectState {
     }
 }
 
-/// The triangles of `parts` parts from `first` on.
+/// The triangles of `parts` parts from `first` on, as far as these exist.
 fn batch_triangles(mesh: &Mesh, first: usize, parts: usize) -> Range<u32> {
-    let parts = &mesh.data().parts[first..first + parts];
-    match (parts.first(), parts.last()) {
-        (Some(first), Some(last)) => first.triangles.start..last.triangles.end,
-        _ => 0..0,
-    }
+    let parts = mesh.data().parts.iter().skip(first).take(parts);
+    let mut triangles = parts.map(|part| &part.triangles);
+    triangles.next().map_or(0..0, |first| {
+        first.start..triangles.next_back().unwrap_or(first).end
+    })
 }

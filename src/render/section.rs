@@ -17,7 +17,8 @@ use crate::{
     geometry::{
         Section,
         binary::{power_of_two_below, split, times_power_of_two},
-        double_double::{DoubleDouble, Vector},
+        double_double::DoubleDouble,
+        vector::V3,
     },
 };
 use glam::DVec2;
@@ -40,7 +41,8 @@ pub(crate) struct ScreenSection {
     pub start: f64,
     /// The change for one pixel right and down.
     pub per_px: DVec2,
-    /// The change for one unit of q: the fragment's w in perspective, the stored depth in orthographic projection.
+    /// The change for one unit of q. In perspective `q = 1 / clip w`, which WGSL gives as `position.w`; in orthographic
+    /// projection it is the stored depth.
     pub per_q: f64,
     /// The change times clip space's w, for one unit of length off the plane.
     pub per_length: f64,
@@ -58,13 +60,13 @@ impl ScreenSection {
         // The normal may have any length. Scaled, it neither underflows nor overflows.
         let (_, exponent) = split(power_of_two_below(section.normal().abs().max_element()));
         let scaled = |value: f64| times_power_of_two(value, -exponent);
-        let normal: Vector<DoubleDouble> = section.normal().map(scaled).into();
+        let normal: V3<DoubleDouble> = section.normal().map(scaled).into();
         let offset = scaled(section.offset()).clamp(-LARGEST_OFFSET, LARGEST_OFFSET);
         let offset = DoubleDouble::from(offset);
         let middle_px = 0.5 * view.viewport.size_px();
         let grid = view.camera.pixel_grid(view.viewport);
         let ray = grid.differential::<DoubleDouble>(middle_px, glam::DVec3::ZERO);
-        let along = |v: Vector<DoubleDouble>| normal.dot(v);
+        let along = |v: V3<DoubleDouble>| normal.dot(v);
         let per_px = DVec2::new(along(ray.right).into(), along(ray.down).into());
         let (start, ahead) = (along(ray.origin) + offset, along(ray.direction));
         let (start, per_q): (f64, f64) = if grid.is_orthographic {

@@ -3,9 +3,9 @@
 
 use super::{
     batches::{Batch, Row},
-    composing::{Composer, Draw, Share, ToDraw},
     gpu::{Gpu, GpuError},
     shader_structs,
+    view_rows::{Composer, Draw, Share, ToDraw},
 };
 use crate::camera::View;
 use bytemuck::{Pod, Zeroable};

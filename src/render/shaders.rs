@@ -22,7 +22,10 @@ pub const SHADERS: [(&str, &str); 9] = [
     ),
     ("mesh by corner", wgsl!("head", "mesh", "mesh_by_corner")),
     ("sphere", wgsl!("head", "sphere")),
-    ("overlay", wgsl!("head", "cover", "overlay")),
+    (
+        "background and lines",
+        wgsl!("head", "cover", "background_and_lines"),
+    ),
     ("composite", wgsl!("cover", "composite")),
     ("resolve", wgsl!("cover", "resolve")),
     ("panels", wgsl!("cover", "panels")),

@@ -1,6 +1,6 @@
 //! Cuts a list of draws into slices of limited work.
 
-use super::composing::Draw;
+use super::view_rows::Draw;
 use std::ops::Range;
 
 /// The work of an instance besides its triangles, in triangles.

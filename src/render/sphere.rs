@@ -17,7 +17,8 @@ use crate::{
     camera::{Projection, View, pixel_centre},
     geometry::{
         Placement, RayDifferential, Sides, Sphere,
-        double_double::{DoubleDouble, Number, Rows, Vector},
+        double_double::{DoubleDouble, Number, Rows},
+        vector::V3,
     },
 };
 use glam::{DMat3, DVec2, DVec3, DVec4};
@@ -58,7 +59,7 @@ fn row<N: Number>(
     let depth = base_depth(view, &ray);
     // A unit direction keeps squares in range, and makes roots count in object units.
     let speed = ray.direction.rounded().length();
-    let scaled = |v: Vector<N>| v * N::from(speed.recip());
+    let scaled = |v: V3<N>| v * N::from(speed.recip());
     let [d, right, down] = [ray.direction, ray.right, ray.down].map(scaled);
     let n = ray.origin + ray.direction * N::from(depth);
     let (origin_step, direction_step) = match view.camera.lens().projection {
@@ -69,8 +70,8 @@ fn row<N: Number>(
     // w the step to a pixel, the ray has the origin n + origin_step w and the direction d + direction_step w.
     let twist = n * N::from(direction_step) - d * N::from(origin_step);
     let moment = n.cross(d).rounded();
-    let turn = [twist.cross(right), twist.cross(down)].map(Vector::rounded);
-    let [n, d, right, down] = [n, d, right, down].map(Vector::rounded);
+    let turn = [twist.cross(right), twist.cross(down)].map(V3::rounded);
+    let [n, d, right, down] = [n, d, right, down].map(V3::rounded);
     let r2 = Sphere::RADIUS * Sphere::RADIUS;
     let along = direction_step * n + origin_step * d;
     let outside = (n.length() - Sphere::RADIUS) * (n.length() + Sphere::RADIUS);

@@ -1,8 +1,8 @@
 //! What a pass draws, in order and in limited steps: surfaces, then edges of triangles, then lines.
 
 use super::{
-    composing::Draw,
     slices::{Cursor, Piece, Slice},
+    view_rows::Draw,
 };
 use std::ops::Range;
 
@@ -47,13 +47,8 @@ impl Step {
 }
 
 impl Steps {
-    /// Whether nothing was drawn yet.
-    pub fn is_at_start(&self) -> bool {
-        *self == Self::default()
-    }
-
     /// How many of the draws of surfaces are finished.
-    pub fn begun(&self) -> usize {
+    pub fn finished(&self) -> usize {
         self.surfaces.draw
     }
 

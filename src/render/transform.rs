@@ -64,7 +64,7 @@ pub fn vertex_space(scene: &Scene, batch: &Range<usize>) -> (DVec3, Aabb) {
     match &scene.objects()[batch.start].shape {
         Shape::Mesh { mesh, part } => {
             let origin = mesh.data().origin;
-            let parts = *part..part + batch.len();
+            let parts = *part..part.saturating_add(batch.len());
             let bounds = parts.fold(Aabb::EMPTY, |all, part| all.union(mesh.part_bounds(part)));
             let about_origin = Aabb {
                 min: bounds.min - origin,

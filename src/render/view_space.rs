@@ -8,7 +8,8 @@ use crate::{
     camera::View,
     geometry::{
         Placement,
-        double_double::{DoubleDouble, Rows, Vector},
+        double_double::{DoubleDouble, Rows},
+        vector::V3,
     },
 };
 use glam::{DMat3, DVec2, DVec3};
@@ -67,11 +68,11 @@ impl ViewSpace {
     pub fn at(&self, placement: &Placement, origin: DVec3, point_vertex_space: DVec3) -> ViewPoint {
         let camera = &self.view.camera;
         let model = placement.model();
-        let Vector([x, y, z]) = Vector::<DoubleDouble>::from(origin) + point_vertex_space.into();
-        let column = |i: usize| Vector::<DoubleDouble>::from(model.matrix3.col(i));
+        let V3 { x, y, z } = V3::<DoubleDouble>::from(origin) + point_vertex_space.into();
+        let column = |i: usize| V3::<DoubleDouble>::from(model.matrix3.col(i));
         let turned = column(0) * x + column(1) * y + column(2) * z;
-        let eye_to_origin = Vector::from(model.translation) - camera.eye().into();
-        let Vector([x, y, z]) = self.to_view.times(turned + eye_to_origin);
+        let eye_to_origin = V3::from(model.translation) - camera.eye().into();
+        let V3 { x, y, z } = self.to_view.times(turned + eye_to_origin);
         ViewPoint {
             aside: DVec2::new(x.into(), y.into()),
             depth: z.into(),

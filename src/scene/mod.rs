@@ -163,13 +163,13 @@ impl Scene {
     /// The world-space box about all objects, hidden ones too; empty when there are none.
     #[must_use]
     pub fn bounds(&self) -> Aabb {
-        self.sums.all().bounds
+        self.sums.all.bounds
     }
 
     /// The world-space box about all visible objects; empty when there are none.
     #[must_use]
     pub fn visible_bounds(&self) -> Aabb {
-        self.sums.all().visible_bounds
+        self.sums.all.visible_bounds
     }
 
     /// Whether a condition holds for the box about some visible object. It must hold for a box if it holds for one
@@ -181,13 +181,13 @@ impl Scene {
     /// How many objects are hidden.
     #[must_use]
     pub fn hidden_count(&self) -> usize {
-        self.sums.all().hidden
+        self.sums.all.hidden
     }
 
     /// Triangles of all meshes, hidden ones too.
     #[must_use]
     pub fn triangle_count(&self) -> usize {
-        self.sums.all().triangles
+        self.sums.all.triangles
     }
 
     /// Objects plus triangles. By this number callers recognise a large scene.

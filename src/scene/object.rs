@@ -50,10 +50,7 @@ impl Shape {
     #[must_use]
     pub fn triangles(&self) -> Option<Range<u32>> {
         match self {
-            Self::Mesh { mesh, part } => {
-                let part = mesh.data().parts.get(*part);
-                Some(part.map_or(0..0, |part| part.triangles.clone()))
-            }
+            Self::Mesh { mesh, part } => Some(mesh.part_triangles(*part)),
             _ => None,
         }
     }

@@ -64,7 +64,8 @@ impl Sum {
 #[derive(Clone, Debug)]
 pub(super) struct Sums {
     runs: Vec<Sum>,
-    all: Sum,
+    /// Over all objects.
+    pub all: Sum,
 }
 
 impl Default for Sums {
@@ -86,11 +87,6 @@ impl Sums {
         }
         sums.add_up();
         sums
-    }
-
-    /// Over all objects.
-    pub fn all(&self) -> &Sum {
-        &self.all
     }
 
     /// Whether a condition holds for the box about some visible object. It must hold for a box if it holds for one
@@ -240,8 +236,8 @@ mod tests {
         }
         objects[RUN].visible = false;
         sums.renew(RUN, &objects, &bounds);
-        assert_eq!(sums.all().hidden, 1);
-        assert_eq!([sums.all().bounds, sums.all().visible_bounds], [unit; 2]);
+        assert_eq!(sums.all.hidden, 1);
+        assert_eq!([sums.all.bounds, sums.all.visible_bounds], [unit; 2]);
     }
 
     /// These queries read no object: a scene that is given the sums of an empty scene answers as the empty one.

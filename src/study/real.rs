@@ -1,8 +1,9 @@
 //! `f32` and `f64` under one trait, so that a method is written once and studied in both.
 
+pub(super) use crate::geometry::vector::each;
+pub use crate::geometry::vector::{Ring, V3};
 use glam::{DMat3, DVec3};
 use num_traits::Float;
-use std::ops::{Add, Index, Mul, Neg, Sub};
 
 /// A floating-point number of the hardware.
 pub trait Real: Float + Into<f64> {
@@ -30,83 +31,6 @@ pub fn through_f32(value: f64) -> f64 {
 pub fn through_f32_each(v: V3<f64>) -> V3<f64> {
     V3::<f32>::of(v).wide()
 }
-
-/// A vector.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct V3<T> {
-    /// First coordinate.
-    pub x: T,
-    /// Second coordinate.
-    pub y: T,
-    /// Third coordinate.
-    pub z: T,
-}
-
-/// A number with sums and products: `f32`, `f64`, a double-double, or eight numbers side by side.
-pub trait Ring:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
-{
-}
-
-impl<T> Ring for T where
-    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Neg<Output = T>
-{
-}
-
-impl<T> V3<T> {
-    /// From its coordinates.
-    pub const fn new(x: T, y: T, z: T) -> Self {
-        Self { x, y, z }
-    }
-}
-
-impl<T: Ring> V3<T> {
-    /// Scalar product.
-    #[inline]
-    pub fn dot(self, o: Self) -> T {
-        self.x * o.x + self.y * o.y + self.z * o.z
-    }
-
-    /// Vector product.
-    #[inline]
-    pub(super) fn cross(self, o: Self) -> Self {
-        Self::new(
-            self.y * o.z - self.z * o.y,
-            self.z * o.x - self.x * o.z,
-            self.x * o.y - self.y * o.x,
-        )
-    }
-
-    /// The coordinates, in order.
-    pub fn array(self) -> [T; 3] {
-        [self.x, self.y, self.z]
-    }
-
-    /// Each coordinate converted.
-    pub fn map<U>(self, of: impl Fn(T) -> U) -> V3<U> {
-        V3::new(of(self.x), of(self.y), of(self.z))
-    }
-
-    /// Each coordinate with the other's.
-    fn zip(self, o: Self, of: impl Fn(T, T) -> T) -> Self {
-        Self::new(of(self.x, o.x), of(self.y, o.y), of(self.z, o.z))
-    }
-}
-
-/// Operators on two of a type of numbers, number by number.
-macro_rules! each {
-    ($type:ident: $($trait:ident $name:ident $op:tt),+) => {$(
-        impl<T: Ring> $trait for $type<T> {
-            type Output = Self;
-            fn $name(self, o: Self) -> Self {
-                self.zip(o, |a, b| a $op b)
-            }
-        }
-    )+};
-}
-pub(super) use each;
-
-each!(V3: Add add +, Sub sub -);
 
 impl<T: Real> V3<T> {
     /// Each coordinate rounded from `f64`.
@@ -141,45 +65,8 @@ impl<T: Real> V3<T> {
     }
 }
 
-impl<T: Ring> Neg for V3<T> {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self::new(-self.x, -self.y, -self.z)
-    }
-}
-
-impl<T: Ring> Mul<T> for V3<T> {
-    type Output = Self;
-    fn mul(self, s: T) -> Self {
-        Self::new(self.x * s, self.y * s, self.z * s)
-    }
-}
-
-impl<T> Index<usize> for V3<T> {
-    type Output = T;
-    fn index(&self, axis: usize) -> &T {
-        match axis {
-            0 => &self.x,
-            1 => &self.y,
-            _ => &self.z,
-        }
-    }
-}
-
-impl<T> From<[T; 3]> for V3<T> {
-    fn from([x, y, z]: [T; 3]) -> Self {
-        Self { x, y, z }
-    }
-}
-
 impl From<V3<f64>> for DVec3 {
     fn from(v: V3<f64>) -> Self {
-        Self::new(v.x, v.y, v.z)
-    }
-}
-
-impl From<DVec3> for V3<f64> {
-    fn from(v: DVec3) -> Self {
         Self::new(v.x, v.y, v.z)
     }
 }

@@ -222,7 +222,7 @@ impl Step for TriangleCase {
             let Shape::Mesh { mesh, part } = &object.shape else {
                 return Vec::new();
             };
-            let triangles = mesh.data().parts[*part].triangles.clone();
+            let triangles = mesh.part_triangles(*part);
             let hits = triangles.filter_map(|triangle| {
                 let test = |ray: &Ray| run(&Self::of_mesh(mesh, triangle, ray, 1.0));
                 Some(on_triangle(mesh, triangle, local, first(local, test)?))

@@ -1,16 +1,15 @@
 //! Finds the triangles of a mesh that share an edge with another one.
 
-use crate::geometry::MeshData;
-use std::collections::HashMap;
+use crate::geometry::{CornersByVertex, MeshData, corners_by_vertex};
+use std::{collections::HashMap, convert::Infallible};
 
 /// A mesh's triangles by corner position. Corners at equal positions count as one, however often the mesh lists them:
 /// the vertex shader maps them alike.
 pub(super) struct Adjoining {
     /// For each vertex, the first one at the same position.
     places: Vec<u32>,
-    /// Where each position's triangles begin in `triangles`, and where the last ones end.
-    starts: Vec<u32>,
-    triangles: Vec<u32>,
+    /// By the positions that `places` names.
+    corners: CornersByVertex,
 }
 
 impl Adjoining {
@@ -22,27 +21,12 @@ impl Adjoining {
             *(first.entry(position.map(|c| (c + 0.0).to_bits()))).or_insert(i)
         });
         let places: Vec<u32> = places.collect();
-        let mut starts = vec![0; places.len() + 1];
-        let corners = || mesh.triangles.iter().map(|t| t.map(|i| places[i as usize]));
-        for place in corners().flatten() {
-            starts[place as usize + 1] += 1;
-        }
-        for i in 1..starts.len() {
-            starts[i] += starts[i - 1];
-        }
-        let mut next = starts.clone();
-        let mut triangles = vec![0; 3 * mesh.triangles.len()];
-        for (triangle, corners) in (0..).zip(corners()) {
-            for place in corners {
-                triangles[next[place as usize] as usize] = triangle;
-                next[place as usize] += 1;
-            }
-        }
-        Self {
-            places,
-            starts,
-            triangles,
-        }
+        let triangles = mesh.triangles.iter();
+        let triangles = triangles.map(|corners| corners.map(|i| places[i as usize]));
+        let triangles: Vec<[u32; 3]> = triangles.collect();
+        let Ok(corners) =
+            corners_by_vertex(places.len(), &triangles, |_, _| Ok::<_, Infallible>(()));
+        Self { places, corners }
     }
 
     /// The triangles with an edge between the positions of two vertices, in either direction.
@@ -53,8 +37,9 @@ impl Adjoining {
     ) -> impl Iterator<Item = Neighbour> + 'a {
         let place = |i: u32| self.places[i as usize];
         let [from, to] = edge.map(place);
-        let about = self.starts[from as usize] as usize..self.starts[from as usize + 1] as usize;
-        self.triangles[about].iter().filter_map(move |&triangle| {
+        let about = self.corners.of(from as usize..from as usize + 1).iter();
+        about.filter_map(move |corner| {
+            let triangle = corner / 3;
             let [i, j, k] = mesh.triangles[triangle as usize];
             let mut sides = [[i, j, k], [j, k, i], [k, i, j]].into_iter();
             sides.find_map(|[start, end, apex]| {

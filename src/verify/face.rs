@@ -141,7 +141,7 @@ impl<'a> Surfaces<'a> {
             Shape::Cube => self.flat(px, index).cube(),
             Shape::Mesh { mesh, part } => {
                 let data = mesh.data();
-                let triangles = &data.parts[*part].triangles;
+                let triangles = mesh.part_triangles(*part);
                 let batch = scene.batch_of(index);
                 let is_shown = |triangle| {
                     let object = (mesh.part_of(triangle) + index).checked_sub(*part);

@@ -147,7 +147,7 @@ impl Flat<'_> {
             };
             let own = surface(polygon, goes_on);
             surfaces.push(Surface {
-                crossed: own.crossed.into_iter().chain(reached).reduce(Reason::or),
+                neighbour: own.neighbour.into_iter().chain(reached).reduce(Reason::or),
                 triangle: Some((batch, triangle)),
                 ..own
             });
@@ -234,9 +234,9 @@ fn surface(polygon: Polygon, mut goes_on: impl FnMut(usize, Reason) -> bool) -> 
             continue;
         };
         let of_edge = if goes_on(i, reason) {
-            &mut surface.crossed
+            &mut surface.neighbour
         } else {
-            &mut surface.loose
+            &mut surface.coverage
         };
         *of_edge = Some(of_edge.map_or(reason, |other| other.or(reason)));
     }

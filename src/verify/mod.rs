@@ -212,9 +212,14 @@ fn on_outline(ids: &Image<Id>, x: u32, y: u32) -> bool {
 /// Explains a difference by geometry.
 fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Disagreement {
     let px = pixel_centre(DVec2::from(pixel.map(f64::from)));
+    // What drawing may show, and what a pick may find: picks have exact order.
     let sides = [
-        surface::may_be_drawn(surfaces.of_id(px, drawn)),
-        surface::may_be_picked(surfaces.of_id(px, picked)),
+        surface::not_behind(surfaces.of_id(px, drawn), |near, far| {
+            near.stored.farthest > far.stored.nearest
+        }),
+        surface::not_behind(surfaces.of_id(px, picked), |near, far| {
+            near.depth < far.depth
+        }),
     ];
     // Identical input gives identical output on the GPU: the order of the two decides which shows.
     let twins = (sides[0].first().zip(sides[1].first())).is_some_and(|(a, b)| a.source == b.source);

@@ -137,9 +137,9 @@ pub(super) fn polygon(
     let [nearest, farthest] = may_be.map(|end| depths.nearness(end));
     let outlines = edges.iter().map(|(_, outline)| *outline);
     let surface = Surface {
-        loose: border.reason().into_iter().chain(cuts).reduce(Reason::or),
-        crossed: None,
-        cut: section.reason,
+        coverage: border.reason().into_iter().chain(cuts).reduce(Reason::or),
+        neighbour: None,
+        section: section.reason,
         may_keep: section.may_keep,
         triangle: None,
         outline: outlines.fold(border, Outline::nearer),

@@ -9,8 +9,7 @@ use super::{
 use crate::{
     camera::Projection,
     geometry::{
-        Placement, RayDifferential, Sides, Sphere,
-        double_double::{DoubleDouble, Vector},
+        Placement, RayDifferential, Sides, Sphere, double_double::DoubleDouble, vector::V3,
     },
     render::{sphere, transform::ViewError, view_space::ViewSpace},
 };
@@ -76,11 +75,11 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
         let cut_beyond = bound::beyond_f32(0.0, cut_error, ceiling(0.0));
         let cut = Reason::at_near_plane(past_near.abs(), [0.0, near_error], cut_beyond);
         Surface {
-            loose: (rim.reason().into_iter().chain(cut))
+            coverage: (rim.reason().into_iter().chain(cut))
                 .chain(sections[i].reason)
                 .reduce(Reason::or),
-            crossed: None,
-            cut: None,
+            neighbour: None,
+            section: None,
             may_keep: sections[i].may_keep,
             triangle: None,
             outline: rim,
@@ -115,7 +114,7 @@ impl Change {
     fn of_discriminant(projection: Projection, ray: &RayDifferential<DoubleDouble>) -> Self {
         let (o, d) = (ray.origin, ray.direction);
         let r2 = Sphere::RADIUS * Sphere::RADIUS;
-        let across = |a: Vector<DoubleDouble>, b: Vector<DoubleDouble>| a.cross(b).rounded();
+        let across = |a: V3<DoubleDouble>, b: V3<DoubleDouble>| a.cross(b).rounded();
         let moment = across(o, d);
         let [(x, bend_x), (y, bend_y)] = [ray.right, ray.down].map(|step| match projection {
             Projection::Perspective { .. } => {

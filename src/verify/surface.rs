@@ -18,13 +18,13 @@ use glam::{DAffine3, DVec3};
 /// A surface that an id may stand for at a pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Surface {
-    /// Why only drawing or only the pick may have it: an outline, or the cut of the near plane or the section, is near
-    /// enough.
-    pub loose: Option<Reason>,
+    /// Why drawing and pick may disagree on whether it covers the centre: an outline, or the cut of the near plane or
+    /// the section, is near enough.
+    pub coverage: Option<Reason>,
     /// Why a neighbour may show in its place, or vice versa: an edge between them is near enough.
-    pub crossed: Option<Reason>,
+    pub neighbour: Option<Reason>,
     /// Why drawing may decide otherwise whether the section keeps it.
-    pub cut: Option<Reason>,
+    pub section: Option<Reason>,
     /// Whether drawing may keep it: false where the section cuts it away by more than drawing can be off.
     pub may_keep: bool,
     /// For a mesh's triangle: its batch's first object, and its number.
@@ -62,9 +62,9 @@ impl Surface {
             DepthMapping::Standard => -1.0,
         };
         Self {
-            loose: None,
-            crossed: None,
-            cut: None,
+            coverage: None,
+            neighbour: None,
+            section: None,
             may_keep: true,
             triangle: None,
             outline: Outline::NONE,
@@ -114,40 +114,28 @@ impl Surface {
 /// Adds reasons where the section may cut away a neighbour across an edge but keep the surface, or vice versa: what
 /// lies behind may then show at the edge between them.
 pub(super) fn with_cut_neighbours(mut surfaces: Vec<Surface>) -> Vec<Surface> {
-    let cut = surfaces.iter().filter_map(|surface| surface.cut);
+    let cut = surfaces.iter().filter_map(|surface| surface.section);
     if let Some(cut) = cut.reduce(Reason::or) {
         for surface in &mut surfaces {
-            let at_edge = surface.crossed.map(|reason| cut.and(reason.class));
-            surface.loose = surface.loose.into_iter().chain(at_edge).reduce(Reason::or);
+            let at_edge = surface.neighbour.map(|reason| cut.and(reason.class));
+            let known = surface.coverage.into_iter();
+            surface.coverage = known.chain(at_edge).reduce(Reason::or);
         }
     }
     surfaces
 }
 
-/// The surfaces of an object that drawing may show at a pixel, without the far side of a solid where its near side is
-/// certainly drawn in front of it.
-pub(super) fn may_be_drawn(surfaces: Vec<Surface>) -> Vec<Surface> {
-    not_behind(surfaces, |near, far| {
-        near.stored.farthest > far.stored.nearest
-    })
-}
-
-/// The surfaces of an object that a pick may find at a pixel, without the far side of a solid where its near side
-/// certainly covers the centre: picks have exact order.
-pub(super) fn may_be_picked(surfaces: Vec<Surface>) -> Vec<Surface> {
-    not_behind(surfaces, |near, far| near.depth < far.depth)
-}
-
-/// The surfaces that no other one certainly hides.
-fn not_behind(
+/// The surfaces that no other one certainly hides: without the far side of a solid where its near side certainly covers
+/// the centre and lies before it.
+pub(super) fn not_behind(
     mut surfaces: Vec<Surface>,
     lies_before: impl Fn(&Surface, &Surface) -> bool,
 ) -> Vec<Surface> {
     let all = surfaces.clone();
     surfaces.retain(|surface| {
         let hides = |other: &Surface| {
-            let is_loose = other.loose.or(other.crossed).is_some();
-            other.covers && !is_loose && lies_before(other, surface)
+            let may_differ = other.coverage.or(other.neighbour).is_some();
+            other.covers && !may_differ && lies_before(other, surface)
         };
         !all.iter().any(hides)
     });
@@ -164,25 +152,25 @@ fn not_behind(
 pub(super) fn explain(depths: &Depths, drawn: &Surface, picked: &Surface) -> Option<Reason> {
     if drawn.triangle.is_some() && drawn.triangle == picked.triangle {
         // Drawing and pick reach the same triangle across edges.
-        return drawn.crossed;
+        return drawn.neighbour;
     }
     if drawn.source == picked.source {
         return None;
     }
-    let missing = |surface: &Surface| surface.loose.map(|reason| reason.class);
+    let missing = |surface: &Surface| surface.coverage.map(|reason| reason.class);
     // For drawing, `drawn` comes first or `picked` is missing.
     let first = || drawn.stored.hides(&picked.stored);
     let hides = picked.covers.then(first).flatten();
     let drawn_only = (hides.into_iter().chain(missing(picked)).min())
-        .and_then(|class| Some(drawn.loose?.and(class)));
+        .and_then(|class| Some(drawn.coverage?.and(class)));
     // For the pick, `picked` comes first or `drawn` is missing.
     let precedes = drawn.covers && picked.stored.precedes(&drawn.stored);
     let hides = precedes.then_some(Class::Edge);
     let picked_only = (hides.into_iter().chain(missing(drawn)).min())
-        .and_then(|class| Some(picked.loose?.and(class)));
+        .and_then(|class| Some(picked.coverage?.and(class)));
     // A neighbour in its place may cover the centre.
     let may_cover = |surface: &Surface| {
-        let reached = || Some(surface.crossed?.class);
+        let reached = || Some(surface.neighbour?.class);
         surface.covers.then_some(Class::Edge).or_else(reached)
     };
     let by_depth = may_cover(drawn).zip(may_cover(picked)).and_then(|(a, b)| {

@@ -2,7 +2,7 @@
 
 use crate::{
     camera::{Lens, View},
-    geometry::double_double::Vector,
+    geometry::vector::V3,
 };
 use glam::{DVec2, DVec3};
 
@@ -21,7 +21,7 @@ impl ViewRay {
         let grid = view.camera.pixel_grid(view.viewport).in_view_space();
         let ray = grid.differential::<f64>(px, DVec3::ZERO);
         let [origin, direction, right, down] =
-            [ray.origin, ray.direction, ray.right, ray.down].map(Vector::rounded);
+            [ray.origin, ray.direction, ray.right, ray.down].map(V3::rounded);
         Self {
             origin: (origin + lens.near * direction).with_z(0.0),
             direction,

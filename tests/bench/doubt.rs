@@ -11,7 +11,7 @@ use sightline::{
     camera::View,
     geometry::{
         Cuboid, LocalRay, Mesh, PlacedRay, Placement, Ray, Sides, Sphere, Square, VertexRay,
-        WorldRay, guarded_volume,
+        WorldRay, hit_guarded,
     },
     pick,
     scene::{Object, Scene, Shape},
@@ -88,7 +88,7 @@ fn triangle_pass(cases: &[Case]) -> f64 {
             (VertexRay::new(local, &mesh.data().origin), corners(mesh))
         })
         .collect();
-    time(&inputs, |(ray, corners)| guarded_volume(ray, *corners))
+    time(&inputs, |(ray, corners)| hit_guarded(ray, *corners))
 }
 
 fn solid_pass(cases: &[Case]) -> f64 {

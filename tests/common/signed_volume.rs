@@ -1,4 +1,4 @@
-//! The triangle test that `guarded_volume` guards, without the guard.
+//! The triangle test that `hit_guarded` guards, without the guard.
 
 use glam::DVec3;
 use sightline::geometry::{TriangleHit, VertexRay};

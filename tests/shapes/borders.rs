@@ -5,7 +5,7 @@ use crate::common::{orthographic, ray_to, scene_of};
 use glam::{DAffine3, DQuat, DVec2, DVec3, dvec3};
 use sightline::{
     camera::{Camera, View, Viewport},
-    geometry::{Cuboid, Ray, Sides, Sphere, Square, VertexRay, guarded_volume},
+    geometry::{Cuboid, Ray, Sides, Sphere, Square, VertexRay, hit_guarded},
     pick,
     scene::Shape,
 };
@@ -55,9 +55,9 @@ fn only_what_lies_in_the_interval_counts() {
         dvec3(1.0, -1.0, 0.0),
         dvec3(0.0, 1.0, 0.0),
     ];
-    assert!(guarded_volume(&VertexRay::exact(down(1.0, 1.5)), corners).is_some());
-    assert!(guarded_volume(&VertexRay::exact(down(0.0, 1.0)), corners).is_none());
-    assert!(guarded_volume(&VertexRay::exact(down(-2.0, 0.5)), corners).is_none());
+    assert!(hit_guarded(&VertexRay::exact(down(1.0, 1.5)), corners).is_some());
+    assert!(hit_guarded(&VertexRay::exact(down(0.0, 1.0)), corners).is_none());
+    assert!(hit_guarded(&VertexRay::exact(down(-2.0, 0.5)), corners).is_none());
 }
 
 #[test]

@@ -42,7 +42,7 @@ fn two_sheets() -> Shape {
 }
 
 /// A row of every shape, each about 1.5 wide with its middle at z = 0: a mesh whose back comes first, a mirrored mesh,
-/// an ellipsoid, a turned box, and a square seen from behind.
+/// an ellipsoid, a turned box, and a square seen from behind. A part that its mesh lacks adds nothing.
 fn row_of_shapes() -> Scene {
     let ball = ball_scene(0.0).0.objects()[0].shape.clone();
     let object = |shape: Shape, scale: DVec3, turn_y: f64, x: f64| {
@@ -54,12 +54,17 @@ fn row_of_shapes() -> Scene {
         let name = shape.kind();
         Object::new(name, shape, Placement::new(model).expect("a placement"))
     };
+    let Shape::Mesh { mesh, .. } = two_sheets() else {
+        panic!("the sheets are a mesh");
+    };
+    let lacking = Shape::Mesh { mesh, part: 7 };
     let scene = Scene::new(vec![
         object(two_sheets(), DVec3::splat(0.75), 0.0, -4.0),
         object(ball, dvec3(-0.75, 0.75, 0.75), 0.0, -2.0),
         object(Shape::Sphere, dvec3(1.5, 1.25, 1.75), 0.3, 0.0),
         object(Shape::Cube, DVec3::splat(1.25), 0.5, 2.0),
         object(Shape::Square, DVec3::splat(1.5), 3.0, 4.0),
+        object(lacking, DVec3::splat(0.75), 0.5, -4.0),
     ]);
     scene.build_trees();
     scene

@@ -29,6 +29,7 @@ mod images;
 #[path = "../exact_picks/lattice.rs"]
 mod lattice;
 mod models;
+mod no_such_part;
 mod one_place;
 mod report;
 #[path = "../common/scenes.rs"]

@@ -2,7 +2,7 @@
 //! of SAH-based Bounding Volume Hierarchies", RT 2007).
 
 use super::{
-    leaf::{Extent, Leaf},
+    build_primitive::{BuildPrimitive, Extent},
     node::{WIDTH, to_u32},
     simd::Lanes,
 };
@@ -60,8 +60,8 @@ pub(super) struct Cut {
 
 impl Cut {
     #[inline(always)]
-    pub fn is_below(&self, leaf: &Leaf) -> bool {
-        self.bins.along(self.axis, leaf.center(self.axis)) < self.first_above
+    pub fn is_below(&self, primitive: &BuildPrimitive) -> bool {
+        self.bins.along(self.axis, primitive.center(self.axis)) < self.first_above
     }
 }
 
@@ -70,16 +70,20 @@ impl Cut {
 #[inline(always)]
 pub(super) fn best_cut<const BINS: usize, L: Lanes>(
     lanes: L,
-    leaves: &[Leaf],
+    primitives: &[BuildPrimitive],
     centers: &Extent,
 ) -> Option<Cut> {
     let bins = Bins::new(centers, to_u32(BINS - 1));
     // Of the triangles in each bin: the boxes about them, and how many they are.
     let mut extents = [[Extent::EMPTY; BINS]; 3];
     let mut counts = [[0; BINS]; 3];
-    for leaf in leaves {
-        let numbers = lanes.load(&leaf.0.0);
-        let center = Vec3A::new(leaf.center(0), leaf.center(1), leaf.center(2));
+    for primitive in primitives {
+        let numbers = lanes.load(&primitive.0.0);
+        let center = Vec3A::new(
+            primitive.center(0),
+            primitive.center(1),
+            primitive.center(2),
+        );
         for (axis, bin) in bins.of(center).into_iter().enumerate() {
             let bin = bin as usize % BINS;
             let extent = &mut extents[axis][bin].0;
@@ -120,7 +124,7 @@ pub(super) fn best_cut<const BINS: usize, L: Lanes>(
     })
 }
 
-/// The expected cost of a ray: surface times number of packets. Infinite for no triangles.
+/// The expected cost of a ray: surface times number of leaves. Infinite for no triangles.
 #[expect(clippy::cast_precision_loss, reason = "an estimate")]
 #[inline(always)]
 fn cost(extent: &Extent, count: usize) -> f32 {

@@ -7,9 +7,9 @@
 
 use super::{
     Bvh,
+    build_primitive::BuildPrimitive,
     collapse::{BinaryTree, Index, Tree},
-    leaf::Leaf,
-    node::{Child, Line, Node, Packet, Place, WIDTH},
+    node::{CacheLine, Child, Leaf, Node, Place, WIDTH},
     simd::{Instructions, with_large_pages},
     split::{Range, Whole},
     tree_ray::Frame,
@@ -46,13 +46,13 @@ pub(super) fn build(
     };
     let is_small = triangles.len() < WORTH_THREADS;
     let threads = if is_small { 1 } else { cores() };
-    let mut leaves = with_large_pages(triangles.len());
-    leaves.extend((0..count).map(|i| vertices.leaf(i)));
-    let mut all = instructions.run(Whole(&mut leaves));
+    let mut primitives = with_large_pages(triangles.len());
+    primitives.extend((0..count).map(|i| vertices.primitive(i)));
+    let mut all = instructions.run(Whole(&mut primitives));
     vertices.scale = vertices.scale_within(all.bounds())?;
     #[expect(clippy::float_cmp, reason = "a power of two")]
     if vertices.scale != 1.0 {
-        all = all.anew(|triangle| vertices.leaf(triangle), instructions);
+        all = all.anew(|triangle| vertices.primitive(triangle), instructions);
     }
     let [min, max] = all.bounds();
     let site = Site {
@@ -71,7 +71,7 @@ pub(super) fn build(
     });
     let progress = (site.progress.into_inner()).unwrap_or_else(PoisonError::into_inner);
     let (top, grown, is_given_up) = (progress.top, progress.grown, progress.is_given_up);
-    drop(leaves);
+    drop(primitives);
     if is_given_up {
         return None;
     }
@@ -101,7 +101,7 @@ struct Job<'a> {
 struct Grown {
     parent: (usize, usize),
     root: Place,
-    lines: Vec<Line>,
+    lines: Vec<CacheLine>,
 }
 
 /// What the threads share.
@@ -132,7 +132,7 @@ impl<'a> Progress<'a> {
 }
 
 /// The top nodes, then each small tree.
-fn assemble(mut top: Vec<Node>, grown: Vec<Grown>) -> Vec<Line> {
+fn assemble(mut top: Vec<Node>, grown: Vec<Grown>) -> Vec<CacheLine> {
     let mut line = top.len() * Node::LINES;
     for Grown {
         parent: (node, lane),
@@ -141,7 +141,7 @@ fn assemble(mut top: Vec<Node>, grown: Vec<Grown>) -> Vec<Line> {
     } in &grown
     {
         let node_place = Place::new(node * Node::LINES, false);
-        let place = Place::new(line, root.is_packet());
+        let place = Place::new(line, root.is_leaf());
         top[*node].children[*lane] = Child::between(node_place, place);
         line += lines.len();
     }
@@ -234,12 +234,12 @@ impl<'a> Site<'a> {
         progress.waiting.extend(jobs);
     }
 
-    /// Adds the nodes and packets for a binary node's triangles to `lines`, and returns the place of the first.
-    fn store(&self, tree: &BinaryTree, from: Index, lines: &mut Vec<Line>) -> Place {
+    /// Adds the nodes and leaves for a binary node's triangles to `lines`, and returns the place of the first.
+    fn store(&self, tree: &BinaryTree, from: Index, lines: &mut Vec<CacheLine>) -> Place {
         let children = match tree.tree(from) {
-            Tree::Packet(leaves) => {
+            Tree::Leaf(primitives) => {
                 let place = Place::new(lines.len(), true);
-                lines.extend(self.vertices.packet(leaves).lines());
+                lines.extend(self.vertices.leaf(primitives).lines());
                 return place;
             }
             Tree::Node(children) => children,
@@ -290,21 +290,21 @@ impl Vertices<'_> {
         are_kept.then_some(scale)
     }
 
-    fn leaf(&self, triangle: u32) -> Leaf {
+    fn primitive(&self, triangle: u32) -> BuildPrimitive {
         let [a, b, c] = self.corners(triangle).map(Vec3A::from_array);
-        Leaf::new(triangle, a.min(b).min(c), a.max(b).max(c))
+        BuildPrimitive::new(triangle, a.min(b).min(c), a.max(b).max(c))
     }
 
-    fn packet(&self, leaves: &[Leaf]) -> Packet {
-        let mut packet = Packet::EMPTY;
-        for (lane, leaf) in leaves.iter().enumerate() {
-            packet.triangles[lane] = leaf.triangle();
-            for (corner, position) in self.corners(leaf.triangle()).into_iter().enumerate() {
+    fn leaf(&self, primitives: &[BuildPrimitive]) -> Leaf {
+        let mut leaf = Leaf::EMPTY;
+        for (lane, primitive) in primitives.iter().enumerate() {
+            leaf.triangles[lane] = primitive.triangle();
+            for (corner, position) in self.corners(primitive.triangle()).into_iter().enumerate() {
                 for (axis, x) in position.into_iter().enumerate() {
-                    packet.corners[corner][axis][lane] = x;
+                    leaf.corners[corner][axis][lane] = x;
                 }
             }
         }
-        packet
+        leaf
     }
 }

@@ -6,11 +6,11 @@
 //! at most k trees, for k from 1 to 7. A single tree is a leaf, or a node of up to eight trees. A forest of several is
 //! shared out between both children of the binary node, at the least cost.
 
-use super::{leaf::Leaf, node::WIDTH, simd::Instructions, split::Range};
+use super::{build_primitive::BuildPrimitive, node::WIDTH, simd::Instructions, split::Range};
 use glam::Vec3A;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// A binary tree over a range of triangles, cut down to packets.
+/// A binary tree over a range of triangles, cut down to leaves.
 pub(super) struct BinaryTree<'a> {
     /// Each comes after its parts: the root is the last.
     nodes: Vec<BinaryNode<'a>>,
@@ -27,14 +27,14 @@ struct BinaryNode<'a> {
 }
 
 enum Content<'a> {
-    Packet(&'a [Leaf]),
+    Leaf(&'a [BuildPrimitive]),
     Parts([Index; 2]),
 }
 
 /// A single tree over a binary node.
 pub(super) enum Tree<'a> {
     /// Up to eight triangles.
-    Packet(&'a [Leaf]),
+    Leaf(&'a [BuildPrimitive]),
     /// A node over up to eight trees.
     Node(Vec<Index>),
 }
@@ -45,7 +45,7 @@ type Costs = [f32; WIDTH - 1];
 impl<'a> BinaryTree<'a> {
     /// Cuts the range; `None` where `stop` was set meanwhile.
     pub fn over(range: Range<'a>, instructions: Instructions, stop: &AtomicBool) -> Option<Self> {
-        // Almost always enough: packets are seldom less than half full.
+        // Almost always enough: leaves are seldom less than half full.
         let mut tree = Self {
             nodes: Vec::with_capacity(range.len() / 2),
         };
@@ -65,7 +65,7 @@ impl<'a> BinaryTree<'a> {
     /// A single tree over a binary node.
     pub fn tree(&self, node: Index) -> Tree<'a> {
         match self.nodes[node.0].content {
-            Content::Packet(leaves) => Tree::Packet(leaves),
+            Content::Leaf(primitives) => Tree::Leaf(primitives),
             Content::Parts(parts) => {
                 let mut children = Vec::with_capacity(WIDTH);
                 let (_, shares) = self.best_shares(parts, WIDTH);
@@ -85,7 +85,7 @@ impl<'a> BinaryTree<'a> {
         let bounds = range.bounds();
         let area = range.area();
         let (costs, content) = if range.len() <= WIDTH {
-            ([0.0; WIDTH - 1], Content::Packet(range.into_leaves()))
+            ([0.0; WIDTH - 1], Content::Leaf(range.primitives))
         } else if stop.load(Ordering::Relaxed) {
             return None;
         } else {
@@ -162,7 +162,7 @@ mod tests {
     /// The least cost of a tree over a node, found by trying all that a node of eight may hold.
     fn least_cost(tree: &BinaryTree, node: Index) -> f32 {
         let covers = match tree.nodes[node.0].content {
-            Content::Packet(_) => return 0.0,
+            Content::Leaf(_) => return 0.0,
             Content::Parts(parts) => covers_of_both(tree, parts),
         };
         let costs = covers.iter().map(|cover| {
@@ -194,7 +194,7 @@ mod tests {
         size.x * size.y + size.y * size.z + size.z * size.x
     }
 
-    /// The cost of the tree as it is made, and how many packets it has.
+    /// The cost of the tree as it is made, and how many leaves it has.
     fn made(tree: &BinaryTree, node: Index) -> (f32, usize) {
         let Tree::Node(children) = tree.tree(node) else {
             return (0.0, 1);
@@ -204,31 +204,31 @@ mod tests {
         below.fold((area(tree, node), 0), |a, b| (a.0 + b.0, a.1 + b.1))
     }
 
-    /// No choice of nodes costs less, over triangles scattered evenly and unevenly; no packet is lost.
+    /// No choice of nodes costs less, over triangles scattered evenly and unevenly; no leaf is lost.
     #[test]
     fn no_nodes_cost_less() {
         let mut random = Random(11);
         let instructions = Instructions::of(Simd::fastest()).expect("it is available");
         let mut gained = 0;
         for round in 0..40_u32 {
-            let mut leaves: Vec<_> = (0..70 + round)
+            let mut primitives: Vec<_> = (0..70 + round)
                 .map(|i| {
                     let spread = if round % 2 == 0 { 1.0 } else { f64::from(i) };
                     let corner = (spread * random.point()).as_vec3a();
-                    Leaf::new(i, corner, corner + random.point().abs().as_vec3a())
+                    BuildPrimitive::new(i, corner, corner + random.point().abs().as_vec3a())
                 })
                 .collect();
-            let all = instructions.run(Whole(&mut leaves));
+            let all = instructions.run(Whole(&mut primitives));
             let tree = BinaryTree::over(all, instructions, &AtomicBool::new(false));
             let tree = tree.expect("nobody stops it");
-            let is_packet = |node: &&BinaryNode| matches!(node.content, Content::Packet(_));
-            let packets = tree.nodes.iter().filter(is_packet).count();
+            let is_leaf = |node: &&BinaryNode| matches!(node.content, Content::Leaf(_));
+            let leaves = tree.nodes.iter().filter(is_leaf).count();
             let (cost, kept) = made(&tree, tree.root());
-            assert_eq!(kept, packets);
+            assert_eq!(kept, leaves);
             let least = least_cost(&tree, tree.root());
             let is_least = (cost - least).abs() <= 1e-5 * least;
             assert!(is_least, "round {round}: {cost}, but {least} is possible");
-            gained += usize::from(packets > WIDTH);
+            gained += usize::from(leaves > WIDTH);
         }
         assert!(gained >= 30, "in {gained} of 40 there was a choice");
     }

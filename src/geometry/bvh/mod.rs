@@ -12,8 +12,8 @@
 
 mod binning;
 mod build;
+mod build_primitive;
 mod collapse;
-mod leaf;
 mod node;
 mod simd;
 mod split;
@@ -25,7 +25,7 @@ pub use simd::Simd;
 
 use super::{Aabb, LocalRay, Pyramid};
 use glam::{DVec3, Vec3};
-use node::{Child, Line, Node, Packet, Place, WIDTH};
+use node::{CacheLine, Child, Leaf, Node, Place, WIDTH};
 use simd::Instructions;
 use std::{ops::ControlFlow, sync::atomic::AtomicBool};
 use tree_ray::Frame;
@@ -53,8 +53,8 @@ pub(crate) struct Entry(Node);
 /// A tree over triangles, in the vertices' own space.
 #[derive(Debug)]
 pub struct Bvh {
-    /// Nodes and packets; the first is the root, and each comes before its children.
-    lines: Vec<Line>,
+    /// Nodes and leaves; the first is the root, and each comes before its children.
+    lines: Vec<CacheLine>,
     frame: Frame,
     instructions: Instructions,
 }
@@ -114,18 +114,18 @@ impl Bvh {
         });
     }
 
-    /// The boxes `level` steps below the root, and those of packets above that level: at most `most` of them.
+    /// The boxes `level` steps below the root, and those of leaves above that level: at most `most` of them.
     #[must_use]
     pub fn boxes(&self, level: u32, most: usize) -> Vec<Aabb> {
         let mut boxes = vec![(Place::ROOT, self.whole())];
         for _ in 0..level {
             let below = boxes.iter().flat_map(|&(place, bounds)| {
-                let node = (!place.is_packet()).then(|| Node::at(&self.lines, place));
+                let node = (!place.is_leaf()).then(|| Node::at(&self.lines, place));
                 let children = node.into_iter().flat_map(move |node| {
                     let children = node.children();
                     children.map(move |(lane, child)| (place.of(child), self.bounds(node, lane)))
                 });
-                children.chain(place.is_packet().then_some((place, bounds)))
+                children.chain(place.is_leaf().then_some((place, bounds)))
             });
             boxes = below.take(most).collect();
         }
@@ -147,12 +147,12 @@ impl Bvh {
         let mut next = 0;
         while let Some(&(place, _)) = met.get(next) {
             let room = WIDTH + 1 - met.len();
-            let below: Vec<_> = if place.is_packet() {
+            let below: Vec<_> = if place.is_leaf() {
                 Vec::new()
             } else {
                 children_met(place).take(room + 1).collect()
             };
-            if place.is_packet() || below.len() > room {
+            if place.is_leaf() || below.len() > room {
                 next += 1;
             } else {
                 met.swap_remove(next);
@@ -181,24 +181,24 @@ impl Bvh {
         if !may_hold(self.whole()) {
             return;
         }
-        for packet in self.packets(|node, lane| may_hold(self.bounds(node, lane))) {
-            for lane in packet.lanes() {
-                let corners = (packet.corners_of(lane)).map(|corner| self.corner(corner));
-                if pyramid.may_hold(&corners) && visit(packet.triangles[lane], corners).is_break() {
+        for leaf in self.leaves(|node, lane| may_hold(self.bounds(node, lane))) {
+            for lane in leaf.lanes() {
+                let corners = (leaf.corners_of(lane)).map(|corner| self.corner(corner));
+                if pyramid.may_hold(&corners) && visit(leaf.triangles[lane], corners).is_break() {
                     return;
                 }
             }
         }
     }
 
-    /// All packets, but those below a child that is not wanted, given by its node and lane.
-    fn packets(&self, is_wanted: impl Fn(&Node, usize) -> bool) -> impl Iterator<Item = &Packet> {
+    /// All leaves, but those below a child that is not wanted, given by its node and lane.
+    fn leaves(&self, is_wanted: impl Fn(&Node, usize) -> bool) -> impl Iterator<Item = &Leaf> {
         let mut open = vec![Place::ROOT];
         std::iter::from_fn(move || {
             loop {
                 let place = open.pop()?;
-                if place.is_packet() {
-                    return Some(Packet::at(&self.lines, place));
+                if place.is_leaf() {
+                    return Some(Leaf::at(&self.lines, place));
                 }
                 let node = Node::at(&self.lines, place);
                 let wanted = node.children().filter(|(lane, _)| is_wanted(node, *lane));

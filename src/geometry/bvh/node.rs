@@ -1,15 +1,15 @@
-//! Nodes of eight boxes and packets of eight triangles, as structures of arrays: each number is stored beside its seven
+//! Nodes of eight boxes and leaves of eight triangles, as structures of arrays: each number is stored beside its seven
 //! counterparts.
 
 use bytemuck::{Pod, Zeroable};
 
-/// Children of a node, and triangles of a packet.
+/// Children of a node, and triangles of a leaf.
 pub(super) const WIDTH: usize = 8;
 
-/// A cache line: what nodes and packets are stored in.
+/// A cache line: what nodes and leaves are stored in.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(64))]
-pub(super) struct Line([u32; 16]);
+pub(super) struct CacheLine([u32; 16]);
 
 /// Eight boxes and what is in them.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -24,21 +24,21 @@ pub(super) struct Node {
     unused: [u32; WIDTH],
 }
 
-/// Where a node or a packet is in the tree's lines.
+/// Where a node or a leaf is in the tree's lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Place(u32);
+pub(super) struct Place(pub u32);
 
 impl Place {
     /// The first node.
     pub const ROOT: Self = Self(0);
 
-    /// The place of the node or packet that begins in this line, which must be below `2^31`.
-    pub fn new(line: usize, is_packet: bool) -> Self {
-        Self(to_u32(line << 1 | usize::from(is_packet)))
+    /// The place of the node or leaf that begins in this line, which must be below `2^31`.
+    pub fn new(line: usize, is_leaf: bool) -> Self {
+        Self(to_u32(line << 1 | usize::from(is_leaf)))
     }
 
     #[inline(always)]
-    pub fn is_packet(self) -> bool {
+    pub fn is_leaf(self) -> bool {
         self.0 & 1 != 0
     }
 
@@ -51,17 +51,6 @@ impl Place {
     #[inline(always)]
     pub fn of(self, child: Child) -> Self {
         Self(self.0.wrapping_add(child.0))
-    }
-
-    /// The place as a number, for a walk's stack.
-    #[inline(always)]
-    pub fn bits(self) -> u32 {
-        self.0
-    }
-
-    #[inline(always)]
-    pub fn from_bits(bits: u32) -> Self {
-        Self(bits)
     }
 }
 
@@ -97,7 +86,7 @@ impl Node {
         unused: [0; WIDTH],
     };
     /// Lines that it takes.
-    pub const LINES: usize = size_of::<Self>() / size_of::<Line>();
+    pub const LINES: usize = size_of::<Self>() / size_of::<CacheLine>();
 
     /// A node with these boxes, by least and greatest corner, and no children yet.
     pub fn about(boxes: impl Iterator<Item = [[f32; 3]; 2]>) -> Self {
@@ -114,19 +103,19 @@ impl Node {
 
     /// The node in this place.
     #[inline(always)]
-    pub fn at(lines: &[Line], place: Place) -> &Self {
+    pub fn at(lines: &[CacheLine], place: Place) -> &Self {
         let lines = lines[place.line()..].first_chunk::<{ Self::LINES }>();
         bytemuck::cast_ref(lines.expect("nodes are whole"))
     }
 
     /// The node in this place, to change it.
-    pub fn at_mut(lines: &mut [Line], place: Place) -> &mut Self {
+    pub fn at_mut(lines: &mut [CacheLine], place: Place) -> &mut Self {
         let lines = lines[place.line()..].first_chunk_mut::<{ Self::LINES }>();
         bytemuck::cast_mut(lines.expect("nodes are whole"))
     }
 
     /// The cache lines that store it.
-    pub fn lines(&self) -> &[Line; Self::LINES] {
+    pub fn lines(&self) -> &[CacheLine; Self::LINES] {
         bytemuck::cast_ref(self)
     }
 
@@ -145,31 +134,31 @@ impl Node {
 /// Up to eight triangles. Lanes without one are NaN, which hits nothing.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(64))]
-pub(super) struct Packet {
+pub(super) struct Leaf {
     /// By corner and axis.
     pub corners: [[[f32; WIDTH]; 3]; 3],
     /// Which triangles of the mesh.
     pub triangles: [u32; WIDTH],
 }
 
-impl Packet {
-    /// A packet without triangles.
+impl Leaf {
+    /// A leaf without triangles.
     pub const EMPTY: Self = Self {
         corners: [[[f32::NAN; WIDTH]; 3]; 3],
         triangles: [u32::MAX; WIDTH],
     };
     /// Lines that it takes.
-    pub const LINES: usize = size_of::<Self>() / size_of::<Line>();
+    pub const LINES: usize = size_of::<Self>() / size_of::<CacheLine>();
 
-    /// The packet in this place.
+    /// The leaf in this place.
     #[inline(always)]
-    pub fn at(lines: &[Line], place: Place) -> &Self {
+    pub fn at(lines: &[CacheLine], place: Place) -> &Self {
         let lines = lines[place.line()..].first_chunk::<{ Self::LINES }>();
-        bytemuck::cast_ref(lines.expect("packets are whole"))
+        bytemuck::cast_ref(lines.expect("leaves are whole"))
     }
 
     /// The cache lines that store it.
-    pub fn lines(&self) -> &[Line; Self::LINES] {
+    pub fn lines(&self) -> &[CacheLine; Self::LINES] {
         bytemuck::cast_ref(self)
     }
 

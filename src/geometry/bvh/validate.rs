@@ -2,14 +2,14 @@
 
 use super::{
     Bvh,
-    node::{Child, Node, Packet, Place, WIDTH},
+    node::{Child, Leaf, Node, Place, WIDTH},
     split::DEEPEST,
     tree_ray::Frame,
 };
 
 impl Bvh {
     /// Checks that the tree holds each of `triangles` once, with its corners to the bit; that every box covers what is
-    /// below it; that each node and packet is reached once; and that none is too deep for a walk's stack.
+    /// below it; that each node and leaf is reached once; and that none is too deep for a walk's stack.
     ///
     /// # Errors
     /// What is wrong, for whoever repairs the builder.
@@ -24,11 +24,11 @@ impl Bvh {
             if depth > DEEPEST {
                 return Err(format!("{place:?} is {depth} nodes deep"));
             }
-            if place.is_packet() {
-                lines += Packet::LINES;
-                let packet = Packet::at(&self.lines, place);
-                for lane in packet.lanes() {
-                    let (triangle, corners) = (packet.triangles[lane], packet.corners_of(lane));
+            if place.is_leaf() {
+                lines += Leaf::LINES;
+                let leaf = Leaf::at(&self.lines, place);
+                for lane in leaf.lanes() {
+                    let (triangle, corners) = (leaf.triangles[lane], leaf.corners_of(lane));
                     let found = seen.get_mut(triangle as usize);
                     let found =
                         found.ok_or_else(|| format!("triangle {triangle} does not exist"))?;
@@ -66,7 +66,7 @@ impl Bvh {
             }
         }
         if lines != self.lines.len() {
-            return Err("some nodes or packets are not reached exactly once".into());
+            return Err("some nodes or leaves are not reached exactly once".into());
         }
         let lost = seen.iter().position(|seen| !seen);
         lost.map_or(Ok(()), |lost| Err(format!("triangle {lost} is lost")))

@@ -2,7 +2,7 @@
 
 use super::{
     Bvh, Visit,
-    node::{Line, Node, Packet, Place, WIDTH},
+    node::{CacheLine, Leaf, Node, Place, WIDTH},
     simd::{Eight, Lanes, Stack, StackRoom, Work},
     tree_ray::{ShearedRay, TreeRay, Unplaced},
 };
@@ -50,23 +50,23 @@ impl<V: Visit, const FILTER: bool> Work for Walk<'_, V, FILTER> {
         let mut stack = Stack::new(&mut room);
         let mut place = Place::ROOT;
         loop {
-            if place.is_packet() {
-                let packet = Packet::at(lines, place);
+            if place.is_leaf() {
+                let leaf = Leaf::at(lines, place);
                 let mut hit = if FILTER {
                     let filter = match &filter {
                         Some(filter) => filter,
                         None => filter.insert(TriangleFilter::new(ray)),
                     };
-                    filter.may_hit(lanes, packet, end)
+                    filter.may_hit(lanes, leaf, end)
                 } else {
-                    present(lanes, packet)
+                    present(lanes, leaf)
                 };
                 while hit != 0 {
                     let lane = hit.trailing_zeros() as usize % WIDTH;
                     hit &= hit - 1;
                     let found = Found {
                         tree,
-                        packet,
+                        leaf,
                         lane,
                         visit,
                     };
@@ -104,7 +104,7 @@ impl<V: Visit, const FILTER: bool> Work for Walk<'_, V, FILTER> {
 /// A triangle that the ray may hit, to be handed to `visit`.
 struct Found<'a, V> {
     tree: &'a Bvh,
-    packet: &'a Packet,
+    leaf: &'a Leaf,
     lane: usize,
     visit: &'a mut V,
 }
@@ -117,19 +117,19 @@ impl<V: Visit> Work for Found<'_, V> {
         let lane = self.lane % WIDTH;
         let unscale = self.tree.frame.unscale;
         let wide = |[x, y, z]: [f32; 3]| unscale * DVec3::new(x.into(), y.into(), z.into());
-        let corners = self.packet.corners_of(lane).map(wide);
-        self.visit.visit(self.packet.triangles[lane], corners)
+        let corners = self.leaf.corners_of(lane).map(wide);
+        self.visit.visit(self.leaf.triangles[lane], corners)
     }
 }
 
 /// Visits every triangle.
 #[cold]
 fn visit_all(lanes: impl Lanes, tree: &Bvh, visit: &mut impl Visit) {
-    for packet in tree.packets(|_, _| true) {
-        for lane in packet.lanes() {
+    for leaf in tree.leaves(|_, _| true) {
+        for lane in leaf.lanes() {
             lanes.apart(Found {
                 tree,
-                packet,
+                leaf,
                 lane,
                 visit,
             });
@@ -150,7 +150,7 @@ struct Open<'a> {
 impl Open<'_> {
     /// Returns the nearest; the others go onto the stack, farthest first.
     #[inline(always)]
-    fn nearest<L: Lanes>(mut self, lanes: L, lines: &[Line], stack: &mut Stack) -> Place {
+    fn nearest<L: Lanes>(mut self, lanes: L, lines: &[CacheLine], stack: &mut Stack) -> Place {
         let first = self.next();
         if self.hit == 0 {
             return place_of(first);
@@ -193,11 +193,11 @@ impl Open<'_> {
     }
 }
 
-/// Prefetches a whole packet, one line longer than a node.
+/// Prefetches a whole leaf, one line longer than a node.
 #[inline(always)]
-fn prefetch<L: Lanes>(lanes: L, lines: &[Line], item: u64) {
+fn prefetch<L: Lanes>(lanes: L, lines: &[CacheLine], item: u64) {
     let line = place_of(item).line();
-    for line in line..line + Packet::LINES {
+    for line in line..line + Leaf::LINES {
         lanes.prefetch(lines, line);
     }
 }
@@ -206,13 +206,13 @@ fn prefetch<L: Lanes>(lanes: L, lines: &[Line], item: u64) {
 /// ordered like their bits. (Boxes that begin before 0 are merely visited in another order.)
 #[inline(always)]
 fn item(begins: f32, place: Place) -> u64 {
-    u64::from(begins.to_bits()) << 32 | u64::from(place.bits())
+    u64::from(begins.to_bits()) << 32 | u64::from(place.0)
 }
 
 #[inline(always)]
 #[expect(clippy::cast_possible_truncation, reason = "the lower half")]
 fn place_of(item: u64) -> Place {
-    Place::from_bits(item as u32)
+    Place(item as u32)
 }
 
 /// The greatest item whose box begins no later than `end`, which is 0 or more. Items compare to it as signed
@@ -224,8 +224,8 @@ fn last(end: f32) -> i64 {
 
 /// Which lanes hold a triangle.
 #[inline(always)]
-fn present<L: Lanes>(lanes: L, packet: &Packet) -> u32 {
-    let x = lanes.load(&packet.corners[0][0]);
+fn present<L: Lanes>(lanes: L, leaf: &Leaf) -> u32 {
+    let x = lanes.load(&leaf.corners[0][0]);
     lanes.le(x, x)
 }
 
@@ -282,7 +282,7 @@ fn splat3<L: Lanes>(lanes: L, [x, y, z]: [f32; 3]) -> [L::F; 3] {
     [lanes.splat(x), lanes.splat(y), lanes.splat(z)]
 }
 
-/// Tests a ray against the eight triangles of a packet, in `f32`.
+/// Tests a ray against the eight triangles of a leaf, in `f32`.
 struct TriangleFilter {
     ray: ShearedRay,
     /// The start of the interval as a length, less the ray's `reach`.
@@ -334,8 +334,8 @@ impl TriangleFilter {
 
     /// Which triangles the ray may hit before `end`; see [`super::tree_ray`] for the bounds.
     #[inline(always)]
-    fn may_hit<L: Lanes>(&self, lanes: L, packet: &Packet, end: f32) -> u32 {
-        let [a, b, c] = &packet.corners;
+    fn may_hit<L: Lanes>(&self, lanes: L, leaf: &Leaf, end: f32) -> u32 {
+        let [a, b, c] = &leaf.corners;
         let a = self.see(lanes, a);
         let b = self.see(lanes, b);
         let c = self.see(lanes, c);
@@ -352,7 +352,7 @@ impl TriangleFilter {
         let e = lanes.mul(lanes.add(m, lanes.splat(reach)), slack);
         let minus_e = lanes.sub(lanes.splat(0.0), e);
         let one_sign = lanes.le(minus_e, least) | lanes.le(greatest, e);
-        // Most packets end here.
+        // Most leaves end here.
         if one_sign == 0 {
             return 0;
         }

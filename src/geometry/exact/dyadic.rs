@@ -1,4 +1,5 @@
-//! What other modules use of exact arithmetic: its numbers, and points and rays expressed in them.
+//! A list of what other modules use of exact arithmetic: its numbers, which are dyadic (integers times powers of two),
+//! and points and rays expressed in them.
 
 pub(crate) use super::{
     super::interval::InDoubt,
@@ -30,5 +31,5 @@ pub(crate) fn to_object(
         },
         placement: Some(placement),
     });
-    (line.origin, line.direction, line.one)
+    (line.origin, line.direction, line.weight)
 }

@@ -128,13 +128,13 @@ fn rounded(v: &Vector<BigInt>, weight: &Number<BigInt>) -> DVec3 {
     DVec3::from_array([0, 1, 2].map(|axis| v.component(axis).ratio(weight)))
 }
 
-/// A ray in object space, times [`LocalLine::one`].
+/// A ray in object space, times [`LocalLine::weight`].
 pub(in super::super) struct LocalLine<I> {
     pub origin: Vector<I>,
     pub direction: Vector<I>,
-    /// What stands for 1: the ray's weight times the determinant. Where it is negative, origin and direction have to be
-    /// negated.
-    pub one: Number<I>,
+    /// Origin and direction are to be divided by this: the line's weight times the determinant of the model matrix.
+    /// Negative where that mirrors: then all three are to be negated.
+    pub weight: Number<I>,
 }
 
 impl<I: Ring> LocalLine<I> {
@@ -144,7 +144,7 @@ impl<I: Ring> LocalLine<I> {
             return Self {
                 origin: line.origin,
                 direction: line.direction,
-                one: line.weight,
+                weight: line.weight,
             };
         };
         let model = placement.model();
@@ -154,7 +154,7 @@ impl<I: Ring> LocalLine<I> {
         Self {
             origin: product(&rows, &from_translation),
             direction: product(&rows, &line.direction),
-            one: determinant.times(&line.weight),
+            weight: determinant.times(&line.weight),
         }
     }
 }

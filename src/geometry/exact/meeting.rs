@@ -6,7 +6,7 @@ use super::{
     exact_line::LocalLine,
     number::{Number, Ratio},
     root::Root,
-    solids,
+    solids::{cube_crossing, local, sphere_crossing, square_crossing},
     triangle::{Corners, Seen, plane_parameter},
 };
 use glam::DVec3;
@@ -28,14 +28,14 @@ pub(crate) enum Surface<'a> {
 
 /// Where a ray's line meets a surface, which it must meet; `None` where a number is not finite.
 pub(super) fn parameter(ray: &WorldRay, surface: &Surface) -> Option<Root> {
-    let on = |placement| Exactly::placed(ray, placement);
+    let on = |placement| local(&Exactly::placed(ray, placement));
     match *surface {
-        Surface::Triangle(triangle) => plane_parameter(ray.line(), &triangle),
-        Surface::Sphere(placement, exit) => solids::sphere_parameter(&on(placement), exit),
+        Surface::Triangle(triangle) => plane_parameter(&ray.line, &triangle),
+        Surface::Sphere(placement, exit) => Some(sphere_crossing(&on(placement)?)?.parameter(exit)),
         Surface::Cube {
             placement, exit, ..
-        } => solids::cube_parameter(&on(placement), exit),
-        Surface::Square(placement) => solids::square_parameter(&on(placement)),
+        } => Some(cube_crossing(&on(placement)?)?.parameter(exit)),
+        Surface::Square(placement) => square_crossing(&on(placement)?),
     }
 }
 
@@ -61,12 +61,12 @@ impl Surface<'_> {
 pub(super) fn enclosed(ray: &WorldRay, surface: &Surface) -> Result<Ratio<Enclosure>, InDoubt> {
     let local = |placement| LocalLine::<Enclosure>::new(&Exactly::placed(ray, placement));
     match *surface {
-        Surface::Triangle(triangle) => Ok(Seen::new(ray.line(), &triangle).plane),
+        Surface::Triangle(triangle) => Ok(Seen::new(&ray.line, &triangle).plane),
         Surface::Sphere(placement, exit) => {
             let line = local(placement);
             let moment = line.origin.cross(&line.direction);
             let denominator = line.direction.dot(&line.direction);
-            let radius = line.one.times(&Number::new(Sphere::RADIUS));
+            let radius = line.weight.times(&Number::new(Sphere::RADIUS));
             let reach = radius.times(&radius).times(&denominator);
             let discriminant = reach.minus(&moment.dot(&moment));
             let root = Number::scaled(discriminant.integer.sqrt()?, 0);
@@ -84,7 +84,7 @@ pub(super) fn enclosed(ray: &WorldRay, surface: &Surface) -> Result<Ratio<Enclos
         Surface::Cube { .. } | Surface::Square(_) => {
             let (placement, (axis, plane)) = surface.plane().ok_or(InDoubt)?;
             let line = local(placement);
-            let plane = line.one.times(&Number::new(plane));
+            let plane = line.weight.times(&Number::new(plane));
             Ok(Ratio {
                 numerator: plane.minus(&line.origin.component(axis)),
                 denominator: line.direction.component(axis),

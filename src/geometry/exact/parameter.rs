@@ -76,6 +76,6 @@ impl<'a> Parameter<'a> {
         let Surface::Triangle(triangle) = &self.surface else {
             return None;
         };
-        triangle::weights(self.ray.line(), triangle)
+        triangle::weights(&self.ray.line, triangle)
     }
 }

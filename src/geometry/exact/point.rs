@@ -54,7 +54,7 @@ pub(super) fn way<I: Ring>(placement: Option<&Placement>, from: DVec3, to: DVec3
 
 /// The placement, unless it is the identity.
 pub(super) fn moved(placement: Option<&Placement>) -> Option<&Placement> {
-    placement.filter(|placement| !placement.is_identity())
+    placement.filter(|placement| !placement.is_identity)
 }
 
 /// A point of a shape in the world.

@@ -13,7 +13,7 @@ use num_bigint::BigInt;
 
 /// Whether a section keeps the point where a ray meets a surface. The ray must meet it.
 pub(crate) fn keeps(ray: &WorldRay, section: &Section, surface: &Surface) -> bool {
-    let line = ray.line();
+    let line = &ray.line;
     if !line.is_finite() {
         return false;
     }

@@ -15,38 +15,39 @@ type Integers = LocalLine<BigInt>;
 
 /// Where a ray's line enters and leaves a shape; both are one point where the line only touches it. For a cube, also
 /// the normals of the faces met there.
-struct Crossing {
+pub(super) struct Crossing {
     enter: (Root, DVec3),
     leave: (Root, DVec3),
     touches: bool,
 }
 
 impl Crossing {
-    fn parameter(self, exit: bool) -> Root {
+    /// Where the line enters the shape; with `exit`, where it leaves it.
+    pub fn parameter(self, exit: bool) -> Root {
         if exit { self.leave.0 } else { self.enter.0 }
     }
 }
 
 /// A ray in object space; `None` where a number is not finite. Where the placement mirrors, all its numbers are
-/// negated, so that [`LocalLine::one`] is positive.
-fn local(exactly: &Exactly) -> Option<Integers> {
+/// negated, so that [`LocalLine::weight`] is positive.
+pub(super) fn local(exactly: &Exactly) -> Option<Integers> {
     if !exactly.line.is_finite() {
         return None;
     }
     let mut line = Integers::new(exactly);
-    if line.one.sign().is_lt() {
+    if line.weight.sign().is_lt() {
         for vector in [&mut line.origin, &mut line.direction] {
             vector.integers = vector.integers.each_ref().map(|n| -n);
         }
-        line.one = line.one.negated();
+        line.weight = line.weight.negated();
     }
     Some(line)
 }
 
-fn sphere_crossing(line: &Integers) -> Option<Crossing> {
+pub(super) fn sphere_crossing(line: &Integers) -> Option<Crossing> {
     let a = line.direction.dot(&line.direction);
     let b = line.origin.dot(&line.direction);
-    let radius = line.one.times(&Number::new(Sphere::RADIUS));
+    let radius = line.weight.times(&Number::new(Sphere::RADIUS));
     let c = line.origin.dot(&line.origin).minus(&radius.times(&radius));
     if a.sign().is_eq() {
         return None;
@@ -60,8 +61,8 @@ fn sphere_crossing(line: &Integers) -> Option<Crossing> {
     })
 }
 
-fn cube_crossing(line: &Integers) -> Option<Crossing> {
-    let half = line.one.times(&Number::new(Cuboid::HALF_SIDE));
+pub(super) fn cube_crossing(line: &Integers) -> Option<Crossing> {
+    let half = line.weight.times(&Number::new(Cuboid::HALF_SIDE));
     let mut enter: Option<(Root, DVec3)> = None;
     let mut leave: Option<(Root, DVec3)> = None;
     for axis in 0..3 {
@@ -93,8 +94,8 @@ fn cube_crossing(line: &Integers) -> Option<Crossing> {
     })
 }
 
-fn square_crossing(line: &Integers) -> Option<Root> {
-    let half = line.one.times(&Number::new(Square::HALF_SIDE));
+pub(super) fn square_crossing(line: &Integers) -> Option<Root> {
+    let half = line.weight.times(&Number::new(Square::HALF_SIDE));
     let [o, d] = [&line.origin, &line.direction].map(|v| [0, 1, 2].map(|i| v.component(i)));
     if d[2].sign().is_eq() {
         return None;
@@ -108,21 +109,6 @@ fn square_crossing(line: &Integers) -> Option<Root> {
         return None;
     }
     Root::quotient(o[2].negated(), d[2].clone())
-}
-
-/// Where the line of `exactly` meets the sphere; `exit` on its way out.
-pub(super) fn sphere_parameter(exactly: &Exactly, exit: bool) -> Option<Root> {
-    Some(sphere_crossing(&local(exactly)?)?.parameter(exit))
-}
-
-/// Where the line of `exactly` meets the cube; `exit` on its way out.
-pub(super) fn cube_parameter(exactly: &Exactly, exit: bool) -> Option<Root> {
-    Some(cube_crossing(&local(exactly)?)?.parameter(exit))
-}
-
-/// Where the line of `exactly` meets the square.
-pub(super) fn square_parameter(exactly: &Exactly) -> Option<Root> {
-    square_crossing(&local(exactly)?)
 }
 
 /// The hits of the sphere within the ray's interval. `ray` is the ray of `exactly`, rounded.
@@ -166,13 +152,13 @@ pub(super) fn at<I: Decided>(
     [numerator, denominator]: [&Number<I>; 2],
     known: Option<(usize, f64)>,
 ) -> Result<DVec3, InDoubt> {
-    let one = line.one.times(denominator);
+    let weight = line.weight.times(denominator);
     let coordinate = |axis| match known {
         Some((known, value)) if known == axis => Ok(value),
         _ => {
             let start = line.origin.component(axis).times(denominator);
             let way = line.direction.component(axis).times(numerator);
-            start.plus(&way).decided_ratio(&one)
+            start.plus(&way).decided_ratio(&weight)
         }
     };
     Ok(DVec3::new(coordinate(0)?, coordinate(1)?, coordinate(2)?))

@@ -12,9 +12,9 @@ use std::cmp::Ordering;
 /// Which of two surfaces a ray meets first; it must meet both.
 pub(crate) fn compare_surfaces(ray: &WorldRay, a: &Surface, b: &Surface) -> Ordering {
     if let (Surface::Triangle(a), Surface::Triangle(b)) = (a, b) {
-        return compare(ray.line(), a, b);
+        return compare(&ray.line, a, b);
     }
-    if !ray.line().is_finite() {
+    if !ray.line.is_finite() {
         return Ordering::Equal;
     }
     let in_pairs = || {
@@ -30,11 +30,11 @@ pub(crate) fn compare_surfaces(ray: &WorldRay, a: &Surface, b: &Surface) -> Orde
 /// Where a ray that was made through a point meets a surface: before that point, at it or behind it. `None` for other
 /// rays, and where a number is not finite.
 pub(crate) fn compare_to_point(ray: &WorldRay, surface: &Surface) -> Option<Ordering> {
-    let point = point_parameter(ray.line())?;
+    let point = point_parameter(&ray.line)?;
     Some(parameter(ray, surface)?.compare(&point))
 }
 
 /// Whether the point that a ray was made through lies within the ray's interval.
 pub(crate) fn is_point_within(ray: &WorldRay) -> bool {
-    point_parameter(ray.line()).is_some_and(|point| point.is_within(ray))
+    point_parameter(&ray.line).is_some_and(|point| point.is_within(ray))
 }

@@ -37,7 +37,7 @@ fn local_rays_are_within_their_bounds() {
         } else {
             Placement::new(placed).expect("random matrices are invertible")
         };
-        by_exact += u32::from(placement.error < 8.0 * U && !placement.is_identity());
+        by_exact += u32::from(placement.error < 8.0 * U && !placement.is_identity);
         let away = 10_f64.powi(i32::from((i % 13) as u8)) * placed.matrix3.x_axis.length();
         let camera = PixelGrid {
             eye: away * random.point(),
@@ -148,10 +148,10 @@ fn errors(ray: &LocalRay) -> [DVec3; 2] {
     let LocalLine {
         origin,
         direction,
-        one,
+        weight,
     } = LocalLine::<BigInt>::new(&ray.exactly());
     [(origin, ray.ray.origin), (direction, ray.ray.direction)].map(|(exact, rounded)| {
-        let error = exact.minus(&Vector::new(rounded).times(&one));
-        DVec3::from_array([0, 1, 2].map(|axis| error.component(axis).ratio(&one).abs()))
+        let error = exact.minus(&Vector::new(rounded).times(&weight));
+        DVec3::from_array([0, 1, 2].map(|axis| error.component(axis).ratio(&weight).abs()))
     })
 }

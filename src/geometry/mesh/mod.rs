@@ -181,6 +181,13 @@ impl Mesh {
         &self.data
     }
 
+    /// The triangles of a part; none of one that does not exist.
+    #[must_use]
+    pub fn part_triangles(&self, part: usize) -> Range<u32> {
+        let part = self.data.parts.get(part);
+        part.map_or(0..0, |part| part.triangles.clone())
+    }
+
     /// The box about the triangles of a part, in object space; empty for a part that has no triangles or does not
     /// exist.
     #[must_use]

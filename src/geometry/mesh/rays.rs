@@ -7,9 +7,9 @@
 use super::{Mesh, wide};
 use crate::geometry::{
     Aabb, Bvh, Entry, Hit, LocalRay, Pyramid, Sides, Simd, TriangleHit, TriangleTest, VertexRay,
-    Visit, guarded_volume,
+    Visit, hit_guarded,
     shares::in_shares,
-    triangle::{compare_t, filtered_volume, is_in_doubt, reaches_plane},
+    triangle::{compare_t, hit_filtered, is_in_doubt, reaches_plane},
 };
 use glam::DVec3;
 use std::{
@@ -140,7 +140,7 @@ impl Mesh {
             Some(tree) => Nearest::of(self, ray, sides, Filtered, accept, |nearest| {
                 tree.visit_from::<true>(entry, ray, center, nearest);
             }),
-            None => Nearest::of(self, ray, sides, guarded_volume, accept, |nearest| {
+            None => Nearest::of(self, ray, sides, hit_guarded, accept, |nearest| {
                 self.every_triangle(nearest);
             }),
         }
@@ -189,7 +189,7 @@ impl Mesh {
         let local = VertexRay::new(ray, &self.data.origin);
         let mut all = Vec::new();
         self.visit::<true>(ray, entry, &mut |triangle, corners| {
-            if let Some(hit) = guarded_volume(&local, corners)
+            if let Some(hit) = hit_guarded(&local, corners)
                 && (sides == Sides::Both || hit.front)
                 && accept(self.part_of(triangle))
             {
@@ -203,7 +203,7 @@ impl Mesh {
     /// Where an object-space ray meets one triangle.
     pub(crate) fn hit(&self, ray: &LocalRay, triangle: u32) -> Option<Hit> {
         let corners = self.vertex_corners(triangle);
-        let hit = guarded_volume(&VertexRay::new(ray, &self.data.origin), corners)?;
+        let hit = hit_guarded(&VertexRay::new(ray, &self.data.origin), corners)?;
         Some(hit.on(triangle, corners))
     }
 
@@ -313,13 +313,13 @@ impl<F: Fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>> Test for F {
     }
 }
 
-/// [`filtered_volume`].
+/// [`hit_filtered`].
 struct Filtered;
 
 impl Test for Filtered {
     #[inline(always)]
     fn test(&self, ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
-        filtered_volume(ray, corners)
+        hit_filtered(ray, corners)
     }
 }
 

@@ -45,8 +45,8 @@ fn products_that_vanish_or_overflow_decide_nothing() {
                 let start = if i % 7 < 3 { 0.0 } else { f64::MIN };
                 let direction = times_power(way, direction);
                 let ray = VertexRay::exact(Ray::over(origin, direction, [start, f64::MAX]));
-                let exact = exact_volume(&ray, corners);
-                for test in [guarded_volume, filtered_volume] {
+                let exact = hit_exact(&ray, corners);
+                for test in [hit_guarded, hit_filtered] {
                     let hit = test(&ray, corners);
                     let case = format!("{ray:?} {corners:?} {exact:?} {hit:?}");
                     assert_eq!(exact.is_some(), hit.is_some(), "{case}");
@@ -162,7 +162,7 @@ fn parameters_lie_within_their_bounds() {
             continue;
         };
         hits += 1;
-        let exact = exact_volume(&ray, corners).expect("it is not in doubt");
+        let exact = hit_exact(&ray, corners).expect("it is not in doubt");
         let off = (hit.t - exact.t).abs() - exact.t_error;
         assert!(off <= hit.t_error, "{off:e}: {hit:?} {ray:?} {corners:?}");
         assert!(hit.t_error <= HALF_OF_THE_DIGITS * hit.t.abs(), "{hit:?}");

@@ -77,14 +77,13 @@ pub fn load_with(
     warnings.extend(lacking);
     let camera = camera.map(|(camera, own, from)| (of_all(camera, &own, objects.len()), from));
     let (camera, camera_from) = camera.unzip();
-    let (meshes, materials) = meshes.into_files();
     Ok(Loaded {
         scene: progress.in_shares(0, |go_on| Scene::new_while(objects, go_on))?,
         camera: camera.unwrap_or_default(),
         camera_from,
         warnings,
-        meshes,
-        materials,
+        meshes: meshes.loaded,
+        materials: meshes.materials,
         title: title(paths),
         exhibit: match paths {
             [only] => Exhibit::at(only)?,

@@ -48,7 +48,7 @@ impl MeshFile {
         let mesh = again.load(&self.path, &Progress::default(), &mut Vec::new());
         let mesh = mesh.ok()?;
         let holds = mesh == self.mesh && write::same(&mesh, &self.mesh);
-        let now = Self::of(again.files(), &mesh).filter(|_| holds)?;
+        let now = Self::of(&again.loaded, &mesh).filter(|_| holds)?;
         Some(Self {
             mesh: Arc::clone(&self.mesh),
             ..now.clone()
@@ -71,11 +71,11 @@ pub(super) fn address(mesh: &Arc<Mesh>) -> usize {
 /// Mesh files by their absolute paths; each is loaded once.
 #[derive(Debug, Default)]
 pub struct MeshFiles {
-    loaded: Vec<MeshFile>,
+    pub(super) loaded: Vec<MeshFile>,
     /// The place of each path in `loaded`.
     places: HashMap<PathBuf, usize>,
     /// The MTL files that they name.
-    materials: Vec<PathBuf>,
+    pub(super) materials: Vec<PathBuf>,
     detail: Detail,
 }
 
@@ -122,16 +122,6 @@ impl MeshFiles {
         let place = self.places.entry(file.path.clone());
         place.or_insert(self.loaded.len());
         self.loaded.push(file);
-    }
-
-    /// The files that were loaded.
-    pub(super) fn files(&self) -> &[MeshFile] {
-        &self.loaded
-    }
-
-    /// The files that were loaded, and the MTL files that they name.
-    pub(super) fn into_files(self) -> (Vec<MeshFile>, Vec<PathBuf>) {
-        (self.loaded, self.materials)
     }
 
     /// The mesh of a file.

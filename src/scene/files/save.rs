@@ -134,7 +134,7 @@ fn write_mesh(
         let mut again = MeshFiles::default();
         let loaded = again.load(&file, &Progress::default(), &mut warnings);
         let loaded = loaded.map_err(|_| not_exact())?;
-        let written = MeshFile::of(again.files(), &loaded).filter(|_| write::same(mesh, &loaded));
+        let written = MeshFile::of(&again.loaded, &loaded).filter(|_| write::same(mesh, &loaded));
         let written = written.cloned().ok_or_else(not_exact)?;
         return Ok(MeshFile {
             mesh: Arc::clone(mesh),

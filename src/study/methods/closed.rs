@@ -10,7 +10,7 @@ use super::{
     triangles::{OURS, Prepared, RayTriangle, SHEWCHUK, Shear, in_both_precisions, shewchuk},
 };
 use crate::{
-    geometry::{VertexRay, guarded_volume},
+    geometry::{VertexRay, hit_guarded},
     study::prelude::*,
 };
 use glam::DVec3;
@@ -54,9 +54,10 @@ impl Case for ClosedCase {
                 nearest(&c.wide, |c| shewchuk(c))
             }),
             Method::ours(Precision::Exact, OURS, |c| {
-                let hits = c.wide.body.iter().filter_map(|triangle| {
-                    guarded_volume(&c.ray, triangle.corners.map(DVec3::from))
-                });
+                let hits =
+                    c.wide.body.iter().filter_map(|triangle| {
+                        hit_guarded(&c.ray, triangle.corners.map(DVec3::from))
+                    });
                 hits.map(|hit| hit.t).reduce(f64::min)
             }),
         ]

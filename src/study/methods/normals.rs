@@ -69,9 +69,9 @@ impl Case for NormalCase {
     );
 
     const METHODS: Methods<Self> = &[
-        &both!("M n": AS_POINT, as_point),
-        &both!("inverse transpose": TRANSPOSE, transpose),
-        &both!("cofactors": COFACTOR, cofactors),
+        &both!("M n": AS_POINT, by, |case| &case.linear),
+        &both!("inverse transpose": TRANSPOSE, by, |case| &case.inverse_transpose),
+        &both!("cofactors": COFACTOR, by, |case| &case.cofactors),
         &[Method::ours(F64, OURS, |c: &Self| {
             c.placement.normal_to_world(c.wide.normal.into()).to_array()
         })
@@ -127,20 +127,9 @@ impl Case for NormalCase {
     }
 }
 
-/// By the model matrix.
-pub fn as_point<T: Real>(case: &Tilted<T>) -> [f64; 3] {
-    case.linear.apply(case.normal).normalize().wide().array()
-}
-
-/// By the transpose of the model matrix's inverse.
-pub fn transpose<T: Real>(case: &Tilted<T>) -> [f64; 3] {
-    let matrix = &case.inverse_transpose;
-    matrix.apply(case.normal).normalize().wide().array()
-}
-
-/// By the model matrix's cofactors. The normal points inward if the matrix mirrors.
-pub fn cofactors<T: Real>(case: &Tilted<T>) -> [f64; 3] {
-    case.cofactors.apply(case.normal).normalize().wide().array()
+/// By one of the case's matrices. By the cofactors the normal points inward if the model matrix mirrors.
+fn by<T: Real>(case: &Tilted<T>, matrix: impl Fn(&Tilted<T>) -> &M3<T>) -> [f64; 3] {
+    matrix(case).apply(case.normal).normalize().wide().array()
 }
 
 fn make(random: &mut Random, scale: [f64; 3], shear: f64, mirrored: bool) -> NormalCase {

@@ -6,7 +6,7 @@ use super::{
     triangles::{KENSLER, MT, OURS, RayTriangle, TriangleCase, moeller_trumbore, signed_volumes},
 };
 use crate::{
-    geometry::{VertexRay, guarded_volume},
+    geometry::{VertexRay, hit_guarded},
     study::{prelude::*, real::each},
 };
 use glam::DVec3;
@@ -78,7 +78,7 @@ impl Case for PacketCase {
         &both!("signed volumes, packet": WALD, volumes_packet),
         &[Method::ours(Precision::Exact, OURS, |c: &Self| {
             let corners = c.wide.corners.map(DVec3::from);
-            let t = |ray| Some(guarded_volume(ray, corners)?.t);
+            let t = |ray| Some(hit_guarded(ray, corners)?.t);
             c.rays.each_ref().map(t)
         })
         .named("Sightline's, one by one")],

@@ -72,6 +72,11 @@ fn r2<T: Real>() -> T {
     T::of(Sphere::RADIUS * Sphere::RADIUS)
 }
 
+/// The square root; `None` below 0 and for NaN.
+fn root<T: Real>(of: T) -> Option<T> {
+    (of >= T::zero()).then(|| of.sqrt())
+}
+
 /// The first of two roots that is not negative.
 fn first<T: Real>(a: T, b: T) -> Option<f64> {
     first_ahead(if a <= b { a } else { b }, if a <= b { b } else { a })
@@ -84,11 +89,7 @@ pub fn plain<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let a = case.direction.dot(case.direction);
     let b = two * from_center.dot(case.direction);
     let c = from_center.dot(from_center) - r2();
-    let discriminant = b * b - two * two * a * c;
-    if !(discriminant >= T::zero()) {
-        return None;
-    }
-    let root = discriminant.sqrt();
+    let root = root(b * b - two * two * a * c)?;
     first((-b - root) / (two * a), (-b + root) / (two * a))
 }
 
@@ -97,11 +98,7 @@ pub fn plain_unit<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let from_center = case.origin;
     let b = from_center.dot(case.direction);
     let c = from_center.dot(from_center) - r2();
-    let discriminant = b * b - c;
-    if !(discriminant >= T::zero()) {
-        return None;
-    }
-    let root = discriminant.sqrt();
+    let root = root(b * b - c)?;
     first(-b - root, -b + root)
 }
 
@@ -111,11 +108,7 @@ pub fn stable<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let a = case.direction.dot(case.direction);
     let b = -from_center.dot(case.direction);
     let c = from_center.dot(from_center) - r2();
-    let discriminant = b * b - a * c;
-    if !(discriminant >= T::zero()) {
-        return None;
-    }
-    let q = b + discriminant.sqrt().copysign(b);
+    let q = b + root(b * b - a * c)?.copysign(b);
     first(c / q, q / a)
 }
 

@@ -180,7 +180,7 @@ fn surface(object: &Object, rings: u32) -> Vec<([DVec3; 3], Srgb)> {
     };
     match &object.shape {
         Shape::Mesh { mesh, part } => {
-            let triangles = mesh.data().parts[*part].triangles.clone();
+            let triangles = mesh.part_triangles(*part);
             let painted = object.colour;
             let colour = |triangle| painted.or(mesh.triangle_colour(triangle)).unwrap_or(own);
             triangles

@@ -421,7 +421,7 @@ impl Piece {
         while let Some((number, line)) = lines.next() {
             let keyword = &line[fields(line).next().unwrap_or_default()];
             let [is_vertex, is_face] = [b"v", b"f"].map(|wanted| keyword == wanted);
-            let end = lines.taken();
+            let end = lines.taken;
             let line = Line {
                 range: start..end,
                 number,

@@ -131,9 +131,9 @@ fn whole_lines(text: &[u8], before: Counts, is_all: bool) -> Result<(usize, Coun
             b"f" => counts.faces += 1,
             _ => {}
         }
-        counts.lines = lines.ends();
-        if is_all || lines.taken() < text.len() {
-            length = lines.taken();
+        counts.lines = lines.ends;
+        if is_all || lines.taken < text.len() {
+            length = lines.taken;
             counts.bytes = before.bytes + length;
             after = counts;
         }

@@ -10,8 +10,10 @@ use std::{
 /// The lines of a text.
 pub(super) struct Lines<'a> {
     text: &'a [u8],
-    taken: usize,
-    ends: usize,
+    /// How many bytes of the text were read, including line ends.
+    pub taken: usize,
+    /// How many line ends were read, including those before the text.
+    pub ends: usize,
     /// Whether the text has a backslash.
     may_continue: bool,
     joined: Vec<u8>,
@@ -46,16 +48,6 @@ impl<'a> Lines<'a> {
         }
         self.joined.extend_from_slice(line);
         Some((number, &self.joined))
-    }
-
-    /// How many bytes of the text were read, including line ends.
-    pub fn taken(&self) -> usize {
-        self.taken
-    }
-
-    /// How many line ends were read, including those before the text.
-    pub fn ends(&self) -> usize {
-        self.ends
     }
 
     /// The text up to the next line end: LF, CR LF or CR. Continued lines are not joined.

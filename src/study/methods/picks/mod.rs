@@ -60,7 +60,7 @@ impl Flat {
             }
             corners.map(|corner| V3::of(object.placement.point_to_world(corner).into()))
         };
-        let triangles = mesh.data().parts[*part].triangles.clone();
+        let triangles = mesh.part_triangles(*part);
         Self::Triangles(triangles.map(corners).collect())
     }
 }

@@ -63,7 +63,7 @@ pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
                 }
             }
             Shape::Mesh { mesh, part } => {
-                let range = mesh.data().parts[*part].triangles.clone();
+                let range = mesh.part_triangles(*part);
                 let origin = mesh.data().origin;
                 let model = object.placement.model();
                 let start = model.matrix3 * origin;

@@ -237,7 +237,7 @@ impl Case for PixelCase {
 }
 
 fn of(ray: &Ray) -> PixelRay {
-    PixelRay::new(V3::from(ray.origin), ray.direction.into())
+    PixelRay::new(V3::<f64>::from(ray.origin), ray.direction.into())
 }
 
 impl<T: Real> Pixel<T> {

@@ -7,7 +7,7 @@ pub use prepared::{Prepared, Shear};
 
 use super::ahead;
 use crate::{
-    geometry::{Mesh, Ray, VertexRay, double_double::DoubleDouble, exact_volume, guarded_volume},
+    geometry::{Mesh, Ray, VertexRay, double_double::DoubleDouble, hit_exact, hit_guarded},
     scene::Shape,
     study::prelude::*,
 };
@@ -171,10 +171,10 @@ impl Case for TriangleCase {
                 shewchuk(&c.wide)
             }),
             Method::new("exact everywhere", Precision::Exact, EXACT, |c| {
-                exact_volume(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
+                hit_exact(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
             }),
             Method::ours(Precision::Exact, OURS, |c| {
-                guarded_volume(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
+                hit_guarded(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
             }),
         ]
     );

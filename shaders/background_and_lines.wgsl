@@ -20,7 +20,7 @@ fn line_colour(in: Point) -> @location(0) vec4<f32> {
     return vec4<f32>(in.colour, 1.0);
 }
 
-// Covers the target as far away as the depth buffer is where nothing was drawn.
+// Covers the target at the depth that the buffer is cleared to.
 @vertex
 fn behind(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4<f32> {
     let is_standard = frame.clip_per_depth > 0.0;

@@ -3,11 +3,12 @@
 use super::simd::{Eight, Lanes};
 use glam::Vec3A;
 
-/// A triangle's box, as in [`Extent`]; number 3 holds the triangle's index, below `2^30`, and [`Leaf::NORMAL`] as bits.
+/// A triangle's box, as in [`Extent`]; number 3 holds the triangle's index, below `2^30`, and
+/// [`BuildPrimitive::NORMAL`] as bits.
 #[derive(Clone, Copy)]
-pub(super) struct Leaf(pub Eight);
+pub(super) struct BuildPrimitive(pub Eight);
 
-impl Leaf {
+impl BuildPrimitive {
     /// Set beside the index, so that the number is a normal one. An index alone is subnormal, and the compiler
     /// multiplies it with the three numbers beside it: a terrain's tree took half as long again to build (Intel Xeon,
     /// 2026-11-26).
@@ -70,8 +71,8 @@ impl Extent {
     }
 }
 
-/// The middle of a leaf's box, doubled, as an [`Extent`].
+/// The middle of a primitive's box, doubled, as an [`Extent`].
 #[inline(always)]
-pub(super) fn center_of<L: Lanes>(lanes: L, leaf: L::F) -> L::F {
-    lanes.sub(leaf, lanes.halves_swapped(leaf))
+pub(super) fn center_of<L: Lanes>(lanes: L, primitive: L::F) -> L::F {
+    lanes.sub(primitive, lanes.halves_swapped(primitive))
 }
