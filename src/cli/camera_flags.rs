@@ -139,7 +139,7 @@ impl ViewArgs {
             .map(|v| format!("{},{},{}", v.x, v.y, v.z));
         let lens = camera.lens();
         let extent = match lens.projection {
-            Projection::Perspective { fov_y } => format!("--fov {}", fov_y.to_degrees()),
+            Projection::Perspective { fov_y } => format!("--fov {}", model::degrees(fov_y)),
             Projection::Orthographic { height } => format!("--ortho {height}"),
         };
         log::info!(
