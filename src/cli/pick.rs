@@ -26,6 +26,7 @@ const LOOKS_PER_OBJECT: usize = 16;
 
 /// Arguments of `sightline pick`.
 #[derive(Debug, clap::Args)]
+#[command(group(clap::ArgGroup::new("numbered").args(["face", "vertex"]).multiple(true)))]
 pub struct PickArgs {
     /// What to look at.
     #[command(flatten)]
@@ -36,7 +37,7 @@ pub struct PickArgs {
     /// of the top left pixel and 0.5,0.5 its centre, which is what a click
     /// on that pixel picks. Several positions may follow one --at. A single
     /// - reads them from standard input.
-    #[arg(long, value_name = "X,Y", required_unless_present_any = ["face", "vertex"])]
+    #[arg(long, value_name = "X,Y", required_unless_present = "numbered")]
     #[arg(num_args = 1.., value_parser = at)]
     #[arg(verbatim_doc_comment)]
     pub at: Vec<At>,
@@ -52,7 +53,7 @@ pub struct PickArgs {
     #[arg(long, value_name = "N", num_args = 1.., value_parser = value::count)]
     pub vertex: Vec<usize>,
     /// For --face and --vertex: the object from whose file N is counted
-    #[arg(long, value_name = "ID", value_parser = value::id)]
+    #[arg(long, value_name = "ID", value_parser = value::id, requires = "numbered")]
     pub object: Option<usize>,
     /// Move each position to what is nearest within R pixels, and measure
     ///
