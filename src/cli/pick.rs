@@ -106,7 +106,7 @@ pub(super) fn inside(viewport: Viewport, px: DVec2) -> Result<DVec2, CliError> {
     )))
 }
 
-/// The most bytes that a line with a position may have.
+/// The most bytes that a line with a position may have, beside its end.
 const LONGEST_LINE: u64 = 1024;
 
 /// Prints the picks.
@@ -272,13 +272,14 @@ impl Picker<'_> {
             if read == 0 {
                 break;
             }
-            if read as u64 > LONGEST_LINE {
+            let line = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
+            if line.len() as u64 > LONGEST_LINE {
                 return Err(CliError::Usage(format!(
                     "standard input, line {number}: longer than {LONGEST_LINE} bytes"
                 )));
             }
             // Bytes that are no valid text do not parse as numbers either.
-            let line = String::from_utf8_lossy(&bytes);
+            let line = String::from_utf8_lossy(line);
             if line.trim().is_empty() {
                 continue;
             }
