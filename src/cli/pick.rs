@@ -100,7 +100,7 @@ pub(super) fn inside(viewport: Viewport, px: DVec2) -> Result<DVec2, CliError> {
         return Ok(px);
     }
     let (width, height) = (viewport.width(), viewport.height());
-    Err(CliError::Usage(format!(
+    Err(CliError::usage(format!(
         "{},{} lies outside the picture of {width}x{height} pixels; see --size",
         px.x, px.y
     )))
@@ -265,16 +265,13 @@ impl Picker<'_> {
             bytes.clear();
             let mut limited = lines.by_ref().take(LONGEST_LINE + 1);
             let read = limited.read_until(b'\n', &mut bytes);
-            let read = read.map_err(|source| CliError::Stream {
-                stream: "standard input",
-                source,
-            })?;
+            let read = read.map_err(|error| CliError::stream("input", &error))?;
             if read == 0 {
                 break;
             }
             let line = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
             if line.len() as u64 > LONGEST_LINE {
-                return Err(CliError::Usage(format!(
+                return Err(CliError::usage(format!(
                     "standard input, line {number}: longer than {LONGEST_LINE} bytes"
                 )));
             }
@@ -283,10 +280,10 @@ impl Picker<'_> {
             if line.trim().is_empty() {
                 continue;
             }
-            let px = value::point(line.trim_end()).map_err(CliError::Usage);
+            let px = value::point(line.trim_end()).map_err(CliError::usage);
             let px = px.and_then(|px| inside(self.view.viewport, px));
             let px = px.map_err(|error| {
-                CliError::Usage(format!("standard input, line {number}: {error}"))
+                CliError::usage(format!("standard input, line {number}: {error}"))
             })?;
             self.pick(px)?;
         }
