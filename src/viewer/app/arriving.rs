@@ -7,7 +7,7 @@ use super::{
 use crate::{
     render::GpuError,
     viewer::{
-        jobs::{LITTLE, Projecting, Upload},
+        jobs::{self, Job, LITTLE, Upload},
         model::Stage,
         ui::{Attempt, Underway},
     },
@@ -17,7 +17,10 @@ impl App {
     /// Takes a finished projection to NDC and begins the next if one is needed. They run one at a time, so that the
     /// picture follows a camera that never stops.
     pub(super) fn take_projected(&mut self) {
-        if let Some((_, Ok(made))) = finished(&mut self.projecting, Projecting::poll) {
+        let done = finished(&mut self.projecting, Job::poll);
+        if let Some((_, made)) = done {
+            // Work that has failed is begun again at the next event, not at once.
+            let Some(made) = made else { return };
             let uploaded = made.uploaded.map(|uploaded| (Some(Stage::Ndc), uploaded));
             self.uploaded.extend(uploaded);
             self.state.take_projected(made.scene, &made.of);
@@ -26,7 +29,7 @@ impl App {
         if self.projecting.is_none()
             && let Some(what) = self.state.to_project()
         {
-            self.projecting = Some(Projecting::start(what, self.gpu.clone(), self.waker()));
+            self.projecting = Some(jobs::project(what, self.gpu.clone(), self.waker()));
         }
     }
 
