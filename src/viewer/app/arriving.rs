@@ -119,25 +119,15 @@ impl App {
 
     /// What is being loaded or uploaded, for the progress message.
     pub(super) fn underway(&self) -> Option<Underway> {
-        let loading = self.loading.as_ref().map(|(load, ..)| Underway {
-            what: "loading",
-            fraction: Some(load.fraction()),
-            can_stop: true,
-        });
-        let arriving = self.arriving.as_ref().map(|(upload, _)| Underway {
-            what: "getting ready",
-            fraction: Some(upload.fraction()),
-            can_stop: true,
-        });
+        let loading = self.loading.as_ref();
+        let loading = loading.map(|(load, _)| ("loading", Some(load.fraction())));
+        let arriving = self.arriving.as_ref();
+        let arriving = arriving.map(|(upload, _)| ("getting ready", Some(upload.fraction())));
         loading.or(arriving)
     }
 
     /// A picture that is late, for the progress message.
     pub(super) fn drawing(&self, now_s: f64) -> Option<Underway> {
-        self.rest.is_late(now_s).then_some(Underway {
-            what: "drawing",
-            fraction: None,
-            can_stop: false,
-        })
+        self.rest.is_late(now_s).then_some(("drawing", None))
     }
 }
