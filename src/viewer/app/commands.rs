@@ -140,7 +140,7 @@ impl App {
             // `dismiss_latest` did it.
         } else if self.state.method().is_some() {
             self.act(Action::PickBy(None));
-        } else if matches!(self.checking, Checking::On(..)) {
+        } else if !matches!(self.checking, Checking::Off) {
             self.checking = Checking::Off;
         } else if selects_none && !self.state.stages().is_empty() {
             self.toggle_views();
