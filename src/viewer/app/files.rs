@@ -147,6 +147,7 @@ impl App {
             self.say(format!("{changed} {have} changed and {were} read again"));
         } else {
             self.notices.clear();
+            self.gone.clear();
         }
         for text in unused {
             self.complain(text);

@@ -113,6 +113,8 @@ pub(in crate::viewer) struct App {
     pub(super) keeping: Option<Job<()>>,
     /// Watches the files of scenes for changes by others: of the one on show, and of those left for the gallery.
     pub(super) watching: BTreeMap<u64, Watching>,
+    /// Files that are gone, as messages say.
+    pub(super) gone: Vec<PathBuf>,
     /// The scene's revision at which the watch was brought up to date last.
     pub(super) watched: u64,
     /// The search for system typefaces with characters that egui's own lack.
@@ -184,6 +186,7 @@ impl App {
             memory,
             keeping: None,
             watching: BTreeMap::new(),
+            gone: Vec::new(),
             watched: 0,
             typefaces,
             letters: Letters::default(),
