@@ -12,7 +12,7 @@ use crate::{
         jobs::{self, Job, Stamps},
         model::{Made, Source, hide, no_section},
         options::Options,
-        ui::{Attempt, Filter},
+        ui::{Attempt, Filter, PathFor},
     },
 };
 use std::{mem, path::PathBuf};
@@ -194,7 +194,9 @@ impl App {
         self.save_dialogs += 1;
         if self.host == Host::Window {
             let wake = self.wake.clone();
-            jobs::save_dialog(&file, move |answer| wake(Wake::Answered(answer)));
+            jobs::save_dialog(&file, move |answer| {
+                wake(Wake::Answered(PathFor::Save, answer));
+            });
         }
     }
 
