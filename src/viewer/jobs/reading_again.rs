@@ -21,7 +21,7 @@ pub(in crate::viewer) fn ask_about_triangle(
     ask(file, move |again| again.in_file(triangle), wake, failed)
 }
 
-/// Asks a file; calls `wake` when it has answered. If reading fails altogether, `failed` makes the answer of the reason.
+/// Asks a file; calls `wake` when it has answered. If reading fails, `failed` makes an answer of the reason.
 pub(in crate::viewer) fn ask<T: Send + 'static>(
     file: MeshFile,
     question: impl FnOnce(&mut Again) -> T + Send + 'static,
