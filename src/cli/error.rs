@@ -68,7 +68,7 @@ impl CliError {
     }
 }
 
-/// The exit codes of the errors of the modules below.
+/// The exit codes of other modules' errors.
 macro_rules! exit_codes {
     ($($error:ty: $code:expr;)*) => {$(
         impl From<$error> for CliError {
