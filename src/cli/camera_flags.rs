@@ -113,31 +113,34 @@ impl ViewArgs {
     /// object, or if flags and scene give no valid camera.
     pub fn apply(&self, loaded: &mut Loaded) -> Result<View, CliError> {
         let hidden = model::hide(&mut loaded.scene, &self.hide);
-        hidden.map_err(|error| CliError::Usage(format!("--hide: {error}")))?;
+        hidden.map_err(|error| CliError::usage(format!("--hide: {error}")))?;
         let flags = self.choice();
         let choice = flags.or(loaded.camera);
         let in_file = |what: String| {
             let (file, line) = loaded.camera_from.clone()?;
-            Some(CliError::SceneView { file, line, what })
+            Some(CliError::new(
+                3,
+                format!("{}:{line}: {what}", file.display()),
+            ))
         };
         let camera = choice.resolve(&loaded.scene.visible_bounds(), self.size());
         let camera = camera.map_err(|error| {
             // Without a flag, the error can only come from the scene file.
             let is_in_file = flags == CameraChoice::default();
             let in_file = in_file(error.to_string()).filter(|_| is_in_file);
-            in_file.unwrap_or_else(|| CliError::Usage(format!("{error}; see --help")))
+            in_file.unwrap_or_else(|| CliError::usage(format!("{error}; see --help")))
         })?;
         let section = loaded.scene.section(choice.section.unwrap_or_default());
         let section = section.map_err(|error| {
             let error = model::no_section(&error);
             let in_file = in_file(format!("section: {error}")).filter(|_| flags.section.is_none());
-            in_file.unwrap_or_else(|| CliError::Usage(format!("--section: {error}")))
+            in_file.unwrap_or_else(|| CliError::usage(format!("--section: {error}")))
         })?;
         let [eye, target, up] = [camera.eye(), camera.target(), camera.up_hint()]
             .map(|v| format!("{},{},{}", v.x, v.y, v.z));
         let lens = camera.lens();
         let extent = match lens.projection {
-            Projection::Perspective { fov_y } => format!("--fov {}", fov_y.to_degrees()),
+            Projection::Perspective { fov_y } => format!("--fov {}", model::degrees(fov_y)),
             Projection::Orthographic { height } => format!("--ortho {height}"),
         };
         log::info!(

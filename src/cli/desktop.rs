@@ -82,7 +82,7 @@ pub(super) fn run(args: &InstallDesktopArgs) -> Result<(), CliError> {
         Some(folder) => folder.clone(),
         None => own_share_folder()?,
     };
-    let program = env::current_exe().map_err(|source| CliError::file(Path::new(APP_ID), source))?;
+    let program = env::current_exe().map_err(|error| CliError::file(Path::new(APP_ID), &error))?;
     let mut out = io::stdout().lock();
     let files = files(&program);
     for (place, contents) in &files {
@@ -92,7 +92,7 @@ pub(super) fn run(args: &InstallDesktopArgs) -> Result<(), CliError> {
         } else {
             write(&path, contents)
         };
-        if done.map_err(|source| CliError::file(&path, source))? {
+        if done.map_err(|error| CliError::file(&path, &error))? {
             writeln!(out, "{}", path.display()).map_err(CliError::stdout)?;
         }
     }
@@ -117,9 +117,9 @@ pub(super) fn run(args: &InstallDesktopArgs) -> Result<(), CliError> {
 fn own_share_folder() -> Result<PathBuf, CliError> {
     let unknown = "desktops of this system read no such files; --to DIR writes them for others";
     if cfg!(any(windows, target_os = "macos")) {
-        return Err(CliError::Usage(unknown.into()));
+        return Err(CliError::usage(unknown));
     }
-    let no_home = |_| CliError::Usage("there is no home folder: say --to DIR".into());
+    let no_home = |_| CliError::usage("there is no home folder: say --to DIR");
     let places = etcetera::choose_base_strategy().map_err(no_home)?;
     Ok(places.data_dir())
 }

@@ -62,22 +62,21 @@ fn file(object: Option<usize>, loaded: &Loaded) -> Result<&MeshFile, CliError> {
         return match (files.next(), files.next()) {
             (Some(only), None) => Ok(only),
             (None, _) => Err(no_file()),
-            _ => Err(CliError::Usage(
-                "the scene has several OBJ files: name an object from the one you mean with --object ID".to_owned(),
+            _ => Err(CliError::usage(
+                "the scene has several OBJ files: name an object from the one you mean with --object ID",
             )),
         };
     };
     let index = loaded.scene.index_of(id);
     let index =
-        index.map_err(|error| CliError::Usage(format!("--object: {}", no_such_object(error))))?;
+        index.map_err(|error| CliError::usage(format!("--object: {}", no_such_object(error))))?;
     let mesh = loaded.scene.objects()[index].shape.mesh();
     let file = mesh.and_then(|mesh| MeshFile::of(&loaded.meshes, mesh));
     file.ok_or_else(no_file)
 }
 
 fn no_file() -> CliError {
-    CliError::Usage(
-        "only OBJ files number faces and vertices: --face and --vertex need an object from one"
-            .to_owned(),
+    CliError::usage(
+        "only OBJ files number faces and vertices: --face and --vertex need an object from one",
     )
 }

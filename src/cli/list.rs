@@ -85,13 +85,14 @@ fn write_table(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
             *width = cell.chars().count().max(*width);
         }
     }
+    // A name may be longer than the widths of `format!` go.
+    let widest = " ".repeat(widths.into_iter().max().unwrap_or(0));
     let mut write = |cells: [&str; 5], max: &str| {
         for (column, (cell, width)) in cells.into_iter().zip(widths).enumerate() {
-            // A name may be longer than the widths of `format!` go.
-            let room = " ".repeat(width - cell.chars().count());
+            let room = &widest[..width - cell.chars().count()];
             let [left, right] = match column {
-                0 | 3 => [&*room, ""],
-                _ => ["", &*room],
+                0 | 3 => [room, ""],
+                _ => ["", room],
             };
             write!(out, "{left}{cell}{right}  ")?;
         }

@@ -209,7 +209,7 @@ fn check_memory(size: Viewport, bytes_per_pixel: usize) -> Result<(), CliError> 
     let pixels = size.width() as usize * size.height() as usize;
     let bytes = pixels.saturating_mul(bytes_per_pixel);
     Vec::<u8>::new().try_reserve_exact(bytes).map_err(|_| {
-        CliError::Usage(format!(
+        CliError::usage(format!(
             "a picture of {}x{} needs {} MB, more memory than is available: draw a smaller one",
             size.width(),
             size.height(),

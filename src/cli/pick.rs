@@ -26,6 +26,7 @@ const LOOKS_PER_OBJECT: usize = 16;
 
 /// Arguments of `sightline pick`.
 #[derive(Debug, clap::Args)]
+#[command(group(clap::ArgGroup::new("numbered").args(["face", "vertex"]).multiple(true)))]
 pub struct PickArgs {
     /// What to look at.
     #[command(flatten)]
@@ -36,7 +37,7 @@ pub struct PickArgs {
     /// of the top left pixel and 0.5,0.5 its centre, which is what a click
     /// on that pixel picks. Several positions may follow one --at. A single
     /// - reads them from standard input.
-    #[arg(long, value_name = "X,Y", required_unless_present_any = ["face", "vertex"])]
+    #[arg(long, value_name = "X,Y", required_unless_present = "numbered")]
     #[arg(num_args = 1.., value_parser = at)]
     #[arg(verbatim_doc_comment)]
     pub at: Vec<At>,
@@ -52,7 +53,7 @@ pub struct PickArgs {
     #[arg(long, value_name = "N", num_args = 1.., value_parser = value::count)]
     pub vertex: Vec<usize>,
     /// For --face and --vertex: the object from whose file N is counted
-    #[arg(long, value_name = "ID", value_parser = value::id)]
+    #[arg(long, value_name = "ID", value_parser = value::id, requires = "numbered")]
     pub object: Option<usize>,
     /// Move each position to what is nearest within R pixels, and measure
     ///
@@ -99,13 +100,13 @@ pub(super) fn inside(viewport: Viewport, px: DVec2) -> Result<DVec2, CliError> {
         return Ok(px);
     }
     let (width, height) = (viewport.width(), viewport.height());
-    Err(CliError::Usage(format!(
+    Err(CliError::usage(format!(
         "{},{} lies outside the picture of {width}x{height} pixels; see --size",
         px.x, px.y
     )))
 }
 
-/// The most bytes that a line with a position may have.
+/// The most bytes that a line with a position may have, beside its end.
 const LONGEST_LINE: u64 = 1024;
 
 /// Prints the picks.
@@ -264,27 +265,25 @@ impl Picker<'_> {
             bytes.clear();
             let mut limited = lines.by_ref().take(LONGEST_LINE + 1);
             let read = limited.read_until(b'\n', &mut bytes);
-            let read = read.map_err(|source| CliError::Stream {
-                stream: "standard input",
-                source,
-            })?;
+            let read = read.map_err(|error| CliError::stream("input", &error))?;
             if read == 0 {
                 break;
             }
-            if read as u64 > LONGEST_LINE {
-                return Err(CliError::Usage(format!(
+            let line = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
+            if line.len() as u64 > LONGEST_LINE {
+                return Err(CliError::usage(format!(
                     "standard input, line {number}: longer than {LONGEST_LINE} bytes"
                 )));
             }
             // Bytes that are no valid text do not parse as numbers either.
-            let line = String::from_utf8_lossy(&bytes);
+            let line = String::from_utf8_lossy(line);
             if line.trim().is_empty() {
                 continue;
             }
-            let px = value::point(line.trim_end()).map_err(CliError::Usage);
+            let px = value::point(line.trim_end()).map_err(CliError::usage);
             let px = px.and_then(|px| inside(self.view.viewport, px));
             let px = px.map_err(|error| {
-                CliError::Usage(format!("standard input, line {number}: {error}"))
+                CliError::usage(format!("standard input, line {number}: {error}"))
             })?;
             self.pick(px)?;
         }

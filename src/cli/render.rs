@@ -58,8 +58,8 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     }
     let output = target(&args.output);
     if args.ids.as_ref().is_some_and(|ids| target(ids) == output) {
-        return Err(CliError::Usage(
-            "--output and --ids name one file, which cannot hold both".to_owned(),
+        return Err(CliError::usage(
+            "--output and --ids name one file, which cannot hold both",
         ));
     }
     let views = args.views.filter(|views| *views != Views::Picture);
@@ -121,7 +121,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     colours.write_png(&args.output)?;
     ids.map_or(Ok(()), |(path, ids)| {
         let placed = ids.put_in_place();
-        placed.map_err(|source| CliError::file(path, source))
+        placed.map_err(|error| CliError::file(path, &error))
     })
 }
 

@@ -43,17 +43,16 @@ const BUDGET_RAYS: usize = 2000;
 /// Runs the study and prints its table.
 pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     if !matches!(args.view.section, None | Some(SectionChoice::Uncut)) {
-        return Err(CliError::Usage(
-            "--section: the studied methods support no section; --section none ignores the section of a scene file"
-                .to_owned(),
+        return Err(CliError::usage(
+            "--section: the studied methods support no section; --section none ignores the section of a scene file",
         ));
     }
     if let Some(px) = args.budget {
         return budget(args, px);
     }
     if args.scene.scenes.is_empty() && args.view != ViewArgs::default() {
-        return Err(CliError::Usage(
-            "view flags say how to look at a SCENE, and none is named".to_owned(),
+        return Err(CliError::usage(
+            "view flags say how to look at a SCENE, and none is named",
         ));
     }
     let mut effort = if args.quick {
@@ -64,7 +63,7 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     effort.seed = args.seed;
     // The folder is created before the work, so that an invalid one is reported at once.
     if let Some(folder) = &args.out {
-        std::fs::create_dir_all(folder).map_err(|source| CliError::file(folder, source))?;
+        std::fs::create_dir_all(folder).map_err(|error| CliError::file(folder, &error))?;
     }
     let own = if args.scene.scenes.is_empty() {
         start_log(args.scene.verbose);
@@ -96,7 +95,7 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
 /// Prints the precision that the scene (or the demo) needs.
 fn budget(args: &StudyArgs, px: f64) -> Result<(), CliError> {
     if !(px > 0.0) {
-        return Err(CliError::Usage("--budget takes pixels above 0".to_owned()));
+        return Err(CliError::usage("--budget takes pixels above 0"));
     }
     let mut loaded = load(&args.scene)?;
     let view = uncut(args.view.apply(&mut loaded)?);

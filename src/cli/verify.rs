@@ -5,7 +5,7 @@ use crate::{
     camera::View,
     image::{Id, Image, Rgb},
     json, pick,
-    render::{self, Gpu, Rasteriser},
+    render::{self, Gpu, GpuError, Rasteriser},
     scene::Scene,
     study::methods::usual,
     verify::{
@@ -59,10 +59,11 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
     let (mut loaded, gpu) = load_beside_gpu(&args.scene, Gpu::headless)?;
     let view = args.view.apply(&mut loaded)?;
     let scene = &loaded.scene;
-    let gpu = gpu.map_err(CliError::NothingDrawn)?;
+    let nothing_drawn =
+        |error: GpuError| CliError::new(4, format!("{error}; picking itself needs no driver"));
+    let gpu = gpu.map_err(nothing_drawn)?;
     let start = Instant::now();
-    let (drawn, colours) =
-        render::render(&gpu, scene, &view, None).map_err(CliError::NothingDrawn)?;
+    let (drawn, colours) = render::render(&gpu, scene, &view, None).map_err(nothing_drawn)?;
     let drawn_s = start.elapsed().as_secs_f64();
     check_memory(view.viewport, CHECK_BYTES)?;
     build_trees(scene);
@@ -93,13 +94,23 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => return Err(CliError::stdout(error)),
         _ => {}
     }
-    match report.verdict() {
-        Verdict::Agrees => Ok(()),
-        Verdict::BeyondF32(pixels) => Err(CliError::BeyondF32(pixels)),
-        Verdict::NothingDrawn(pixels) => Err(CliError::OneSided(pixels, "picked", "drawn")),
-        Verdict::NothingPicked(pixels) => Err(CliError::OneSided(pixels, "drawn", "picked")),
-        Verdict::Unexplained(pixels) => Err(CliError::Unexplained(pixels)),
-    }
+    let one_sided = |pixels: usize, there: &str, missing: &str| {
+        format!(
+            "{pixels} pixels are {there}, and nothing at all is {missing}; render --by raycast shows what is picked"
+        )
+    };
+    let defect = match report.verdict() {
+        Verdict::Agrees => return Ok(()),
+        Verdict::BeyondF32(pixels) => format!(
+            "f32 is too coarse to draw this view: {pixels} pixels differ from their picks; picks are right, and so is render --by raycast"
+        ),
+        Verdict::NothingDrawn(pixels) => one_sided(pixels, "picked", "drawn"),
+        Verdict::NothingPicked(pixels) => one_sided(pixels, "drawn", "picked"),
+        Verdict::Unexplained(pixels) => format!(
+            "{pixels} pixels are drawn as one thing and picked as another, and no outline, depth or section explains why"
+        ),
+    };
+    Err(CliError::new(1, defect))
 }
 
 fn picked(picker: Picker, scene: &Scene, view: &View) -> Image<Id> {

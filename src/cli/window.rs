@@ -41,8 +41,8 @@ pub(super) fn run(args: &WindowArgs) -> Result<(), CliError> {
             });
             // A word without an extension is more likely a misspelt command than a file.
             match path.extension() {
-                None => CliError::NoSuchCommand(error),
-                Some(_) => CliError::Load(error),
+                None => CliError::no_such_command(&error),
+                Some(_) => error.into(),
             }
         })?;
     }

@@ -361,10 +361,14 @@ fn help_and_version_go_to_standard_output() {
 
 #[test]
 fn verbose_says_on_standard_error_what_is_done() {
-    let output = Folder::new().run("pick scene.toml --at 1,1 -v");
-    let stderr = String::from_utf8(output.stderr).unwrap();
-    assert!(stderr.contains("loaded scene.toml: 3 objects"), "{stderr}");
-    let camera = "camera: --eye 0,0,10 --target 0,0,0 --up 0,1,0 --fov 40 --near ";
-    assert!(stderr.contains(camera), "{stderr}");
-    assert_eq!(String::from_utf8_lossy(&output.stdout).lines().count(), 1);
+    let folder = Folder::new();
+    // In radians and back, 12 degrees round to a neighbour.
+    for (flag, fov) in [("", "40"), ("--fov 12", "12")] {
+        let output = folder.run(&format!("pick scene.toml --at 1,1 -v {flag}"));
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        assert!(stderr.contains("loaded scene.toml: 3 objects"), "{stderr}");
+        let camera = format!("camera: --eye 0,0,10 --target 0,0,0 --up 0,1,0 --fov {fov} --near ");
+        assert!(stderr.contains(&camera), "{stderr}");
+        assert_eq!(String::from_utf8_lossy(&output.stdout).lines().count(), 1);
+    }
 }

@@ -120,6 +120,20 @@ fn a_line_without_an_end_is_refused() {
     assert!(error.contains("line 1: longer than 1024 bytes"), "{error}");
 }
 
+/// The end of a line does not count.
+#[test]
+fn a_line_of_the_most_bytes_is_taken() {
+    let folder = Folder::new();
+    let args = "pick scene.toml --size 20x10 --at -";
+    let line = format!("{:<1024}", "1,2");
+    for input in [line.clone(), format!("{line}\n"), format!("{line}\n3,4\n")] {
+        let lines = json(&folder.run_with(args, &input));
+        assert_eq!(lines.len(), input.lines().count());
+    }
+    let error = error(&folder.run_with(args, format!("{line} \n")), 2, args);
+    assert!(error.contains("line 1: longer than 1024 bytes"), "{error}");
+}
+
 /// The exit code says what `verify` found, even if nobody reads the report.
 #[test]
 fn a_defect_is_told_to_a_reader_that_has_left() {

@@ -252,6 +252,22 @@ fn a_wide_picture_is_compared() {
     assert_eq!(eye_z(&window), 10.0_f64.to_bits());
 }
 
+/// Until a picture is drawn, the comparison waits.
+#[test]
+fn esc_ends_a_comparison_that_waits_and_nothing_else() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, NONE, Key::ArrowDown);
+    let before = selected(&window).map(str::to_owned);
+    assert!(before.is_some());
+    press_key(&mut window, NONE, Key::V);
+    press_key(&mut window, NONE, Key::Escape);
+    assert_eq!(selected(&window), before.as_deref());
+    window.picture().expect("a picture");
+    assert!(!has_control(&window, "V closes this"));
+    press_key(&mut window, NONE, Key::Escape);
+    assert_eq!(selected(&window), None);
+}
+
 /// `f32` cannot hold such near planes. V says what follows from that, and what to do.
 #[test]
 fn a_view_beyond_f32_says_what_to_do() {

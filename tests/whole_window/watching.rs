@@ -220,3 +220,23 @@ fn a_file_that_is_gone_is_told_of_and_read_once_it_is_back() {
     fs::write(&path, ROW).expect("writable");
     wait_until(&mut window, |window| count(window) == 3);
 }
+
+/// Also where the file is as it was, and where edits keep it from being read.
+#[test]
+fn a_file_that_is_back_is_no_longer_said_to_be_gone() {
+    for is_edited in [false, true] {
+        let (mut window, folder) = row(1.0);
+        let [path, aside] = ["row.toml", "aside"].map(|name| folder.path().join(name));
+        if is_edited {
+            edit(&mut window);
+        }
+        let is_said = |window: &Offscreen| {
+            let mut messages = window.messages();
+            messages.any(|text| text.contains("is gone from the disk"))
+        };
+        fs::rename(&path, &aside).expect("it is there");
+        wait_until(&mut window, is_said);
+        fs::rename(&aside, &path).expect("it is there");
+        wait_until(&mut window, |window| !is_said(window));
+    }
+}

@@ -11,7 +11,8 @@ const STEPS: usize = 1 << 12;
 pub struct Progress {
     done: AtomicU64,
     total: AtomicU64,
-    cancelled: AtomicBool,
+    /// Whether to stop, for work that asks more often than it reports.
+    pub(crate) cancelled: AtomicBool,
     /// For tests: how often a load has reported, and the only report, from 1, that is told to stop.
     #[cfg(test)]
     pub(crate) reports: AtomicU64,

@@ -7,7 +7,7 @@ use super::{
 use crate::{
     render::GpuError,
     viewer::{
-        jobs::{Projecting, Upload},
+        jobs::{self, Job, Upload},
         model::{LITTLE, Stage},
         ui::{Attempt, Underway},
     },
@@ -17,7 +17,10 @@ impl App {
     /// Takes a finished projection to NDC and begins the next if one is needed. They run one at a time, so that the
     /// picture follows a camera that never stops.
     pub(super) fn take_projected(&mut self) {
-        if let Some((_, Ok(made))) = finished(&mut self.projecting, Projecting::poll) {
+        let done = finished(&mut self.projecting, Job::poll);
+        if let Some((_, made)) = done {
+            // Work that has failed is begun again at the next event, not at once.
+            let Some(made) = made else { return };
             let uploaded = made.uploaded.map(|uploaded| (Some(Stage::Ndc), uploaded));
             self.uploaded.extend(uploaded);
             self.state.take_projected(made.scene, &made.of);
@@ -26,7 +29,7 @@ impl App {
         if self.projecting.is_none()
             && let Some(what) = self.state.to_project()
         {
-            self.projecting = Some(Projecting::start(what, self.gpu.clone(), self.waker()));
+            self.projecting = Some(jobs::project(what, self.gpu.clone(), self.waker()));
         }
     }
 
@@ -116,25 +119,15 @@ impl App {
 
     /// What is being loaded or uploaded, for the progress message.
     pub(super) fn underway(&self) -> Option<Underway> {
-        let loading = self.loading.as_ref().map(|(load, ..)| Underway {
-            what: "loading",
-            fraction: Some(load.fraction()),
-            can_stop: true,
-        });
-        let arriving = self.arriving.as_ref().map(|(upload, _)| Underway {
-            what: "getting ready",
-            fraction: Some(upload.fraction()),
-            can_stop: true,
-        });
+        let loading = self.loading.as_ref();
+        let loading = loading.map(|(load, _)| ("loading", Some(load.fraction())));
+        let arriving = self.arriving.as_ref();
+        let arriving = arriving.map(|(upload, _)| ("getting ready", Some(upload.fraction())));
         loading.or(arriving)
     }
 
     /// A picture that is late, for the progress message.
     pub(super) fn drawing(&self, now_s: f64) -> Option<Underway> {
-        self.rest.is_late(now_s).then_some(Underway {
-            what: "drawing",
-            fraction: None,
-            can_stop: false,
-        })
+        self.rest.is_late(now_s).then_some(("drawing", None))
     }
 }

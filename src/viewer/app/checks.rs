@@ -56,9 +56,11 @@ impl App {
                 Some(_) => Checking::Wanted,
                 None => Checking::Off,
             };
-        } else if check.poll()
-            && let Some(found) = &check.found
-        {
+        } else if check.poll() {
+            let Some(found) = &check.found else {
+                self.checking = Checking::Off;
+                return self.complain("the comparison has failed".into());
+            };
             // One pass measures the result, the next one lays it out.
             self.context.request_repaint();
             if self.state.method().is_none() {

@@ -12,7 +12,7 @@ use crate::{
     viewer::{
         jobs::{self, Answer, Checking},
         model::{Action, MeasureAction, RayHits, Views, view_command},
-        ui::{Attempt, Command, Intent, PathFor, PathQuestion, Reply, TypedPath},
+        ui::{Attempt, Command, Intent, PathFor, PathQuestion, Reply},
     },
 };
 use std::path::Path;
@@ -42,14 +42,14 @@ impl App {
             Command::OpenDialog => {
                 self.asks_for_files = true;
                 let wake = self.wake.clone();
-                jobs::open_dialog(move |answer| wake(Wake::Answered(answer)));
+                jobs::open_dialog(move |answer| wake(Wake::Answered(PathFor::Open, answer)));
             }
             Command::SaveDialog => self.ask_where_to_save(None),
             Command::Open(paths) => self.intend(Intent::Open(paths)),
             Command::Add(paths) => self.load(paths, Purpose::Add),
             Command::Reload => self.intend(Intent::Reload),
             Command::Reply(reply) => self.reply(reply),
-            Command::TypedPath(answer) => self.take_typed_path(answer),
+            Command::TypedPath { take } => self.take_typed_path(take),
             Command::CopyCommandLine => {
                 let command = view_command(&self.state);
                 let done = match self.state.pick_ray() {
@@ -141,7 +141,7 @@ impl App {
             // `dismiss_latest` did it.
         } else if self.state.method().is_some() {
             self.act(Action::PickBy(None));
-        } else if matches!(self.checking, Checking::On(..)) {
+        } else if !matches!(self.checking, Checking::Off) {
             self.checking = Checking::Off;
         } else if selects_none && !self.state.stages().is_empty() {
             self.toggle_views();
@@ -160,24 +160,20 @@ impl App {
     }
 
     /// Takes the answer of a file dialog.
-    pub fn answered(&mut self, answer: Answer) {
-        let of_opening = matches!(
-            answer,
-            Answer::Open(_) | Answer::OpenNone | Answer::NoneToOpen
-        );
-        self.asks_for_files &= !of_opening;
-        match answer {
-            Answer::Open(paths) => self.run_after_typing(Command::Open(paths)),
-            Answer::Save(path) => self.save(path),
-            Answer::OpenNone => {}
-            Answer::SaveNone => self.save_nothing(),
-            Answer::NoneToOpen => self.ask_path(PathFor::Open, Path::new("")),
-            Answer::NoneToSave => {
+    pub fn answered(&mut self, what: PathFor, answer: Answer) {
+        self.asks_for_files &= what != PathFor::Open;
+        match (what, answer) {
+            (PathFor::Open, Answer::Paths(paths)) => self.run_after_typing(Command::Open(paths)),
+            (PathFor::Open, Answer::None) => {}
+            (PathFor::Open, Answer::NotShown) => self.ask_path(what, Path::new("")),
+            (PathFor::Save, Answer::Paths(paths)) => paths.into_iter().for_each(|to| self.save(to)),
+            (PathFor::Save, Answer::None) => self.save_nothing(),
+            (PathFor::Save, Answer::NotShown) => {
                 let asked = self.to_save.as_ref();
                 let scene = asked.and_then(|(asked, _)| self.state.opened(asked.document));
                 let file = scene.unwrap_or(&self.state).file_to_save();
                 let file = std::path::absolute(&file).unwrap_or(file);
-                self.ask_path(PathFor::Save, &file);
+                self.ask_path(what, &file);
             }
         }
     }
@@ -193,26 +189,21 @@ impl App {
     }
 
     /// Takes the path that was typed in place of a file dialog, or gives it up.
-    fn take_typed_path(&mut self, answer: TypedPath) {
+    fn take_typed_path(&mut self, take: bool) {
         let Some(question) = &mut self.path_question else {
             return;
         };
         let what = question.what;
-        match answer {
-            TypedPath::Take => {
-                let Some(path) = question.take() else { return };
-                self.path_question = None;
-                match what {
-                    PathFor::Open => self.intend(Intent::Open(vec![path])),
-                    PathFor::Save => self.save(path),
-                }
-            }
-            TypedPath::None => {
-                self.path_question = None;
-                if what == PathFor::Save {
-                    self.save_nothing();
-                }
-            }
+        let path = take.then(|| question.take());
+        if path == Some(None) {
+            return;
+        }
+        self.path_question = None;
+        match (what, path.flatten()) {
+            (PathFor::Open, Some(path)) => self.intend(Intent::Open(vec![path])),
+            (PathFor::Open, None) => {}
+            (PathFor::Save, Some(path)) => self.save(path),
+            (PathFor::Save, None) => self.save_nothing(),
         }
     }
 

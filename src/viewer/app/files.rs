@@ -9,10 +9,10 @@ use super::{
 use crate::{
     scene::{self, Loaded, Warning},
     viewer::{
-        jobs::{self, Loading, Saving, Stamps},
+        jobs::{self, Job, Stamps},
         model::{Made, Source, hide, no_section},
         options::Options,
-        ui::{Attempt, Filter},
+        ui::{Attempt, Filter, PathFor},
     },
 };
 use std::{mem, path::PathBuf};
@@ -31,7 +31,7 @@ impl App {
         let paths = options.paths.clone();
         let mut app = Self::new(options, wake, host);
         let errand = app.errand(paths, Purpose::Open);
-        app.loading = Some((Loading::done(loaded), errand));
+        app.loading = Some((Job::done(Ok(loaded)), errand));
         app
     }
 
@@ -40,7 +40,7 @@ impl App {
         let errand = self.errand(paths.clone(), purpose);
         let meshes = || self.state.scene().meshes().to_vec();
         let known = purpose.reads_again().then(meshes).unwrap_or_default();
-        self.loading = Some((Loading::start(paths, known, self.waker()), errand));
+        self.loading = Some((jobs::load(paths, known, self.waker()), errand));
     }
 
     fn errand(&self, paths: Vec<PathBuf>, purpose: Purpose) -> Errand {
@@ -147,6 +147,7 @@ impl App {
             self.say(format!("{changed} {have} changed and {were} read again"));
         } else {
             self.notices.clear();
+            self.gone.clear();
         }
         for text in unused {
             self.complain(text);
@@ -193,7 +194,9 @@ impl App {
         self.save_dialogs += 1;
         if self.host == Host::Window {
             let wake = self.wake.clone();
-            jobs::save_dialog(&file, move |answer| wake(Wake::Answered(answer)));
+            jobs::save_dialog(&file, move |answer| {
+                wake(Wake::Answered(PathFor::Save, answer));
+            });
         }
     }
 
@@ -210,7 +213,7 @@ impl App {
         }
         match scene_file(path) {
             Ok(path) => {
-                let saving = Saving::start(snapshot, path, self.waker());
+                let saving = jobs::save(snapshot, path, self.waker());
                 self.saving.push((saving, then));
             }
             Err(text) => self.failed(Attempt::Save, text),
@@ -226,11 +229,9 @@ impl App {
 
     /// Takes the outcome of a save. From then on the scene belongs to its new file.
     pub(super) fn take_saved(&mut self) {
-        let poll = |(saving, _): &(Saving, Option<Pending>)| saving.poll();
         let mut all = self.saving.iter().enumerate();
-        let Some((at, result)) = all.find_map(|(at, saving)| Some((at, poll(saving)?))) else {
-            return;
-        };
+        let done = all.find_map(|(at, (saving, _))| Some((at, saving.poll()?)));
+        let Some((at, result)) = done else { return };
         let (_, then) = self.saving.remove(at);
         match result {
             Ok(saved) => {

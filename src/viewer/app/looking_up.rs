@@ -3,32 +3,40 @@
 
 use super::{
     errands::finished,
-    numbers::{Triangle, file_of, situation},
+    numbers::{Found, Triangle, file_of, situation},
     program::App,
 };
 use crate::{
+    camera::View,
+    geometry::Mesh,
     json,
     pick::{PickLine, Whereabouts},
-    scene::{MeshFile, Shape},
+    scene::{
+        MeshFile, Scene, Shape,
+        obj::{Again, AgainError, InFile},
+    },
     viewer::{
-        jobs::{Found, Question, ReadingAgain, Snapping},
+        jobs::{self, Job},
         model::{Action, Numbered, Sought, State},
         ui::GoTo,
     },
 };
-use std::io::Write;
+use std::{io::Write, sync::Arc};
 
 impl App {
     /// Asks the file about the pick, and takes the answers that have come.
     pub(super) fn take_numbers(&mut self) {
-        self.print_known(ReadingAgain::poll);
+        self.print_known(Job::poll);
         self.look_up_pick();
         self.take_snapped();
-        let done = finished(&mut self.numbers.going, |(.., reading)| reading.poll());
-        if let Some(((to, file, scene, _), found)) = done
+        let done = finished(&mut self.numbers.going, |(_, reading)| reading.poll());
+        if let Some(((scene, _), found)) = done
             && scene == self.state.scene_revision()
         {
-            self.arrive_at(to, &file, found);
+            match found {
+                Ok(found) => self.arrive_at(found),
+                Err(reason) => self.tell(reason),
+            }
             self.context.request_repaint();
         }
     }
@@ -38,21 +46,20 @@ impl App {
         let wanted = wanted.map(|(object, triangle, file)| {
             ((self.state.scene_revision(), object, triangle), file)
         });
-        let is_wanted = |(of, _): &mut (Triangle, ReadingAgain)| {
+        let is_wanted = |(of, _): &mut (Triangle, Job<InFile>)| {
             wanted.as_ref().is_none_or(|(wanted, _)| wanted != of)
         };
         drop(self.numbers.of_pick.take_if(is_wanted));
         match (&self.numbers.of_pick, wanted) {
             (Some((_, reading)), _) => {
-                if let Some(Found::Triangle(in_file)) = reading.poll() {
+                if let Some(in_file) = reading.poll() {
                     self.numbers.of_pick = None;
                     self.state.learn(&in_file);
                     self.context.request_repaint();
                 }
             }
             (None, Some((of, file))) => {
-                let question = Question::Triangle(of.2);
-                let reading = ReadingAgain::start(file, question, self.waker());
+                let reading = jobs::ask_about_triangle(file, of.2, self.waker());
                 self.numbers.of_pick = Some((of, reading));
             }
             (None, None) => {}
@@ -66,7 +73,7 @@ impl App {
         if let Some(ray) = ray {
             let files = self.state.source().meshes.clone();
             let scene = self.state.scene().clone();
-            let snapping = Snapping::start(scene, ray.view, ray.px, files, self.waker());
+            let snapping = jobs::snap(scene, ray.view, ray.px, files, self.waker());
             self.numbers.snapping = Some((scene_now(&self.state), snapping));
         }
     }
@@ -84,15 +91,21 @@ impl App {
     pub(super) fn go_to(&mut self, to: GoTo) {
         (self.numbers.going, self.numbers.said) = (None, None);
         self.act(Action::Unmark);
-        let question = match to {
+        let of = match to {
             GoTo::Object(id) => return self.go_to_object(id),
-            GoTo::Face(number) => Question::Face(number),
-            GoTo::Vertex(number) => Question::Vertex(number),
+            GoTo::Face(number) => Numbered::Face(number),
+            GoTo::Vertex(number) => Numbered::Vertex(number),
         };
         match file_in_question(&self.state) {
             Ok(file) => {
-                let reading = ReadingAgain::start(file.clone(), question, self.waker());
-                self.numbers.going = Some((to, file, self.state.scene_revision(), reading));
+                let (scene, view) = (self.state.scene().clone(), *self.state.view());
+                let mesh = Arc::clone(&file.mesh);
+                let question = move |again: &mut Again| {
+                    let found = find(of, &scene, &view, &mesh, again);
+                    found.map_err(|error| error.to_string())
+                };
+                let reading = jobs::ask(file, question, self.waker(), Err);
+                self.numbers.going = Some((self.state.scene_revision(), reading));
             }
             Err(reason) => self.tell(reason.to_owned()),
         }
@@ -117,32 +130,9 @@ impl App {
     }
 
     /// Shows and marks the face or vertex that was found; the panel says how it is seen.
-    fn arrive_at(&mut self, to: GoTo, file: &MeshFile, found: Found) {
-        let (scene, view) = (self.state.scene(), self.state.view());
-        let (of, name, places) = match (found, to) {
-            (Found::Face(Ok(face)), GoTo::Face(number)) => {
-                let mut name = format!("face {}, line {}", face.face, face.line);
-                if let Some(why) = &face.left_out {
-                    name = format!("{name}, left out: {why}");
-                }
-                let places = Whereabouts::of_face(scene, view, &file.mesh, face.triangles);
-                (Numbered::Face(number), name, places)
-            }
-            (Found::Vertex(Ok(vertex)), GoTo::Vertex(number)) => {
-                let (v, written) = (vertex.vertex, &vertex.written);
-                let name = format!("v {v}: {written}, line {}", vertex.line);
-                let places = match vertex.value {
-                    Some(_) => Whereabouts::of_vertex(scene, view, &file.mesh, vertex.position),
-                    None => Vec::new(),
-                };
-                (Numbered::Vertex(number), name, places)
-            }
-            (Found::Face(Err(error)) | Found::Vertex(Err(error)), _) => {
-                return self.tell(error);
-            }
-            _ => return,
-        };
-        let is_shown = |place: &&Whereabouts| scene.objects()[place.id - 1].visible;
+    fn arrive_at(&mut self, Found { of, text, places }: Found) {
+        let objects = self.state.scene().objects();
+        let is_shown = |place: &&Whereabouts| objects[place.id - 1].visible;
         let place = places.iter().find(is_shown).or(places.first());
         let text = match (place, of) {
             (Some(place), _) => {
@@ -154,10 +144,10 @@ impl App {
                 };
                 self.act(Action::GoTo(sought));
                 self.reveal_selection = true;
-                name
+                text
             }
-            (None, Numbered::Vertex(_)) => format!("{name}: no face uses it"),
-            (None, Numbered::Face(_)) => format!("{name}: nothing of it is shown"),
+            (None, Numbered::Vertex(_)) => format!("{text}: no face uses it"),
+            (None, Numbered::Face(_)) => format!("{text}: nothing of it is shown"),
         };
         self.tell(text);
     }
@@ -165,25 +155,21 @@ impl App {
     /// Queues a pick, to be printed once its file has answered.
     pub(super) fn print(&mut self, line: PickLine) {
         let asked = line.hit.as_ref().and_then(|hit| file_of(&self.state, hit));
-        let reading = asked.map(|(triangle, file)| {
-            ReadingAgain::start(file, Question::Triangle(triangle), self.waker())
-        });
+        let reading =
+            asked.map(|(triangle, file)| jobs::ask_about_triangle(file, triangle, self.waker()));
         self.numbers.unprinted.push_back((line, reading));
-        self.print_known(ReadingAgain::poll);
+        self.print_known(Job::poll);
     }
 
     /// Prints queued picks, up to the first whose file has not answered yet.
-    pub(super) fn print_known(&mut self, answer: impl Fn(&ReadingAgain) -> Option<Found>) {
+    pub(super) fn print_known(&mut self, answer: impl Fn(&Job<InFile>) -> Option<InFile>) {
         while let Some((line, reading)) = self.numbers.unprinted.front_mut() {
             if let Some(reading) = reading {
-                match answer(reading) {
-                    Some(Found::Triangle(in_file)) => {
-                        if let Some(hit) = &mut line.hit {
-                            hit.in_file = in_file;
-                        }
-                    }
-                    Some(_) => {}
-                    None => return,
+                let Some(in_file) = answer(reading) else {
+                    return;
+                };
+                if let Some(hit) = &mut line.hit {
+                    hit.in_file = in_file;
                 }
             }
             print(line);
@@ -195,7 +181,7 @@ impl App {
 impl Drop for App {
     /// A window that closes waits for the files' answers about its picks.
     fn drop(&mut self) {
-        self.print_known(ReadingAgain::wait);
+        self.print_known(Job::wait);
     }
 }
 
@@ -209,6 +195,38 @@ fn unknown_pick(state: &State) -> Option<(usize, u32, MeshFile)> {
     let hit = state.picked()?;
     let (triangle, file) = file_of(state, hit)?;
     Some((hit.id - 1, triangle, file))
+}
+
+/// Finds a face or vertex of a mesh's file, and where a view of a scene has it.
+fn find(
+    of: Numbered,
+    scene: &Scene,
+    view: &View,
+    mesh: &Arc<Mesh>,
+    again: &mut Again,
+) -> Result<Found, AgainError> {
+    let (text, places) = match of {
+        Numbered::Face(number) => {
+            let face = again.face(number)?;
+            let mut text = format!("face {}, line {}", face.face, face.line);
+            if let Some(why) = &face.left_out {
+                text = format!("{text}, left out: {why}");
+            }
+            let places = Whereabouts::of_face(scene, view, mesh, face.triangles);
+            (text, places)
+        }
+        Numbered::Vertex(number) => {
+            let vertex = again.vertex(number)?;
+            let (v, written) = (vertex.vertex, &vertex.written);
+            let text = format!("v {v}: {written}, line {}", vertex.line);
+            let places = match vertex.value {
+                Some(_) => Whereabouts::of_vertex(scene, view, mesh, vertex.position),
+                None => Vec::new(),
+            };
+            (text, places)
+        }
+    };
+    Ok(Found { of, text, places })
 }
 
 /// The file whose faces and vertices are meant: the selected object's, or the only one.

@@ -1,12 +1,11 @@
 //! Pending questions to the files of meshes, and their answers.
 
 use crate::{
-    pick::{Pick, PickLine},
-    scene::{MeshFile, Shape},
+    pick::{Pick, PickLine, Whereabouts},
+    scene::{MeshFile, Shape, obj::InFile},
     viewer::{
-        jobs::{ReadingAgain, Snapping},
-        model::State,
-        ui::GoTo,
+        jobs::{Job, Snapping},
+        model::{Numbered, State},
     },
 };
 use std::collections::VecDeque;
@@ -14,17 +13,27 @@ use std::collections::VecDeque;
 /// A triangle: the scene's revision, the object's index, the triangle's index in the mesh.
 pub(super) type Triangle = (u64, usize, u32);
 
+/// A face or vertex that a file has.
+pub(super) struct Found {
+    /// Its number.
+    pub of: Numbered,
+    /// What the file says about it.
+    pub text: String,
+    /// Where it is, on each object that has it.
+    pub places: Vec<Whereabouts>,
+}
+
 /// Pending questions and the last answer.
 #[derive(Default)]
 pub(in crate::viewer) struct Numbers {
     /// About the pick.
-    pub(super) of_pick: Option<(Triangle, ReadingAgain)>,
-    /// About the face or vertex to go to, with its file and the scene's revision.
-    pub(super) going: Option<(GoTo, MeshFile, u64, ReadingAgain)>,
+    pub(super) of_pick: Option<(Triangle, Job<InFile>)>,
+    /// About the face or vertex to go to, with the scene's revision.
+    pub(super) going: Option<(u64, Job<Result<Found, String>>)>,
     /// A click that is being snapped, with the scene's revisions.
     pub(super) snapping: Option<([u64; 2], Snapping)>,
     /// Picks to be printed, each with the question to its file if it has one.
-    pub(super) unprinted: VecDeque<(PickLine, Option<ReadingAgain>)>,
+    pub(super) unprinted: VecDeque<(PickLine, Option<Job<InFile>>)>,
     /// What the last "go to" has found, and the situation in which that holds.
     pub(super) said: Option<(Situation, String)>,
 }

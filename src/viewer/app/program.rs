@@ -13,8 +13,8 @@ use crate::{
     scene::{Loaded, Warning},
     viewer::{
         jobs::{
-            Chart, Checking, Keeping, Loading, Projecting, Saving, TreeBuild, Typefaces, Upload,
-            Uploaded, Watching,
+            self, Chart, Checking, Job, Loading, Projecting, Saving, Typefaces, Upload, Uploaded,
+            Watching,
         },
         model::{Action, Snapshot, Stage, State},
         options::Options,
@@ -96,8 +96,8 @@ pub(in crate::viewer) struct App {
     pub(super) path_question: Option<PathQuestion>,
     /// Commands that wait for the next pass: first the number that is being typed is entered.
     pub(super) late: Vec<Command>,
-    /// The build of trees for the scene on screen.
-    pub trees: Option<TreeBuild>,
+    /// The build of trees for the scene on screen. Dropping it stops it.
+    pub trees: Option<Job<()>>,
     /// Whether nothing was shown yet: the first scene takes the command line's camera.
     pub first: bool,
     pub notices: Notices,
@@ -109,10 +109,12 @@ pub(in crate::viewer) struct App {
     pub docks: Docks,
     /// What is remembered from one run to the next.
     pub memory: Memory,
-    /// Writes the memory to its file.
-    pub(super) keeping: Keeping,
+    /// The last write of the memory to its file.
+    pub(super) keeping: Option<Job<()>>,
     /// Watches the files of scenes for changes by others: of the one on show, and of those left for the gallery.
     pub(super) watching: BTreeMap<u64, Watching>,
+    /// Files that are gone, as messages say.
+    pub(super) gone: Vec<PathBuf>,
     /// The scene's revision at which the watch was brought up to date last.
     pub(super) watched: u64,
     /// The search for system typefaces with characters that egui's own lack.
@@ -182,8 +184,9 @@ impl App {
             tour: options.tour.then(Tour::default),
             docks: memory.panels,
             memory,
-            keeping: Keeping::default(),
+            keeping: None,
             watching: BTreeMap::new(),
+            gone: Vec::new(),
             watched: 0,
             typefaces,
             letters: Letters::default(),
@@ -307,7 +310,7 @@ impl App {
 
     /// Begins to build the trees of what is shown.
     pub fn build_trees(&mut self) {
-        self.trees = Some(TreeBuild::start(self.state.scene(), self.waker()));
+        self.trees = Some(jobs::build_trees(self.state.scene(), self.waker()));
     }
 
     /// The window's title. A dot before it marks unsaved edits.

@@ -1,6 +1,7 @@
 //! What is remembered from run to run, and when it is written.
 
 use super::program::App;
+use crate::viewer::jobs;
 use std::path::PathBuf;
 
 /// Most entries in the list of recent scenes.
@@ -21,9 +22,7 @@ impl App {
         self.memory.recent.retain(|other| *other != paths);
         self.memory.recent.insert(0, paths);
         self.memory.recent.truncate(RECENT);
-        if let Some((file, text)) = self.memory_text() {
-            self.keeping.keep_beside(file, text);
-        }
+        self.begin_to_keep();
     }
 
     /// Removes scenes whose files are gone from the list.
@@ -34,15 +33,18 @@ impl App {
 
     /// Writes everything before the window closes.
     pub(super) fn keep_memory(&mut self) {
-        if let Some((file, text)) = self.memory_text() {
-            self.keeping.keep(&file, &text);
+        self.begin_to_keep();
+        if let Some(keeping) = self.keeping.take() {
+            keeping.wait();
         }
     }
 
-    fn memory_text(&mut self) -> Option<(PathBuf, String)> {
+    fn begin_to_keep(&mut self) {
         self.memory.panels = self.docks;
-        let file = self.options.memory.clone()?;
-        Some((file, toml::to_string(&self.memory).ok()?))
+        let file = self.options.memory.clone();
+        if let (Some(file), Ok(text)) = (file, toml::to_string(&self.memory)) {
+            self.keeping = Some(jobs::keep(self.keeping.take(), file, text));
+        }
     }
 }
 

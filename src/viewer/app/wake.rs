@@ -1,6 +1,6 @@
 //! How the host of the program is woken.
 
-use crate::viewer::jobs::Answer;
+use crate::viewer::{jobs::Answer, ui::PathFor};
 use std::{sync::Arc, time::Instant};
 
 /// Why the host is woken.
@@ -8,7 +8,7 @@ pub(in crate::viewer) enum Wake {
     /// A job has a result.
     Look,
     /// A file dialog was answered.
-    Answered(Answer),
+    Answered(PathFor, Answer),
     /// egui wants a frame at this time.
     RepaintAt(Instant),
     /// The desktop is dark, or light.

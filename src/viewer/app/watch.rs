@@ -68,15 +68,17 @@ impl App {
     /// Reads the files again after a change. A change during a load waits for its end.
     pub(super) fn take_changed(&mut self) {
         self.keep_watching();
+        for file in self.gone.extract_if(.., |file| file.exists()) {
+            let text = is_gone(file);
+            self.notices.retain(|notice| notice.text != text);
+        }
         let Some(watching) = self.watching.get_mut(&self.state.document()) else {
             return;
         };
         let is_due = watching.is_due();
         for file in watching.take_gone() {
-            self.remind(format!(
-                "{} is gone from the disk. What is on screen stays: Ctrl+S saves it",
-                scene::title(&[file])
-            ));
+            self.gone.push(file.clone());
+            self.remind(is_gone(file));
         }
         if !is_due || self.underway().is_some() || self.ready.is_some() {
             return;
@@ -126,6 +128,12 @@ impl App {
             watching.set_due(false);
         }
     }
+}
+
+/// What the user is told about a file that is gone, until it is back.
+fn is_gone(file: PathBuf) -> String {
+    let name = scene::title(&[file]);
+    format!("{name} is gone from the disk. What is on screen stays: Ctrl+S saves it")
 }
 
 /// The files of a scene that others may change.

@@ -298,8 +298,8 @@ impl Offscreen {
             while self.app.is_busy() && start.elapsed() < LONGEST_WAIT {
                 // Only answers of dialogs are taken: tests set the theme themselves.
                 let wake = self.wakes.recv_timeout(Duration::from_millis(5));
-                if let Ok(Wake::Answered(answer)) = wake {
-                    self.app.answered(answer);
+                if let Ok(Wake::Answered(what, answer)) = wake {
+                    self.app.answered(what, answer);
                 }
                 self.app.take_finished();
             }

@@ -1,7 +1,10 @@
 //! What the system does to a window that nobody sees: drops files, answers dialogs, closes the window.
 
 use super::offscreen::Offscreen;
-use crate::viewer::{jobs::Answer, ui::Command};
+use crate::viewer::{
+    jobs::Answer,
+    ui::{Command, PathFor},
+};
 use std::{
     path::{Path, PathBuf},
     sync::Arc,
@@ -36,31 +39,31 @@ impl Offscreen {
 
     /// Opens files, as when the dialog is answered with them.
     pub fn open_files(&mut self, paths: Vec<PathBuf>) {
-        self.app.answered(Answer::Open(paths));
+        self.app.answered(PathFor::Open, Answer::Paths(paths));
         self.settle();
     }
 
     /// Saves to a file, as when the dialog is answered with it.
     pub fn save_as(&mut self, path: PathBuf) {
-        self.app.answered(Answer::Save(path));
+        self.app.answered(PathFor::Save, Answer::Paths(vec![path]));
         self.settle();
     }
 
     /// Cancels the save dialog.
     pub fn save_nowhere(&mut self) {
-        self.app.answered(Answer::SaveNone);
+        self.app.answered(PathFor::Save, Answer::None);
         self.settle();
     }
 
     /// Answers that no dialog to open files can be shown.
     pub fn open_without_dialog(&mut self) {
-        self.app.answered(Answer::NoneToOpen);
+        self.app.answered(PathFor::Open, Answer::NotShown);
         self.settle();
     }
 
     /// Answers that no dialog to save can be shown.
     pub fn save_without_dialog(&mut self) {
-        self.app.answered(Answer::NoneToSave);
+        self.app.answered(PathFor::Save, Answer::NotShown);
         self.settle();
     }
 

@@ -129,8 +129,8 @@ impl ApplicationHandler<Wake> for Program {
     fn user_event(&mut self, event_loop: &ActiveEventLoop, wake: Wake) {
         match wake {
             Wake::Look => self.request_redraw(),
-            Wake::Answered(answer) => {
-                self.app.answered(answer);
+            Wake::Answered(what, answer) => {
+                self.app.answered(what, answer);
                 self.request_redraw();
             }
             Wake::Desktop { is_dark } => {

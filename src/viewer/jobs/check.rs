@@ -1,21 +1,16 @@
 //! `verify` in the window: compares each pixel of the picture on screen with what a click there would pick.
 
+use super::job::Job;
 use crate::{
     image::{Id, Image},
     pick::{self, SceneHit},
     render::Rasteriser,
+    scene::Progress,
     study::swap::Swap,
     verify::{self, Places, Report},
     viewer::model::{Compared, Fault, OnScreen, State},
 };
-use std::{
-    sync::{
-        Arc,
-        atomic::{AtomicBool, Ordering},
-        mpsc::{Receiver, channel},
-    },
-    thread,
-};
+use std::sync::atomic::Ordering;
 
 /// Whether the window compares its picture with picks.
 #[derive(Default)]
@@ -32,8 +27,7 @@ pub(in crate::viewer) struct Check {
     of: OnScreen,
     /// The other method that picks; `None` for this program's own picks.
     method: Option<Swap>,
-    cancelled: Arc<AtomicBool>,
-    result: Receiver<Checked>,
+    job: Job<Option<Checked>>,
     /// The result, once it is there.
     pub found: Option<Checked>,
 }
@@ -57,13 +51,12 @@ impl Check {
     ) -> Self {
         let (of, method) = (state.to_show(), state.method());
         let scene = state.scene().clone();
-        let cancelled = Arc::new(AtomicBool::new(false));
-        let stop = Arc::clone(&cancelled);
-        let (sender, result) = channel();
-        thread::spawn(move || {
-            scene.build_trees_unless(&stop);
+        let compare = move |progress: &Progress| {
+            // Asked for each pixel: `advance` would make all cores write to one number.
+            let stopped = || progress.cancelled.load(Ordering::Relaxed);
+            scene.build_trees_unless(&progress.cancelled);
             let picked = pick::ids_by(&scene, &of.view, |px| {
-                if stop.load(Ordering::Relaxed) {
+                if stopped() {
                     return None;
                 }
                 match method {
@@ -71,36 +64,33 @@ impl Check {
                     None => pick::closest(&scene, of.view.ray(px), of.view.sides),
                 }
             });
-            let stopped = || stop.load(Ordering::Relaxed);
             let in_one_place = match method {
                 Some(_) => Vec::new(),
                 None => Places::new(&scene, &of.view, rasteriser).pixels(stopped),
             };
-            if !stopped() {
-                let report = verify::compare(&scene, &of.view, rasteriser, &drawn, &picked);
-                // The receiver is gone if the view has changed: then nobody wants the result.
-                let _ = sender.send(Checked {
-                    report,
-                    in_one_place,
-                });
-                wake();
+            if stopped() {
+                return None;
             }
-        });
+            let report = verify::compare(&scene, &of.view, rasteriser, &drawn, &picked);
+            Some(Checked {
+                report,
+                in_one_place,
+            })
+        };
         Self {
             of,
             method,
-            cancelled,
-            result,
+            job: Job::start(compare, wake, || None),
             found: None,
         }
     }
 
-    /// Takes the result. Returns whether it has just come.
+    /// Takes the result. Returns whether it has just come; if the work has failed, there is nothing in it.
     pub fn poll(&mut self) -> bool {
-        let Ok(found) = self.result.try_recv() else {
+        let Some(found) = self.job.poll() else {
             return false;
         };
-        self.found = Some(found);
+        self.found = found;
         true
     }
 
@@ -121,10 +111,4 @@ impl Check {
 fn right_place(compared: &Compared) -> Option<SceneHit> {
     let is_off = matches!(compared.fault(), Some(Fault::Off(by)) if by.shows());
     compared.theirs.filter(|_| !is_off).map(|found| found.hit)
-}
-
-impl Drop for Check {
-    fn drop(&mut self) {
-        self.cancelled.store(true, Ordering::Relaxed);
-    }
 }

@@ -13,18 +13,12 @@ const FASTEST_ANSWER_S: f64 = 0.3;
 
 /// The answer of a file dialog.
 pub(in crate::viewer) enum Answer {
-    /// Open these.
-    Open(Vec<PathBuf>),
-    /// Save to this one.
-    Save(PathBuf),
-    /// Open nothing.
-    OpenNone,
-    /// Save nothing.
-    SaveNone,
-    /// No dialog could be shown to open files.
-    NoneToOpen,
-    /// No dialog could be shown to save a file.
-    NoneToSave,
+    /// These; one of them to save to.
+    Paths(Vec<PathBuf>),
+    /// None.
+    None,
+    /// No dialog could be shown.
+    NotShown,
 }
 
 /// Asks for files to open; calls `answered` in any case.
@@ -34,11 +28,7 @@ pub(in crate::viewer) fn open_dialog(answered: impl FnOnce(Answer) + Send + 'sta
         .add_filter("Scenes", &["obj", "OBJ", "toml"])
         .add_filter("All files", &["*"])
         .pick_files();
-    let none = [Answer::OpenNone, Answer::NoneToOpen];
-    let meaning = |files: Vec<rfd::FileHandle>| {
-        Answer::Open(files.iter().map(|file| file.path().to_path_buf()).collect())
-    };
-    answer(|| dialog, answered, none, meaning);
+    answer(|| dialog, answered, |files| files);
 }
 
 /// Asks for a file to save the scene to, and suggests one; calls `answered` in any case.
@@ -54,19 +44,17 @@ pub(in crate::viewer) fn save_dialog(
     if let Some(folder) = suggested.parent() {
         dialog = dialog.set_directory(folder);
     }
-    let none = [Answer::SaveNone, Answer::NoneToSave];
-    let meaning = |file: rfd::FileHandle| Answer::Save(file.path().to_path_buf());
     if cfg!(target_os = "linux") {
         let asked = move || {
             let name = file_name(&suggested, has_portal());
             dialog.set_file_name(name).save_file()
         };
-        answer(asked, answered, none, meaning);
+        answer(asked, answered, |file| vec![file]);
     } else {
         // Elsewhere the system wants to be asked by the main thread.
         let name = file_name(&suggested, true);
         let asked = dialog.set_file_name(name).save_file();
-        answer(|| asked, answered, none, meaning);
+        answer(|| asked, answered, |file| vec![file]);
     }
 }
 
@@ -86,13 +74,11 @@ fn has_portal() -> bool {
     ask(&version).any(|output| output.status.success())
 }
 
-/// Waits for the answer in the background. Without one, the answer is the first of `none`, or the second if no dialog
-/// was shown.
+/// Waits for the answer in the background.
 fn answer<T: Send + 'static, D: Future<Output = Option<T>>>(
     dialog: impl FnOnce() -> D + Send + 'static,
     answered: impl FnOnce(Answer) + Send + 'static,
-    [cancelled, not_shown]: [Answer; 2],
-    meaning: fn(T) -> Answer,
+    files: fn(T) -> Vec<rfd::FileHandle>,
 ) {
     thread::spawn(move || {
         let dialog = dialog();
@@ -100,9 +86,12 @@ fn answer<T: Send + 'static, D: Future<Output = Option<T>>>(
         // A dialog that fails counts as cancelled: the next one may then open.
         let chosen = panic::catch_unwind(AssertUnwindSafe(|| pollster::block_on(dialog)));
         answered(match chosen {
-            Ok(Some(chosen)) => meaning(chosen),
-            Ok(None) if asked.elapsed().as_secs_f64() < FASTEST_ANSWER_S => not_shown,
-            Ok(None) | Err(_) => cancelled,
+            Ok(Some(chosen)) => {
+                let files = files(chosen).into_iter();
+                Answer::Paths(files.map(|file| file.path().to_path_buf()).collect())
+            }
+            Ok(None) if asked.elapsed().as_secs_f64() < FASTEST_ANSWER_S => Answer::NotShown,
+            Ok(None) | Err(_) => Answer::None,
         });
     });
 }

@@ -2,31 +2,34 @@
 
 use crate::scene::Progress;
 use std::{
+    panic::{self, AssertUnwindSafe},
     sync::{
         Arc,
-        mpsc::{Receiver, RecvError, TryRecvError, channel},
+        mpsc::{Receiver, channel},
     },
     thread,
 };
 
 /// Work in the background. Dropping it drops the result and cancels the progress; work that reports none goes on.
-pub(super) struct Job<T> {
-    pub progress: Arc<Progress>,
+pub(in crate::viewer) struct Job<T> {
+    progress: Arc<Progress>,
     result: Receiver<T>,
 }
 
 impl<T: Send + 'static> Job<T> {
-    /// Begins; calls `wake` when done.
+    /// Begins; calls `wake` when done. The result of work that panics is `lost`: nobody waits for ever.
     pub fn start(
         work: impl FnOnce(&Progress) -> T + Send + 'static,
         wake: impl FnOnce() + Send + 'static,
+        lost: impl FnOnce() -> T + Send + 'static,
     ) -> Self {
         let (sender, result) = channel();
         let progress = Arc::new(Progress::default());
         let shared = Arc::clone(&progress);
         thread::spawn(move || {
+            let done = panic::catch_unwind(AssertUnwindSafe(|| work(&shared)));
             // The receiver is gone if nobody wants the result any more.
-            let _ = sender.send(work(&shared));
+            let _ = sender.send(done.unwrap_or_else(|_| lost()));
             wake();
         });
         Self { progress, result }
@@ -43,16 +46,17 @@ impl<T: Send + 'static> Job<T> {
         }
     }
 
-    /// The result, once it is there; an error if it never will be.
-    pub fn poll(&self) -> Option<Result<T, RecvError>> {
-        match self.result.try_recv() {
-            Ok(result) => Some(Ok(result)),
-            Err(TryRecvError::Empty) => None,
-            Err(TryRecvError::Disconnected) => Some(Err(RecvError)),
-        }
+    /// The share that is done, in [0, 1].
+    pub fn fraction(&self) -> f32 {
+        self.progress.fraction()
     }
 
-    /// The result, waited for; `None` if it never will be there.
+    /// The result, once it is there. It is given once.
+    pub fn poll(&self) -> Option<T> {
+        self.result.try_recv().ok()
+    }
+
+    /// The result, waited for; `None` if it was given already.
     pub fn wait(&self) -> Option<T> {
         self.result.recv().ok()
     }
@@ -61,5 +65,32 @@ impl<T: Send + 'static> Job<T> {
 impl<T> Drop for Job<T> {
     fn drop(&mut self) {
         self.progress.cancel();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn work_that_reports_ends_once_its_job_is_dropped() {
+        let (sender, ended) = channel();
+        let work = |progress: &Progress| while progress.advance(0).is_ok() {};
+        let wake = move || sender.send(()).unwrap_or_default();
+        drop(Job::start(work, wake, || ()));
+        ended.recv().expect("an end");
+    }
+
+    #[test]
+    fn work_that_panics_wakes_its_caller_and_has_a_result() {
+        let start = || {
+            let (sender, woken) = channel();
+            let wake = move || sender.send(()).unwrap_or_default();
+            let job = Job::start(|_| panic!("on purpose"), wake, || "lost");
+            woken.recv().expect("it wakes");
+            job
+        };
+        assert_eq!(start().poll(), Some("lost"));
+        assert_eq!(start().wait(), Some("lost"));
     }
 }

@@ -12,33 +12,23 @@ use crate::{
 };
 use glam::DVec2;
 
-/// Where a click snapped to, and the area of the object there.
-type Snapped = Option<(Snap, Measured)>;
+/// A click that is being snapped: the point, and the area of the object there; `None` if nothing is near.
+pub(in crate::viewer) type Snapping = Job<Option<(Snap, Measured)>>;
 
-/// A click that is being snapped. Dropping it cancels that.
-pub(in crate::viewer) struct Snapping(Job<Snapped>);
-
-impl Snapping {
-    /// Begins to snap a click at a position of a view; calls `wake` when done.
-    pub fn start(
-        scene: Scene,
-        view: View,
-        px: DVec2,
-        files: Vec<MeshFile>,
-        wake: impl FnOnce() + Send + 'static,
-    ) -> Self {
-        let find = move |progress: &Progress| {
-            let mut files = FilesAgain::new(&scene, &files, progress);
-            let mut faces = |object, triangle| files.face_of(object, triangle).map_err(Into::into);
-            let snap = Snap::at(&scene, &view, px, Measuring::RADIUS_PX, &mut faces)?;
-            let area = object_area(&scene.objects()[snap.id - 1]);
-            Some((snap, area))
-        };
-        Self(Job::start(find, wake))
-    }
-
-    /// Where the click snapped to, once that is known; `Some(None)` if nothing is near.
-    pub fn poll(&self) -> Option<Snapped> {
-        Some(self.0.poll()?.ok().flatten())
-    }
+/// Begins to snap a click at a position of a view; calls `wake` when done.
+pub(in crate::viewer) fn snap(
+    scene: Scene,
+    view: View,
+    px: DVec2,
+    files: Vec<MeshFile>,
+    wake: impl FnOnce() + Send + 'static,
+) -> Snapping {
+    let find = move |progress: &Progress| {
+        let mut files = FilesAgain::new(&scene, &files, progress);
+        let mut faces = |object, triangle| files.face_of(object, triangle).map_err(Into::into);
+        let snap = Snap::at(&scene, &view, px, Measuring::RADIUS_PX, &mut faces)?;
+        let area = object_area(&scene.objects()[snap.id - 1]);
+        Some((snap, area))
+    };
+    Job::start(find, wake, || None)
 }

@@ -32,14 +32,14 @@ impl Chart {
         };
         Self {
             of,
-            job: Job::start(work, wake),
+            job: Job::start(work, wake, || None),
             rows: None,
         }
     }
 
     /// Takes the chart when it is there.
     pub fn poll(&mut self) {
-        if let Some(Ok(rows)) = self.job.poll() {
+        if let Some(rows) = self.job.poll() {
             self.rows = rows;
         }
     }

@@ -61,7 +61,7 @@ impl Typefaces {
             system.load_system_fonts();
             choose(&system, wanted)
         };
-        self.search = Some(Job::start(search, wake));
+        self.search = Some(Job::start(search, wake, Vec::new));
     }
 
     /// What was found, once the search is over.
@@ -70,7 +70,7 @@ impl Typefaces {
             return Vec::new();
         };
         self.search = None;
-        found.unwrap_or_default()
+        found
     }
 
     /// The characters that were missing so far.

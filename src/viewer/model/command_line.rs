@@ -87,7 +87,7 @@ fn line(state: &State, view: &View, command: &str) -> String {
 }
 
 /// The degrees that convert to exactly these radians. `to_degrees` may round to a neighbour of them.
-fn degrees(radians: f64) -> f64 {
+pub(crate) fn degrees(radians: f64) -> f64 {
     let near = radians.to_degrees();
     let beside = [near, near.next_up(), near.next_down()];
     let same = |degrees: &f64| degrees.to_radians().to_bits() == radians.to_bits();

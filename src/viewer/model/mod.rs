@@ -35,6 +35,7 @@ mod viewing;
 mod views;
 
 pub use action::{Action, LensControls};
+pub(crate) use command_line::degrees;
 pub(super) use command_line::{pick_command, verify_command, view_command};
 pub use emptied::EmptiedBy;
 pub use hits::{DepthSteps, Landmark, PickView, RayHits, triangle};

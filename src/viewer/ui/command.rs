@@ -60,8 +60,11 @@ pub(in crate::viewer) enum Command {
     LeaveGallery,
     /// An answer to the question about unsaved edits and measures.
     Reply(Reply),
-    /// An answer to the question for a path.
-    TypedPath(TypedPath),
+    /// An answer to the question for a path, which stands in for a file dialog.
+    TypedPath {
+        /// Take the path that is in the field; else take none.
+        take: bool,
+    },
     /// The first of these that applies: keep the edits that are asked about, stop waiting for picks of a section or of
     /// measures, stop loading, close the help, close the latest warning or error, pick by Sightline's own method again,
     /// close the comparison, select nothing, close the four views, leave the gallery.
@@ -97,15 +100,6 @@ impl Command {
             OpenDialog | SaveDialog | Open(_) | Add(_) | Reload | Quit
         )
     }
-}
-
-/// An answer to the question for a path, which stands in for a file dialog.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::viewer) enum TypedPath {
-    /// Take the path that is in the field.
-    Take,
-    /// Take none.
-    None,
 }
 
 /// Where to go, by a number from 1.

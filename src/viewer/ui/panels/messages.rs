@@ -1,11 +1,6 @@
 //! Messages and progress over the picture.
 
-use super::{
-    banner,
-    hyphens::apart,
-    prelude::*,
-    shown::{Shown, Underway},
-};
+use super::{banner, hyphens::apart, prelude::*, shown::Shown};
 use crate::viewer::{
     model::EmptiedBy,
     ui::notice::{Kind, Notices},
@@ -28,19 +23,14 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mut Ve
             ui.set_max_width((rect.width() - 20.0).max(100.0));
             notices(ui, shown.notices);
         });
-    if let Some(Underway {
-        what,
-        fraction,
-        can_stop,
-    }) = &shown.underway
-    {
+    if let Some((what, fraction)) = shown.underway {
         let at = rect.center_bottom() - vec2(0.0, 40.0);
         plate(&ctx, "progress", at, Align2::CENTER_BOTTOM, |ui| {
             ui.horizontal(|ui| {
                 let bar = ProgressBar::new(fraction.unwrap_or(1.0));
                 let bar = bar.animate(fraction.is_none());
-                ui.add(bar.desired_width(220.0).text(*what));
-                if *can_stop {
+                ui.add(bar.desired_width(220.0).text(what));
+                if fraction.is_some() {
                     ui.button("Cancel").asks("(Esc)", Command::Escape, commands);
                 }
             });

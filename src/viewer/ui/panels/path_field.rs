@@ -1,10 +1,7 @@
 //! Asks for a path where the desktop shows no file dialog.
 
 use super::prelude::*;
-use crate::viewer::ui::{
-    command::TypedPath,
-    path_question::{PathFor, PathQuestion},
-};
+use crate::viewer::ui::path_question::{PathFor, PathQuestion};
 use egui::{Context, Id, Key, Modal, Modifiers, TextEdit};
 
 /// Shown in the middle of the window, over everything else.
@@ -13,7 +10,7 @@ pub(super) fn show(ctx: &Context, question: &mut PathQuestion, commands: &mut Ve
         PathFor::Open => ("Open", "Open"),
         PathFor::Save => ("Save scene", "Save"),
     };
-    let mut answer = None;
+    let mut take = None;
     Modal::new(Id::unique("path question")).show(ctx, |ui| {
         ui.set_max_width(460.0);
         ui.heading(heading);
@@ -25,7 +22,7 @@ pub(super) fn show(ctx: &Context, question: &mut PathQuestion, commands: &mut Ve
             question.edited();
         }
         if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
-            answer = Some(TypedPath::Take);
+            take = Some(true);
         }
         // Nothing else in the window takes keys.
         if !ui.memory(|memory| memory.focused().is_some()) {
@@ -37,17 +34,17 @@ pub(super) fn show(ctx: &Context, question: &mut PathQuestion, commands: &mut Ve
         }
         ui.add_space(8.0);
         ui.horizontal(|ui| {
-            let take = question.replaces.as_ref().map_or(does, |_| "Replace");
-            if ui.button(take).hint("(Enter)").clicked() {
-                answer = Some(TypedPath::Take);
+            let does = question.replaces.as_ref().map_or(does, |_| "Replace");
+            if ui.button(does).hint("(Enter)").clicked() {
+                take = Some(true);
             }
             if ui.button("Cancel").hint("nothing happens (Esc)").clicked() {
-                answer = Some(TypedPath::None);
+                take = Some(false);
             }
         });
     });
     if ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
-        answer = Some(TypedPath::None);
+        take = Some(false);
     }
-    commands.extend(answer.map(Command::TypedPath));
+    commands.extend(take.map(|take| Command::TypedPath { take }));
 }

@@ -20,16 +20,8 @@ pub(in crate::viewer) struct Floating {
     pub pipeline_was: bool,
 }
 
-/// A job under way.
-#[derive(Clone, Copy)]
-pub(in crate::viewer) struct Underway {
-    /// What is being done.
-    pub what: &'static str,
-    /// How far it has come; `None` if that is not known.
-    pub fraction: Option<f32>,
-    /// Whether Esc stops it.
-    pub can_stop: bool,
-}
+/// What is being done, and the share that is done, in [0, 1]; Esc stops what has one.
+pub(in crate::viewer) type Underway = (&'static str, Option<f32>);
 
 /// What the panels show besides the state.
 pub(in crate::viewer) struct Shown<'a> {
