@@ -13,7 +13,6 @@ impl Srgb {
     pub const WHITE: Self = Self([255; 3]);
 
     /// From channels in `[0, 1]`, clamped; NaN becomes 0.
-    #[must_use]
     pub fn from_unit(channels: [f64; 3]) -> Self {
         #[expect(
             clippy::cast_possible_truncation,
@@ -24,14 +23,12 @@ impl Srgb {
     }
 
     /// From linear light in `[0, 1]`, clamped; NaN becomes 0.
-    #[must_use]
     pub fn from_linear(channels: [f32; 3]) -> Self {
         let steps = &*STEPS;
         Self(channels.map(|c| steps.value(c)))
     }
 
     /// As linear light, in `[0, 1]`.
-    #[must_use]
     pub fn to_linear(self) -> [f32; 3] {
         self.0.map(|c| LIGHT[usize::from(c)])
     }

@@ -66,7 +66,6 @@ pub const LIGHT: [f32; 3] = [0.10, 0.80, 0.16];
 /// The light that a surface sends to the eye. It comes from a wrapped headlight, so that nothing is black, and from a
 /// soft fill above. `normal_view` is the normal of the visible side, in view space, of any length. `albedo` and result
 /// are linear. (Wrapped as by Mitchell, `McTaggart` & Green, Shading in Valve's Source Engine, 2006.)
-#[must_use]
 pub fn shade(albedo: [f32; 3], normal_view: Vec3) -> [f32; 3] {
     let normal = normal_view.normalize_or_zero();
     let [ambient, key, fill] = LIGHT;
@@ -76,14 +75,12 @@ pub fn shade(albedo: [f32; 3], normal_view: Vec3) -> [f32; 3] {
 }
 
 /// The background's linear colour, `down` = 0 at the top edge and 1 at the bottom edge of the picture.
-#[must_use]
 pub fn background(down: f32) -> [f32; 3] {
     let [top, bottom] = BACKGROUND.map(Srgb::to_linear);
     std::array::from_fn(|i| top[i] + (bottom[i] - top[i]) * down)
 }
 
 /// A linear colour tinted with the selection's at the same brightness, so that shading stays.
-#[must_use]
 pub fn tinted(colour: [f32; 3]) -> [f32; 3] {
     let tint = SELECTION.to_linear();
     let brightness = luminance(colour) / luminance(tint);
@@ -91,7 +88,6 @@ pub fn tinted(colour: [f32; 3]) -> [f32; 3] {
 }
 
 /// Luminance of linear light, as Rec. 709 has it.
-#[must_use]
 pub fn luminance([r, g, b]: [f32; 3]) -> f32 {
     0.2126 * r + 0.7152 * g + 0.0722 * b
 }

@@ -64,7 +64,6 @@ impl CameraChoice {
 
     /// These choices, and `other`'s for the fields without one. Target and look count as one field, and so do field of
     /// view and orthographic height.
-    #[must_use]
     pub fn or(self, other: Self) -> Self {
         let aims = self.target.is_some() || self.look.is_some();
         let narrows = self.fov.is_some() || self.ortho.is_some();

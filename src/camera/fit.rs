@@ -19,7 +19,6 @@ const LEAST_ROOM: f64 = 1e-12;
 /// orthographic projection, near may lie behind the eye. Without bounds, or in perspective with nothing in front of the
 /// eye, the planes enclose the target. The result is valid unless the given planes are not: one that is not positive in
 /// perspective, or two in the wrong order.
-#[must_use]
 pub fn fit_near_far(
     camera: &Camera,
     bounds_world: &Aabb,

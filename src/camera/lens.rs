@@ -81,14 +81,12 @@ impl Lens {
     }
 
     /// Whether all lines of sight are parallel.
-    #[must_use]
     pub fn is_orthographic(&self) -> bool {
         matches!(self.projection, Projection::Orthographic { .. })
     }
 
     /// Half the picture's width and height: in world units for orthographic projection, at view depth 1 in
     /// perspective (so `tan(fov_y / 2)` high).
-    #[must_use]
     pub fn half_extent(&self, aspect: f64) -> DVec2 {
         let top = match self.projection {
             Projection::Perspective { fov_y } => (0.5 * fov_y).tan(),
@@ -98,7 +96,6 @@ impl Lens {
     }
 
     /// Clip-space w at a view depth. There the picture's half extent is [`Lens::half_extent`] times w.
-    #[must_use]
     pub fn w(&self, depth: f64) -> f64 {
         match self.projection {
             Projection::Perspective { .. } => depth,
@@ -108,7 +105,6 @@ impl Lens {
 
     /// The third row of the projection matrix, `(a, b)`: clip z is `a * depth + b`. NDC z is clip z divided by
     /// [`Lens::w`].
-    #[must_use]
     pub fn depth_row(&self) -> (f64, f64) {
         let Self {
             near: n, far: f, ..
@@ -126,7 +122,6 @@ impl Lens {
 
     /// What the depth buffer stores for a view depth: NDC z, to within a few roundings, and in [0, 1] between the
     /// planes.
-    #[must_use]
     pub fn ndc_depth(&self, depth: f64) -> f64 {
         let Self { near, far, .. } = *self;
         // Halved, because the distance between the planes may overflow.
@@ -147,7 +142,6 @@ impl Lens {
 
     /// The resolution of a 32-bit floating-point depth buffer at `depth`: the step in view depth from the stored value
     /// to the next value away from the eye. Infinite where no value follows up to the far plane.
-    #[must_use]
     pub fn depth_step(&self, depth: f64) -> f64 {
         #[expect(clippy::cast_possible_truncation, reason = "what the buffer stores")]
         let stored = self.ndc_depth(depth) as f32;
@@ -163,7 +157,6 @@ impl Lens {
     }
 
     /// The view depth at an NDC z: the inverse of [`Lens::ndc_depth`], to within the roundings of [`Lens::depth_row`].
-    #[must_use]
     pub(crate) fn depth_at(&self, ndc_z: f64) -> f64 {
         let (a, b) = self.depth_row();
         match self.projection {
@@ -173,7 +166,6 @@ impl Lens {
     }
 
     /// From view to clip space, for column vectors; `aspect` is width over height.
-    #[must_use]
     pub fn projection(&self, aspect: f64) -> DMat4 {
         let half = self.half_extent(aspect);
         let (a, b) = self.depth_row();

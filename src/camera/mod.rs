@@ -155,81 +155,68 @@ impl Camera {
     }
 
     /// World position of the eye.
-    #[must_use]
     pub fn eye(&self) -> DVec3 {
         self.eye
     }
 
     /// World point in the middle of the picture.
-    #[must_use]
     pub fn target(&self) -> DVec3 {
         self.target
     }
 
     /// Up as it was given. [`Camera::new`] with eye, target, this up and the lens makes the same camera again; to the
     /// bit, if it came from [`Camera::new`].
-    #[must_use]
     pub fn up_hint(&self) -> DVec3 {
         self.up_hint
     }
 
     /// Unit vector R: to the right in the picture.
-    #[must_use]
     pub fn right(&self) -> DVec3 {
         self.right
     }
 
     /// Unit vector U: upwards in the picture.
-    #[must_use]
     pub fn up(&self) -> DVec3 {
         self.up
     }
 
     /// Unit vector F: into the picture.
-    #[must_use]
     pub fn forward(&self) -> DVec3 {
         self.forward
     }
 
     /// Projection, near, far and depth mapping.
-    #[must_use]
     pub fn lens(&self) -> &Lens {
         &self.lens
     }
 
     /// Half the picture's height: at view depth 1 in perspective (the tangent of half the field of view), in world
     /// units in orthographic projection.
-    #[must_use]
     pub fn half_height(&self) -> f64 {
         self.half_height
     }
 
     /// The rows R, U, F: from world to view directions.
-    #[must_use]
     pub fn rotation(&self) -> DMat3 {
         DMat3::from_cols(self.right, self.up, self.forward).transpose()
     }
 
     /// The view matrix: the translation by -eye, then the rotation with rows R, U, F.
-    #[must_use]
     pub fn view(&self) -> DMat4 {
         DMat4::from_mat3(self.rotation()) * DMat4::from_translation(-self.eye)
     }
 
     /// Projection for a picture of this shape; see [`Lens::projection`].
-    #[must_use]
     pub fn projection(&self, viewport: Viewport) -> DMat4 {
         self.lens.projection(viewport.aspect())
     }
 
     /// A world point in view space: x right, y up, z forward.
-    #[must_use]
     pub fn to_view(&self, point_world: DVec3) -> DVec3 {
         self.rotation() * (point_world - self.eye)
     }
 
     /// The data from which the ray of each pixel is computed.
-    #[must_use]
     pub fn pixel_grid(&self, viewport: Viewport) -> PixelGrid {
         PixelGrid {
             eye: self.eye,
@@ -244,7 +231,6 @@ impl Camera {
 
     /// The world-space ray through a pixel position; see [`PixelGrid::ray`]. Its `t` is view depth. Its interval runs
     /// from the near plane to the far plane.
-    #[must_use]
     pub fn ray(&self, viewport: Viewport, px: DVec2) -> WorldRay<'static> {
         let Lens { near, far, .. } = self.lens;
         self.pixel_grid(viewport).ray(px, [near, far])
@@ -261,7 +247,6 @@ impl Camera {
     }
 
     /// Where the picture shows a world point, not clipped; `None` at or behind the eye in perspective.
-    #[must_use]
     pub fn project(&self, viewport: Viewport, point_world: DVec3) -> Option<Projected> {
         let view = self.to_view(point_world);
         let w = self.lens.w(view.z);

@@ -19,7 +19,6 @@ pub enum UpAxis {
 
 impl UpAxis {
     /// Unit columns (right, up, towards the viewer) of the front view.
-    #[must_use]
     pub fn frame(self) -> DMat3 {
         match self {
             Self::Y => DMat3::IDENTITY,
@@ -28,7 +27,6 @@ impl UpAxis {
     }
 
     /// The unit vector that points up.
-    #[must_use]
     pub fn up(self) -> DVec3 {
         self.frame().y_axis
     }
@@ -60,7 +58,6 @@ impl Orbit {
     pub(super) const DISTANCES: (f64, f64) = (1e-100, 1e100);
 
     /// The view of a camera. Its own up becomes the orbit's axis, unless the camera is upright for `up_axis`.
-    #[must_use]
     pub fn of_camera(camera: &Camera, up_axis: UpAxis) -> Self {
         let frame = if Self::is_upright(camera, up_axis) {
             up_axis.frame()
@@ -79,7 +76,6 @@ impl Orbit {
     }
 
     /// Whether the camera's horizon is level, and what is up in the world is up in its picture.
-    #[must_use]
     pub fn is_upright(camera: &Camera, up_axis: UpAxis) -> bool {
         let upright = up_axis.up();
         camera.right().dot(upright).abs() <= 8.0 * f64::EPSILON
@@ -88,7 +84,6 @@ impl Orbit {
 
     /// A view of all of `bounds_world`, from a little to the right and above. Empty bounds count as the box from -1 to
     /// 1.
-    #[must_use]
     pub fn framing(bounds_world: &Aabb, up_axis: UpAxis, fov_y: f64, aspect: f64) -> Self {
         let (yaw, pitch) = Self::angles(Self::FRAMING);
         let mut orbit = Self {
@@ -141,19 +136,16 @@ impl Orbit {
     }
 
     /// World point in the middle of the picture.
-    #[must_use]
     pub fn target(&self) -> DVec3 {
         self.target
     }
 
     /// The distance from eye to target, in world units.
-    #[must_use]
     pub fn distance(&self) -> f64 {
         self.distance
     }
 
     /// World position of the eye.
-    #[must_use]
     pub fn eye(&self) -> DVec3 {
         self.target + self.distance * self.axes().z_axis
     }

@@ -32,44 +32,37 @@ impl Viewport {
     }
 
     /// Width in pixels.
-    #[must_use]
     pub fn width(self) -> u32 {
         self.width
     }
 
     /// Height in pixels.
-    #[must_use]
     pub fn height(self) -> u32 {
         self.height
     }
 
     /// Width and height in pixels.
-    #[must_use]
     pub fn size_px(self) -> DVec2 {
         DVec2::new(self.width.into(), self.height.into())
     }
 
     /// Width over height.
-    #[must_use]
     pub fn aspect(self) -> f64 {
         f64::from(self.width) / f64::from(self.height)
     }
 
     /// A pixel position in NDC: x and y in [-1, 1] within the picture, y up.
-    #[must_use]
     pub fn px_to_ndc(self, px: DVec2) -> DVec2 {
         let from_corner = 2.0 * px / self.size_px();
         DVec2::new(from_corner.x - 1.0, 1.0 - from_corner.y)
     }
 
     /// An NDC position in pixels.
-    #[must_use]
     pub(crate) fn ndc_to_px(self, ndc: DVec2) -> DVec2 {
         0.5 * DVec2::new(ndc.x + 1.0, 1.0 - ndc.y) * self.size_px()
     }
 
     /// Whether a pixel position lies within the picture: `0 <= x < width`, `0 <= y < height`.
-    #[must_use]
     pub fn contains(self, px: DVec2) -> bool {
         px.cmpge(DVec2::ZERO).all() && px.cmplt(self.size_px()).all()
     }
@@ -90,7 +83,6 @@ pub struct View {
 
 impl View {
     /// A camera's view of both sides of all surfaces, not cut.
-    #[must_use]
     pub fn new(camera: Camera, viewport: Viewport) -> Self {
         Self {
             camera,
@@ -102,7 +94,6 @@ impl View {
 
     /// Projects a world-space segment: its two ends in pixels. The segment is clipped by the near plane and by nothing
     /// else. `None` if nothing is left.
-    #[must_use]
     pub fn project_segment(&self, a: DVec3, b: DVec3) -> Option<[DVec2; 2]> {
         let [a, b, ..] = self.past_near(&[a, b])[..] else {
             return None;
@@ -117,7 +108,6 @@ impl View {
     }
 
     /// The same view with no section.
-    #[must_use]
     pub fn uncut(&self) -> Self {
         Self {
             section: None,
@@ -126,13 +116,11 @@ impl View {
     }
 
     /// The world-space ray through a pixel position; see [`Camera::ray`].
-    #[must_use]
     pub fn ray(&self, px: DVec2) -> WorldRay<'static> {
         self.rays().ray(px)
     }
 
     /// The data of the ray through a point of a shape.
-    #[must_use]
     pub fn through(&self, point: &PlacedPoint) -> ThroughPoint {
         let Lens { near, far, .. } = *self.camera.lens();
         ThroughPoint {
@@ -143,7 +131,6 @@ impl View {
     }
 
     /// The world-space rays through all pixels; each equals that of [`View::ray`].
-    #[must_use]
     pub fn rays(&self) -> PixelRays {
         let Lens { near, far, .. } = *self.camera.lens();
         let rays = self.camera.pixel_grid(self.viewport).rays([near, far]);
@@ -151,7 +138,6 @@ impl View {
     }
 
     /// The world-space vector from the eye to the point at view depth `t` on the ray through a pixel position.
-    #[must_use]
     pub fn offset_from_eye(&self, px: DVec2, t: f64) -> DVec3 {
         let grid = self.camera.pixel_grid(self.viewport);
         let aside = grid.aside(px);
@@ -163,27 +149,23 @@ impl View {
     }
 
     /// Half the picture's extent, to the right and upwards; see [`Lens::half_extent`](super::Lens::half_extent).
-    #[must_use]
     pub fn half_extent(&self) -> DVec2 {
         self.camera.half_extent(self.viewport)
     }
 
     /// The pixel position of a point that lies off the line of sight by `aside` (to the right and upwards), at
     /// clip-space w `w`; see [`Lens::w`](super::Lens::w).
-    #[must_use]
     pub(crate) fn px_of(&self, aside: DVec2, w: f64) -> DVec2 {
         let ndc = self.camera.ndc_of(self.viewport, aside, w);
         self.viewport.ndc_to_px(ndc)
     }
 
     /// Where the picture shows a world point; see [`Camera::project`].
-    #[must_use]
     pub fn project(&self, point_world: DVec3) -> Option<Projected> {
         self.camera.project(self.viewport, point_world)
     }
 
     /// The corners of the view volume in world space: near plane, then far plane, each from the top left clockwise.
-    #[must_use]
     pub fn frustum_corners(&self) -> [DVec3; 8] {
         let [width, height] = self.viewport.size_px().to_array();
         let corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)];
@@ -195,7 +177,6 @@ impl View {
 
     /// Whether part of a world-space box may be in the picture: false if the box is empty, lies outside one of the view
     /// volume's six planes or is cut away by the section.
-    #[must_use]
     pub(crate) fn may_see(&self, bounds_world: &Aabb) -> bool {
         let lens = self.camera.lens();
         let half = self.half_extent();
@@ -219,7 +200,6 @@ impl View {
 }
 
 /// The centre of the pixel that holds a position. A click at the position picks at this centre.
-#[must_use]
 pub fn pixel_centre(px: DVec2) -> DVec2 {
     px.floor() + 0.5
 }

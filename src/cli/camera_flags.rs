@@ -80,7 +80,6 @@ pub struct ViewArgs {
 
 impl ViewArgs {
     /// What the flags say about the camera.
-    #[must_use]
     pub fn choice(&self) -> CameraChoice {
         CameraChoice {
             eye: self.eye,
@@ -98,13 +97,11 @@ impl ViewArgs {
     }
 
     /// The picture's size.
-    #[must_use]
     pub fn size(&self) -> Viewport {
         self.size.unwrap_or(Viewport::DEFAULT)
     }
 
     /// Which sides of surfaces show.
-    #[must_use]
     pub fn sides(&self) -> Sides {
         if self.cull { Sides::Front } else { Sides::Both }
     }

@@ -116,7 +116,6 @@ pub struct SceneArgs {
 }
 
 /// Parses the arguments (the program's own name first), runs the command and reports an error as one line.
-#[must_use]
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     let args = command_first(args.into_iter().collect());
     let done = match Cli::try_parse_from(args) {

@@ -34,20 +34,17 @@ impl Aabb {
     };
 
     /// The smallest box about the points; empty for none.
-    #[must_use]
     pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
         points.into_iter().fold(Self::EMPTY, Self::including)
     }
 
     /// The box grown to hold `point`.
-    #[must_use]
     pub fn including(self, point: DVec3) -> Self {
         let [min, max] = [point; 2];
         self.union(Self { min, max })
     }
 
     /// The smallest box that holds both.
-    #[must_use]
     pub fn union(self, other: Self) -> Self {
         let (min, max) = (self.min.min(other.min), self.max.max(other.max));
         Self { min, max }
@@ -59,7 +56,6 @@ impl Aabb {
     }
 
     /// The box grown by `room` on each side.
-    #[must_use]
     pub fn grown(self, room: DVec3) -> Self {
         Self {
             min: self.min - room,
@@ -68,19 +64,16 @@ impl Aabb {
     }
 
     /// Whether it holds no point at all.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         !self.min.cmple(self.max).all()
     }
 
     /// The middle. Meaningless when empty.
-    #[must_use]
     pub fn center(&self) -> DVec3 {
         0.5 * self.min + 0.5 * self.max
     }
 
     /// Half the diagonal: the radius of the circumscribed sphere. Zero for a point.
-    #[must_use]
     pub fn radius(&self) -> f64 {
         let half = 0.5 * self.max - 0.5 * self.min;
         let largest = half.max_element();
@@ -94,7 +87,6 @@ impl Aabb {
 
     /// Decimal places to write coordinates with: down to a millionth of the radius, about the precision of vertices. 6
     /// for a box without size.
-    #[must_use]
     pub fn decimal_places(&self) -> usize {
         let radius = if self.is_empty() { 0.0 } else { self.radius() };
         let size = if radius > 0.0 { radius } else { 1.0 };
@@ -108,7 +100,6 @@ impl Aabb {
     }
 
     /// The eight corners.
-    #[must_use]
     pub fn corners(&self) -> [DVec3; 8] {
         let [a, b] = [self.min, self.max];
         std::array::from_fn(|i| {

@@ -19,7 +19,6 @@ impl CornerNormals {
     pub const NONE: [u32; 3] = [u32::MAX; 3];
 
     /// The indices into `normals` of the corners of these triangles, the mesh's own; empty where there are no normals.
-    #[must_use]
     pub fn corners_of<'a>(&'a self, triangles: &'a [[u32; 3]]) -> &'a [[u32; 3]] {
         if self.is_by_vertex() {
             triangles
@@ -53,7 +52,6 @@ impl CornerNormals {
 }
 
 /// The outward unit normal of a counter-clockwise triangle; zero when it has no area.
-#[must_use]
 pub fn face_normal(corners: [[f32; 3]; 3]) -> Vec3 {
     let [a, b, c] = corners.map(|p| DVec3::from_array(p.map(f64::from)));
     let normal = (b - a).cross(c - a);
@@ -73,7 +71,6 @@ pub fn face_normal(corners: [[f32; 3]; 3]) -> Vec3 {
 ///
 /// # Panics
 /// When a triangle names a position that is not there.
-#[must_use]
 pub fn crease_normals(
     positions: &[[f32; 3]],
     triangles: &[[u32; 3]],

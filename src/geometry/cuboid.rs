@@ -17,13 +17,11 @@ impl Cuboid {
     };
 
     /// The box itself.
-    #[must_use]
     pub fn bounds() -> Aabb {
         Aabb::of_half_size(DVec3::splat(Self::HALF_SIDE))
     }
 
     /// The corners of the face with this outward normal (one of `NORMALS`), counter-clockwise seen from outside.
-    #[must_use]
     pub fn face(normal: DVec3) -> [DVec3; 4] {
         let right = DVec3::new(normal.y.abs(), normal.z.abs(), normal.x.abs());
         let up = normal.cross(right);

@@ -14,7 +14,6 @@ impl Cuboid {
     /// is hit.
     ///
     /// Decided in `f64` where rounding cannot change the answer, else by exact arithmetic.
-    #[must_use]
     pub fn hits<'a>(ray: impl Into<LocalRay<'a>>) -> [Option<Hit>; 2] {
         let ray = ray.into();
         filter(&ray).unwrap_or_else(|InDoubt| exact::cube(&ray.exactly(), ray.ray))

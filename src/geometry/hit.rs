@@ -82,7 +82,6 @@ pub enum Sides {
 
 impl Sides {
     /// Whether a hit counts.
-    #[must_use]
     pub fn shows(self, hit: &Hit) -> bool {
         self == Self::Both || hit.front
     }

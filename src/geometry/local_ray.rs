@@ -47,7 +47,6 @@ impl Placement {
     /// Bounds: a component errs by the placement's `row_sums * (error * v + e)`, with `v` the vector's largest
     /// component and `e` the vector's own error.
     #[inline]
-    #[must_use]
     pub fn local_ray<'a>(&'a self, world: &'a WorldRay<'a>) -> PlacedRay<'a> {
         let error = world.error();
         if self.is_identity {
@@ -94,7 +93,6 @@ impl<'a> PlacedRay<'a> {
 
     /// This ray, with a `limit` beyond which surfaces do not matter.
     #[inline]
-    #[must_use]
     pub fn until(&self, limit: f64) -> LocalRay<'_> {
         LocalRay {
             ray: &self.ray,

@@ -51,7 +51,6 @@ impl<N> RayDifferential<N> {
 
 impl PixelGrid {
     /// The same picture in view space: seen from the origin along z, with x to the right and y upwards.
-    #[must_use]
     pub(crate) fn in_view_space(&self) -> Self {
         Self {
             eye: DVec3::ZERO,
@@ -63,7 +62,6 @@ impl PixelGrid {
     }
 
     /// `a` of [`PixelGrid::ray`]: from the middle of the picture to a position, at view depth 1 in perspective.
-    #[must_use]
     pub fn aside(&self, px: DVec2) -> DVec3 {
         let [right, up] = self.factors::<f64>(px);
         right * self.right + up * self.up

@@ -19,14 +19,12 @@ impl PixelGrid {
     /// With `a = (h / H) ((2 px - W) R + (H - 2 py) U)`: `eye + t (F + a)` in perspective, `eye + a + t F` in
     /// orthographic projection.
     #[inline]
-    #[must_use]
     pub fn ray(&self, px: DVec2, interval: [f64; 2]) -> WorldRay<'static> {
         self.rays(interval).ray(px)
     }
 
     /// The rays of the whole picture, with the interval of view depth that counts.
     #[inline]
-    #[must_use]
     pub fn rays(&self, interval: [f64; 2]) -> PixelRays {
         let per_half_px = self.per_half_px::<f64>();
         let are_moderate = |v: DVec3| is_moderate(v.x) && is_moderate(v.y) && is_moderate(v.z);
@@ -62,7 +60,6 @@ pub struct PixelRays {
 
 impl PixelRays {
     /// These rays, whose hits count only where a section keeps them; `None` keeps all.
-    #[must_use]
     pub fn cut_by(self, section: Option<Section>) -> Self {
         Self { section, ..self }
     }
@@ -73,7 +70,6 @@ impl PixelRays {
     /// the sum of both products once, and adding F or the eye once. With `A` and `B` the two products, that is below
     /// `6 U (|A| + |B|)` plus `U` of the result, and 0 where both products are 0.
     #[inline]
-    #[must_use]
     pub fn ray(&self, px: DVec2) -> WorldRay<'static> {
         let (ray, [a, b]) = self.rounded_with_aside(px);
         let is_orthographic = self.grid.is_orthographic;
@@ -107,7 +103,6 @@ impl PixelRays {
 
     /// The same without its bounds.
     #[inline]
-    #[must_use]
     pub fn rounded(&self, px: DVec2) -> Ray {
         self.rounded_with_aside(px).0
     }

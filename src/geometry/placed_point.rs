@@ -17,13 +17,11 @@ pub struct PlacedPoint {
 
 impl PlacedPoint {
     /// A vertex, given about an origin of object space.
-    #[must_use]
     pub fn vertex(placement: &Placement, origin: DVec3, vertex: DVec3) -> Self {
         Self::between(placement, origin, [vertex; 2], 0.0)
     }
 
     /// A point on the line through two, `share` of the way from the first to the second.
-    #[must_use]
     pub fn between(
         placement: &Placement,
         origin: DVec3,
@@ -40,7 +38,6 @@ impl PlacedPoint {
     }
 
     /// The same point of the shape, where another placement puts it.
-    #[must_use]
     pub fn placed_by(&self, placement: &Placement) -> Self {
         Self {
             model: placement.model(),

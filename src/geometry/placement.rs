@@ -92,32 +92,27 @@ impl Placement {
     }
 
     /// From object to world space.
-    #[must_use]
     pub fn model(&self) -> DAffine3 {
         self.model
     }
 
     /// The inverse of the model's linear part: from world to object directions.
-    #[must_use]
     pub fn inverse_linear(&self) -> DMat3 {
         self.inverse_linear
     }
 
     /// Whether it mirrors: turns counter-clockwise into clockwise.
-    #[must_use]
     pub fn mirrors(&self) -> bool {
         self.mirrors
     }
 
     /// A world-space point in object space. The translation is subtracted first, which keeps digits.
     #[inline]
-    #[must_use]
     pub fn point_to_object(&self, point_world: DVec3) -> DVec3 {
         self.inverse_linear * (point_world - self.model.translation)
     }
 
     /// An object-space point in world space.
-    #[must_use]
     pub fn point_to_world(&self, point_object: DVec3) -> DVec3 {
         self.model.transform_point3(point_object)
     }
@@ -135,7 +130,6 @@ impl Placement {
 
     /// A world-space ray in object space, rounded, with the same `t`.
     #[inline]
-    #[must_use]
     pub fn ray_to_object(&self, ray_world: &Ray) -> Ray {
         Ray {
             origin: self.point_to_object(ray_world.origin),
@@ -147,7 +141,6 @@ impl Placement {
     /// The outward unit normal in world space, from an outward normal in object space. The inverse transpose keeps it
     /// outward under mirroring. Zero stays zero.
     #[inline]
-    #[must_use]
     pub fn normal_to_world(&self, normal_object: DVec3) -> DVec3 {
         /// Squares from this to its reciprocal have all their digits.
         const LEAST: u64 = power_of_two(-500).to_bits();
@@ -223,7 +216,6 @@ fn row_sums(matrix: DMat3) -> DVec3 {
 
 /// Sine and cosine of an angle in quarter turns (1 is 90 degrees); exact for whole ones, so that axes are turned into
 /// axes.
-#[must_use]
 pub(crate) fn sin_cos_quarters(quarter_turns: f64) -> (f64, f64) {
     let whole = quarter_turns.round();
     let (sin, cos) = ((quarter_turns - whole) * FRAC_PI_2).sin_cos();

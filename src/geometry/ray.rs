@@ -30,7 +30,6 @@ impl Ray {
     }
 
     /// The point at parameter `t`.
-    #[must_use]
     pub fn at(&self, t: f64) -> DVec3 {
         self.origin + t * self.direction
     }
@@ -46,7 +45,6 @@ impl Ray {
     }
 
     /// Whether a hit at `t` counts. False for NaN.
-    #[must_use]
     pub fn contains(&self, t: f64) -> bool {
         self.t_min <= t && t < self.t_max
     }

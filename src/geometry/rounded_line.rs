@@ -13,7 +13,6 @@ impl ThroughPoint {
     /// the point lies at or behind the eye in perspective, or where the axes span no space.
     ///
     /// Each number is the exact one to within three roundings, which are its bound.
-    #[must_use]
     pub fn ray(&self) -> Option<WorldRay<'_>> {
         let line = Line::Through(self);
         let Rounded { origin, direction } = exact::rounded_line(&line)?;

@@ -79,7 +79,6 @@ impl Section {
 
     /// Whether three finite points may be on one line up to rounding. A picked point's coordinates are each off by a
     /// few units in the last place of the largest.
-    #[must_use]
     pub fn may_be_on_one_line(points: [DVec3; 3]) -> bool {
         let [a, b, c] = points;
         let unit = |v: DVec3| v / v.abs().max_element();
@@ -120,19 +119,16 @@ impl Section {
     }
 
     /// n; it points to the kept side.
-    #[must_use]
     pub fn normal(&self) -> DVec3 {
         self.normal
     }
 
     /// c.
-    #[must_use]
     pub fn offset(&self) -> f64 {
         self.offset
     }
 
     /// The section that keeps the other side; the plane belongs to both.
-    #[must_use]
     pub fn flipped(&self) -> Self {
         // Adding 0 turns -0 into 0.
         Self {
@@ -142,7 +138,6 @@ impl Section {
     }
 
     /// `n . p + c`, rounded: 0 or more for what is kept.
-    #[must_use]
     pub fn side(&self, point: DVec3) -> f64 {
         self.normal.dot(point) + self.offset
     }

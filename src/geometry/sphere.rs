@@ -12,7 +12,6 @@ impl Sphere {
     pub const RADIUS: f64 = 0.5;
 
     /// The box about it.
-    #[must_use]
     pub fn bounds() -> Aabb {
         Aabb::of_half_size(DVec3::splat(Self::RADIUS))
     }

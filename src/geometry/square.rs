@@ -13,13 +13,11 @@ impl Square {
     pub const HALF_SIDE: f64 = 0.5;
 
     /// The flat box about it.
-    #[must_use]
     pub fn bounds() -> Aabb {
         Aabb::of_half_size(DVec3::new(Self::HALF_SIDE, Self::HALF_SIDE, 0.0))
     }
 
     /// Its corners, counter-clockwise seen from its front.
-    #[must_use]
     pub fn corners() -> [DVec3; 4] {
         [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
             .map(|(x, y)| Self::HALF_SIDE * DVec3::new(x, y, 0.0))

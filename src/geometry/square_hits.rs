@@ -10,7 +10,6 @@ impl Square {
     /// Where `ray` meets the square, rim included, within its interval. A ray in its plane misses.
     ///
     /// Decided in `f64` where rounding cannot change the answer, else by exact arithmetic.
-    #[must_use]
     pub fn hit<'a>(ray: impl Into<LocalRay<'a>>) -> Option<Hit> {
         let ray = ray.into();
         filter(&ray).unwrap_or_else(|InDoubt| exact::square(&ray.exactly(), ray.ray))

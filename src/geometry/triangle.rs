@@ -31,7 +31,6 @@ pub type TriangleTest = fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>;
 /// Hit or miss, front or back, and whether the hit lies in the ray's interval are those of exact arithmetic for the
 /// given ray and corners. `t` is within `t_error` of the exact parameter and has at least half of its digits right,
 /// usually all. A ray or corner that is not finite misses.
-#[must_use]
 pub fn hit_guarded(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
     if is_missed(ray, corners) {
         None
@@ -52,7 +51,6 @@ const WORST_WEIGHT: f64 = power_of_two(-14);
 
 /// [`hit_guarded`] without its filter in `f64`: in pairs of `f64`, or in integers.
 #[cold]
-#[must_use]
 pub fn hit_exact(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
     exact::hit(ray.exactly().line, &ray.ray, ray.exact_triangle(corners))
 }

@@ -27,7 +27,6 @@ impl Default for Trs {
 
 impl Trs {
     /// The matrix.
-    #[must_use]
     pub fn to_model(&self) -> DAffine3 {
         DAffine3 {
             matrix3: rotation(self.rotation_deg) * DMat3::from_diagonal(self.scale),
@@ -38,7 +37,6 @@ impl Trs {
     /// The parts of a matrix; `None` where it shears or flattens an axis. A mirroring matrix has a negative x scale.
     /// Where the y rotation is a quarter turn, rotations about x and z have the same effect, and all of it is given as
     /// x.
-    #[must_use]
     pub fn of(model: DAffine3) -> Option<Self> {
         let m = model.matrix3;
         let mut scale = DVec3::new(m.x_axis.length(), m.y_axis.length(), m.z_axis.length());

@@ -32,7 +32,6 @@ pub struct VertexRay<'a> {
 impl<'a> VertexRay<'a> {
     /// A ray of object space, as vertices about `vertex_origin` see it.
     #[inline]
-    #[must_use]
     pub fn new(ray: &'a LocalRay<'a>, vertex_origin: &'a DVec3) -> Self {
         let origin = ray.ray.origin - *vertex_origin;
         // Knuth's two-difference: the error of a difference is an f64 (Shewchuk 1997, theorem 7).
@@ -46,7 +45,6 @@ impl<'a> VertexRay<'a> {
     }
 
     /// An exact ray, as vertices about (0, 0, 0) see it.
-    #[must_use]
     pub fn exact(ray: Ray) -> Self {
         Self::of(ray, DVec3::ZERO)
     }

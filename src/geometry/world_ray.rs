@@ -19,7 +19,6 @@ pub struct WorldRay<'a> {
 impl<'a> WorldRay<'a> {
     /// This ray, whose hits count only where a section keeps them. Its interval shrinks to the kept part, rounded
     /// outwards; the caller decides about hits close to the cut.
-    #[must_use]
     pub fn cut_by(mut self, section: &Section) -> Self {
         let on_ray = SectionOnRay::new(*section, &self.ray, &self.error);
         [self.ray.t_min, self.ray.t_max] = on_ray.of_interval([self.ray.t_min, self.ray.t_max]);
@@ -28,7 +27,6 @@ impl<'a> WorldRay<'a> {
     }
 
     /// How far its rounded numbers may be off.
-    #[must_use]
     pub fn error(&self) -> RayError {
         self.error
     }

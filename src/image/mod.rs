@@ -45,7 +45,6 @@ impl<T: Copy> Image<T> {
     ///
     /// # Panics
     /// When their count does not match `size`.
-    #[must_use]
     pub fn new(size: Viewport, pixels: Vec<T>) -> Self {
         assert_eq!(
             pixels.len(),
@@ -56,13 +55,11 @@ impl<T: Copy> Image<T> {
     }
 
     /// Width and height.
-    #[must_use]
     pub fn size(&self) -> Viewport {
         self.size
     }
 
     /// All pixels, row by row from the top.
-    #[must_use]
     pub fn pixels(&self) -> &[T] {
         &self.pixels
     }
@@ -76,7 +73,6 @@ impl<T: Copy> Image<T> {
     ///
     /// # Panics
     /// When that lies outside.
-    #[must_use]
     pub fn at(&self, x: u32, y: u32) -> T {
         assert!(x < self.size.width(), "column within the image");
         self.pixels[y as usize * self.size.width() as usize + x as usize]
@@ -86,7 +82,6 @@ impl<T: Copy> Image<T> {
     ///
     /// # Panics
     /// When that lies outside.
-    #[must_use]
     pub fn part(&self, origin: [u32; 2], size: Viewport) -> Self {
         let [left, top] = origin;
         let row = |y: u32| (0..size.width()).map(move |x| self.at(left + x, top + y));

@@ -62,7 +62,6 @@ impl PartialEq for ExactPoint {
 impl ExactPoint {
     /// A point of a shape as it is stored; off by no more than `error`. Numbers that are not finite give no place: see
     /// [`ExactPoint::about`].
-    #[must_use]
     pub fn stored(point: &PlacedPoint, error: f64) -> Self {
         Self {
             numerators: dyadic::placed(point),
@@ -92,7 +91,6 @@ impl ExactPoint {
     }
 
     /// A world point that is off by at most `error`. Where a coordinate is not finite, lengths and areas are NaN.
-    #[must_use]
     pub fn about(point_world: DVec3, error: f64) -> Self {
         let is_finite = point_world.is_finite();
         Self {
@@ -103,7 +101,6 @@ impl ExactPoint {
     }
 
     /// A vertex as its file writes it, under a placement: three decimal numbers, taken exactly. `None` for other text.
-    #[must_use]
     pub fn written(placement: &Placement, text: &str) -> Option<Self> {
         let numbers: Option<Vec<_>> = text.split_whitespace().map(decimal).collect();
         let numbers: [(BigInt, i64); 3] = numbers?.try_into().ok()?;
@@ -128,7 +125,6 @@ impl ExactPoint {
     }
 
     /// The distance to another point.
-    #[must_use]
     pub fn distance(&self, other: &Self) -> Measured {
         let way = self.way(other);
         let length = way.dot(&way).sqrt(BITS);
@@ -142,7 +138,6 @@ impl ExactPoint {
 ///
 /// # Panics
 /// When an index names no corner.
-#[must_use]
 pub fn polygon_area(polygon: &[ExactPoint], triangles: &[[u32; 3]]) -> Measured {
     let mut sum = Dyadic::new(0.0);
     let mut error = 0.0;
@@ -167,7 +162,6 @@ pub fn polygon_area(polygon: &[ExactPoint], triangles: &[[u32; 3]]) -> Measured 
 ///
 /// # Panics
 /// When the mesh has no triangle of a number in the range.
-#[must_use]
 pub fn mesh_area(mesh: &Mesh, placement: &Placement, triangles: Range<u32>) -> Measured {
     let corners = || {
         triangles

@@ -125,7 +125,6 @@ impl SceneHit {
     ///
     /// # Panics
     /// When the scene lacks the object, or the object the triangle: the hit is on another scene.
-    #[must_use]
     pub fn triangle_of_object(&self, scene: &Scene) -> Option<u32> {
         let first = scene.objects()[self.object].shape.first_triangle();
         (self.primitive().triangle).map(|triangle| triangle - first)
@@ -147,7 +146,6 @@ impl SceneHit {
 
 /// What a click picks: the surface nearest to the eye at exactly this pixel position. `None` where the picture shows
 /// the background.
-#[must_use]
 pub fn pick(scene: &Scene, view: &View, px: DVec2) -> Option<Pick> {
     let ray = view.ray(px);
     let beam = &Beam::whole(scene);
@@ -166,7 +164,6 @@ pub fn pick(scene: &Scene, view: &View, px: DVec2) -> Option<Pick> {
 const WORTH_THREADS: usize = 64;
 
 /// Every surface at a pixel position, from front to back.
-#[must_use]
 pub fn pick_all(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
     let ray = view.ray(px);
     let hits = all(scene, ray, view.sides);

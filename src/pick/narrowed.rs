@@ -7,7 +7,6 @@ use glam::DVec2;
 /// The part of a scene that [`pick`](super::pick) and [`pick_all`](super::pick_all) need at one position. Each triangle
 /// is looked at once, without trees, and the few about the position are kept. The answers are the same as for the whole
 /// scene. `None` where the rays are too inexact to tell apart, as from very far away.
-#[must_use]
 pub fn narrowed(scene: &Scene, view: &View, px: DVec2) -> Option<Scene> {
     let corners = CornerRays::about(view, px, REACH);
     scene.narrowed(&view.ray(px), |placement| corners.pyramid(placement))

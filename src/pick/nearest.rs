@@ -36,7 +36,6 @@ use std::ops::Range;
 /// assert_eq!((hit.object, hit.hit.t), (0, 2.5));
 /// assert!(pick::closest(&scene, Ray { t_max: 2.0, ..ray }, Sides::Both).is_none());
 /// ```
-#[must_use]
 pub fn closest<'a>(scene: &Scene, ray: impl Into<WorldRay<'a>>, sides: Sides) -> Option<SceneHit> {
     nearest(&Beam::whole(scene), &ray.into(), sides, None)
 }
@@ -82,7 +81,6 @@ pub(super) fn meets(beam: &Beam, ray: &WorldRay, sides: Sides, object: usize) ->
 }
 
 /// [`closest`] by another triangle test. On meshes, a section only shortens the ray's interval, rounded outwards.
-#[must_use]
 pub fn closest_by<'a>(
     scene: &Scene,
     ray: impl Into<WorldRay<'a>>,
@@ -112,13 +110,11 @@ pub fn closest_by<'a>(
 }
 
 /// All hits of a world-space ray on the visible objects, from front to back.
-#[must_use]
 pub fn all<'a>(scene: &Scene, ray: impl Into<WorldRay<'a>>, sides: Sides) -> Vec<SceneHit> {
     all_near(&Beam::whole(scene), &ray.into(), sides, |_, _| true)
 }
 
 /// Those of [`all`] hits for which `is_near(hit, nearest)` holds, and the nearest itself, in order.
-#[must_use]
 pub(crate) fn all_near(
     beam: &Beam,
     ray: &WorldRay,

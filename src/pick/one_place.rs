@@ -36,7 +36,6 @@ impl NamedSurface {
     ///
     /// # Panics
     /// When the hit is on another scene, as [`SceneHit::triangle_of_object`].
-    #[must_use]
     pub fn of(scene: &Scene, hit: &SceneHit) -> Self {
         Self {
             object: scene.objects()[hit.object].name.clone(),
@@ -52,7 +51,6 @@ impl InOnePlace {
     ///
     /// # Panics
     /// When a hit is on another scene, as [`SceneHit::triangle_of_object`].
-    #[must_use]
     pub fn of(scene: &Scene, hits: &[SceneHit]) -> Option<Self> {
         (hits.len() > 1).then(|| Self {
             count: hits.len(),

@@ -26,7 +26,6 @@ pub(crate) const RAYCAST_BYTES: usize = size_of::<(Id, Rgb)>() + size_of::<Id>()
 
 /// Ids and shaded colours of every pixel, by the ray through its centre, on all cores. For more than a few pixels
 /// build the scene's trees first.
-#[must_use]
 pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
     let pixels = each_ray(scene, view, |beam, ray, px| {
         let hit = nearest(beam, ray, view.sides, None);
@@ -42,7 +41,6 @@ pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
 ///
 /// # Panics
 /// When `selection` is no object of the scene.
-#[must_use]
 pub fn raycast_until(
     scene: &Scene,
     view: &View,
@@ -79,7 +77,6 @@ pub fn raycast_until(
 ///
 /// # Panics
 /// When `object` is no object of the scene.
-#[must_use]
 pub fn mask_until(
     scene: &Scene,
     view: &View,
@@ -94,7 +91,6 @@ pub fn mask_until(
 }
 
 /// The object and triangle that every pixel's ray hits, on all cores; see [`raycast`].
-#[must_use]
 pub fn ids(scene: &Scene, view: &View) -> Image<Id> {
     let ids = each_ray(scene, view, |beam, ray, _| {
         id_or_none(scene, nearest(beam, ray, view.sides, None))
@@ -103,7 +99,6 @@ pub fn ids(scene: &Scene, view: &View) -> Image<Id> {
 }
 
 /// [`ids`] by another picker, which is given pixel positions.
-#[must_use]
 pub fn ids_by(
     scene: &Scene,
     view: &View,

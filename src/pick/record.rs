@@ -88,7 +88,6 @@ pub(super) struct At<'a> {
 
 impl Pick {
     /// Whether this may be one of the surfaces in one place; also true if not all of them are named.
-    #[must_use]
     pub fn may_be_of(&self, all: &InOnePlace) -> bool {
         let is_it = |of: &NamedSurface| {
             (of.id, of.triangle, of.front) == (self.id, self.triangle, self.front)

@@ -28,7 +28,6 @@ pub enum Sight {
 }
 
 /// Whether a point is seen. It may lie outside the picture.
-#[must_use]
 pub fn sight(scene: &Scene, view: &View, point: &PlacedPoint) -> Sight {
     let through = view.through(point);
     let Some(ray) = ray(view, &through) else {
@@ -84,7 +83,6 @@ pub struct Whereabouts {
 
 impl Whereabouts {
     /// A vertex, given about its mesh's origin, on each object with a corner there. Empty where no triangle has one.
-    #[must_use]
     pub fn of_vertex(scene: &Scene, view: &View, mesh: &Arc<Mesh>, vertex: DVec3) -> Vec<Self> {
         let count = u32::try_from(mesh.data().triangles.len()).unwrap_or(u32::MAX);
         let has_it = |triangle: &u32| mesh.vertex_corners(*triangle).contains(&vertex);
@@ -112,7 +110,6 @@ impl Whereabouts {
     ///
     /// # Panics
     /// When the mesh has no triangle of a number in the range.
-    #[must_use]
     pub fn of_face(
         scene: &Scene,
         view: &View,

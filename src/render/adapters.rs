@@ -46,7 +46,6 @@ pub struct AdapterCan {
 }
 
 /// All adapters, in the order in which the system names them. `WGPU_BACKEND` narrows the choice, as everywhere in wgpu.
-#[must_use]
 pub fn adapters() -> Vec<AdapterFound> {
     let instance = instance();
     let used = pollster::block_on(best_adapter(&instance, None));

@@ -40,7 +40,6 @@ pub struct Drawing {
 impl Drawing {
     /// Draws colours, with this many samples per pixel, and ids of a scene as `view` shows it. Lines are in the colours
     /// only.
-    #[must_use]
     pub fn of_scene(samples: u32, view: &View, lines: Vec<Line>) -> Self {
         let passes: &[Pass] = match samples {
             1 => &[Pass::ColourAndIds],
@@ -51,7 +50,6 @@ impl Drawing {
 
     /// Draws smooth colours alone, for targets that have the ids already. Their samples are resolved after the last
     /// piece, and only then seen. The rows are drawn in this many bands, at least 1; a piece lies within one band.
-    #[must_use]
     pub fn of_smooth_colours(view: &View, lines: Vec<Line>, bands: u32) -> Self {
         Self {
             bands: bands.clamp(1, view.viewport.height()),
@@ -74,7 +72,6 @@ impl Drawing {
     }
 
     /// Draws the outline of an object, as it would be seen with nothing else in the scene.
-    #[must_use]
     pub fn of_selection(scene: &SceneBuffers, view: &View, object: usize) -> Self {
         Self {
             selection: Some((object, scene.alone(view, object))),
@@ -83,13 +80,11 @@ impl Drawing {
     }
 
     /// Whether it draws the outline of a selection.
-    #[must_use]
     pub fn is_of_selection(&self) -> bool {
         self.selection.is_some()
     }
 
     /// All of its work if the whole scene is in view, not counting edges of triangles.
-    #[must_use]
     pub fn whole(&self, scene: &SceneBuffers) -> Piece {
         let each = match &self.selection {
             Some((_, alone)) => alone.as_ref().map_or_else(Piece::default, Piece::of),

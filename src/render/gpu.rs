@@ -88,39 +88,33 @@ impl Gpu {
     }
 
     /// What the adapter calls itself.
-    #[must_use]
     pub fn adapter_name(&self) -> &str {
         &self.info.name
     }
 
     /// Whether the adapter is a program on the CPU, such as lavapipe: every pass costs milliseconds.
-    #[must_use]
     pub fn is_software(&self) -> bool {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
     /// Whether render passes resolve samples at their end. On software adapters a shader does it instead
     /// ([`Resolve`](super::resolve::Resolve)).
-    #[must_use]
     pub(super) fn resolves(&self) -> bool {
         !self.is_software()
     }
 
     /// The rasteriser, as measured when the device was made.
-    #[must_use]
     pub fn rasteriser(&self) -> Rasteriser {
         self.rasteriser
     }
 
     /// Whether triangles can be drawn as their edges.
-    #[must_use]
     pub fn draws_wireframes(&self) -> bool {
         let features = self.device.features();
         features.contains(wgpu::Features::POLYGON_MODE_LINE)
     }
 
     /// Colour samples per pixel while the picture moves: [`Gpu::smooth_samples`] on hardware, 1 in software.
-    #[must_use]
     pub fn samples_in_motion(&self) -> u32 {
         if self.is_software() {
             1
@@ -214,7 +208,6 @@ impl Gpu {
     }
 
     /// How many triangles of meshes were uploaded so far, by any thread.
-    #[must_use]
     pub(crate) fn uploaded_triangles(&self) -> u64 {
         self.triangles.load(Ordering::Relaxed)
     }
@@ -260,7 +253,6 @@ impl Gpu {
     }
 
     /// Whether the device is gone for good: another [`Gpu`] is needed.
-    #[must_use]
     pub fn is_lost(&self) -> bool {
         self.reports.lost.load(Ordering::Acquire)
     }

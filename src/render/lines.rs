@@ -20,7 +20,6 @@ pub struct Line {
 
 impl Line {
     /// A line from one end to the other.
-    #[must_use]
     pub const fn new(from: DVec3, to: DVec3, colour: Srgb) -> Self {
         Self { from, to, colour }
     }

@@ -116,7 +116,6 @@ pub type Onto<'a> = (&'a SceneBuffers, &'a Targets, &'a View);
 
 impl Renderer {
     /// A renderer for targets with 1 or [`SMOOTH_SAMPLES`] colour samples per pixel. It compiles shaders at first use.
-    #[must_use]
     pub fn new(gpu: &Gpu, colour_samples: u32) -> Self {
         Self {
             scale_factor: 1.0,

@@ -56,7 +56,6 @@ impl Gpu {
     }
 
     /// Why a window's surface cannot be drawn on: there is no adapter, or it only draws into pictures.
-    #[must_use]
     pub fn no_window(instance: &wgpu::Instance) -> GpuError {
         match pollster::block_on(best_adapter(instance, None)) {
             Err(error) => error,

@@ -21,7 +21,6 @@ impl Rasteriser {
     };
 
     /// Binary digits of a pixel in the grid: 8 in the common one.
-    #[must_use]
     pub fn sub_pixel_bits(&self) -> u32 {
         (1..MOST_BITS)
             .find(|bits| self.grid_px >= grid_px(*bits))

@@ -7,7 +7,6 @@ pub(crate) const U: f64 = 0.5 * f32::EPSILON as f64;
 pub(crate) const UNDERFLOW: f64 = f32::MIN_POSITIVE as f64;
 
 /// The larger of two bounds. NaN is no bound and counts as infinity.
-#[must_use]
 pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() {
         f64::INFINITY

@@ -23,7 +23,6 @@ impl Piece {
     };
 
     /// So much work, of any number of instances.
-    #[must_use]
     pub const fn of_work(work: u64) -> Self {
         Self {
             work,
@@ -41,7 +40,6 @@ impl Piece {
     }
 
     /// Whether `whole` fits into one piece.
-    #[must_use]
     pub fn holds(&self, whole: &Self) -> bool {
         whole.work <= self.work && whole.instances <= self.instances
     }

@@ -24,7 +24,6 @@ use crate::{
 use glam::{DMat3, DVec2, DVec3, DVec4};
 
 /// The sphere of an object under this placement; its rectangle is empty where the picture does not show it.
-#[must_use]
 pub fn sphere(space: &ViewSpace, placement: &Placement, object: u32) -> Row {
     let center = space.at_quickly(placement, DVec3::ZERO, DVec3::ZERO);
     let Some(rect) = rect_px(space, placement, &center) else {
@@ -235,7 +234,6 @@ pub struct Rounding {
 /// division (of up to 2.5 units in the last place in WGSL) round as well.
 ///
 /// Infinite for a sphere so flat that `f32` does not hold its numbers; 0 for one that the picture does not show.
-#[must_use]
 pub fn rounding(sphere: &Row, unit: f64, px: DVec2) -> Rounding {
     let all = |error: f64| Rounding {
         discriminant: error,

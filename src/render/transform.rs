@@ -22,7 +22,6 @@ use glam::{DMat3, DVec2, DVec3, Mat3, Vec3};
 use std::ops::{Add, Range};
 
 /// The numbers that all of a frame shares.
-#[must_use]
 pub fn frame(view: &View) -> shader_structs::Frame {
     let lens = view.camera.lens();
     let half = view.half_extent();
@@ -59,7 +58,6 @@ pub fn frame(view: &View) -> shader_structs::Frame {
 
 /// The origin, in object space, of the vertex space of a batch of triangles, and the AABB of its vertices in vertex
 /// space.
-#[must_use]
 pub fn vertex_space(scene: &Scene, batch: &Range<usize>) -> (DVec3, Aabb) {
     match &scene.objects()[batch.start].shape {
         Shape::Mesh { mesh, part } => {
@@ -123,13 +121,11 @@ impl ViewError {
     };
 
     /// The larger of two, axis by axis.
-    #[must_use]
     pub fn max(self, other: Self) -> Self {
         self.with(other, larger)
     }
 
     /// Linear interpolation: the share `s` of the way to another one.
-    #[must_use]
     pub fn lerp(self, other: Self, s: f64) -> Self {
         self.with(other, |a, b| a * (1.0 - s) + b * s)
     }
@@ -155,7 +151,6 @@ impl Add for ViewError {
 
 impl VertexToView {
     /// For vertices about `origin` (object space) within `bounds` (vertex space).
-    #[must_use]
     pub fn new(space: &ViewSpace, placement: &Placement, origin: DVec3, bounds: &Aabb) -> Self {
         let (view, unit) = (space.view(), space.unit());
         let linear = view.camera.rotation() * placement.model().matrix3 * unit;
@@ -172,7 +167,6 @@ impl VertexToView {
     }
 
     /// How far its numbers are from View * Model of the same placement and origin.
-    #[must_use]
     pub fn rounding(&self, space: &ViewSpace, placement: &Placement, origin: DVec3) -> Rounding {
         let unit = space.unit();
         let at = space.at(placement, origin, self.pivot.as_dvec3());
@@ -193,7 +187,6 @@ impl VertexToView {
     /// place of what it rounds (Higham, Accuracy and Stability of Numerical Algorithms, 2002, ch. 3). It holds for any
     /// order, with or without fused operations. It is 0 if all terms are so short that no partial sum of them is
     /// rounded.
-    #[must_use]
     pub fn error_view(&self, rounding: &Rounding, position: Vec3) -> ViewError {
         let from_pivot = position.as_dvec3() - self.pivot.as_dvec3();
         let is_exact = from_pivot.to_array().into_iter().all(is_f32);
@@ -261,7 +254,6 @@ fn pivot(view: &View, placement: &Placement, origin: DVec3, bounds: &Aabb) -> DV
 }
 
 /// The matrix from object to view normals, scaled so that its largest entry is about 1.
-#[must_use]
 pub fn normal_to_view(view: &View, placement: &Placement) -> DMat3 {
     let normal = view.camera.rotation() * placement.inverse_linear().transpose();
     let entries = normal.abs().to_cols_array().into_iter();

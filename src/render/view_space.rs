@@ -40,7 +40,6 @@ pub struct ViewPoint {
 
 impl ViewSpace {
     /// View space of a view.
-    #[must_use]
     pub fn new(view: &View) -> Self {
         let camera = &view.camera;
         let axes = DMat3::from_cols(camera.right(), camera.up(), camera.forward());
@@ -52,19 +51,16 @@ impl ViewSpace {
     }
 
     /// Its view.
-    #[must_use]
     pub fn view(&self) -> &View {
         &self.view
     }
 
     /// View units per world unit.
-    #[must_use]
     pub fn unit(&self) -> f64 {
         self.unit
     }
 
     /// An object's point `origin + point_vertex_space`, both in object space.
-    #[must_use]
     pub fn at(&self, placement: &Placement, origin: DVec3, point_vertex_space: DVec3) -> ViewPoint {
         let camera = &self.view.camera;
         let model = placement.model();
@@ -82,7 +78,6 @@ impl ViewSpace {
     }
 
     /// The linear part of View * Model, less `rounded`.
-    #[must_use]
     pub fn linear_less(&self, placement: &Placement, rounded: DMat3) -> DMat3 {
         let model = placement.model().matrix3;
         let column = |i: usize| {

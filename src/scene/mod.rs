@@ -67,13 +67,11 @@ impl Eq for SceneKey {}
 
 impl SceneKey {
     /// Whether this key identifies `scene` in its present state.
-    #[must_use]
     pub fn is_of(&self, scene: &Scene) -> bool {
         *self == scene.key()
     }
 
     /// Whether a scene with this key still exists.
-    #[must_use]
     pub fn is_in_use(&self) -> bool {
         self.0.strong_count() > 0
     }
@@ -94,7 +92,6 @@ pub struct Scene {
 
 impl Scene {
     /// A scene of these objects, in this order.
-    #[must_use]
     pub fn new(objects: Vec<Object>) -> Self {
         let Ok(scene) = Self::new_while(objects, ALWAYS);
         scene
@@ -127,20 +124,17 @@ impl Scene {
     }
 
     /// The key that identifies this scene until it is changed.
-    #[must_use]
     #[doc(hidden)] // public for tests
     pub fn key(&self) -> SceneKey {
         SceneKey(Arc::downgrade(&self.objects))
     }
 
     /// All objects, hidden ones too.
-    #[must_use]
     pub fn objects(&self) -> &[Object] {
         &self.objects
     }
 
     /// Each mesh of the objects once, in order of first use.
-    #[must_use]
     pub fn meshes(&self) -> &[Arc<Mesh>] {
         &self.meshes
     }
@@ -149,7 +143,6 @@ impl Scene {
     ///
     /// # Panics
     /// When there is no object of this index.
-    #[must_use]
     pub fn bounds_of(&self, object: usize) -> Aabb {
         self.bounds[object]
     }
@@ -161,13 +154,11 @@ impl Scene {
     }
 
     /// The world-space box about all objects, hidden ones too; empty when there are none.
-    #[must_use]
     pub fn bounds(&self) -> Aabb {
         self.sums.all.bounds
     }
 
     /// The world-space box about all visible objects; empty when there are none.
-    #[must_use]
     pub fn visible_bounds(&self) -> Aabb {
         self.sums.all.visible_bounds
     }
@@ -179,19 +170,16 @@ impl Scene {
     }
 
     /// How many objects are hidden.
-    #[must_use]
     pub fn hidden_count(&self) -> usize {
         self.sums.all.hidden
     }
 
     /// Triangles of all meshes, hidden ones too.
-    #[must_use]
     pub fn triangle_count(&self) -> usize {
         self.sums.all.triangles
     }
 
     /// Objects plus triangles. By this number callers recognise a large scene.
-    #[must_use]
     pub(crate) fn size(&self) -> usize {
         self.objects.len() + self.triangle_count()
     }
@@ -266,7 +254,6 @@ impl Scene {
     }
 
     /// The number of changes so far, for [`Scene::changed_since`].
-    #[must_use]
     #[doc(hidden)] // public for tests
     pub fn changes(&self) -> u64 {
         self.changes.now()
@@ -274,7 +261,6 @@ impl Scene {
 
     /// The objects shown, hidden or moved since [`Scene::changes`] was `then`; an object may occur more than once.
     /// `None` when the log does not reach back that far, or the batches have changed since.
-    #[must_use]
     #[doc(hidden)] // public for tests
     pub fn changed_since(&self, then: u64) -> Option<&[Change]> {
         self.changes.since(then)
@@ -302,7 +288,6 @@ impl Scene {
 
     /// Runs of objects that are drawn and intersected as one: either a single object, or consecutive parts of one mesh
     /// under one model matrix.
-    #[must_use]
     #[doc(hidden)] // public for tests
     pub fn batches(&self) -> &[Range<usize>] {
         &self.batches
@@ -360,7 +345,6 @@ impl Scene {
     }
 
     /// Whether each mesh that needs a tree has one.
-    #[must_use]
     pub fn trees_are_built(&self) -> bool {
         self.meshes.iter().all(|mesh| mesh.is_ready())
     }

@@ -9,7 +9,6 @@ impl Scene {
     /// This scene with its meshes narrowed to the few triangles that rays within a pyramid about `ray` may hit.
     /// `pyramid_in` gives the pyramid in the object space of a placement. `None` where there is no pyramid, or no error
     /// bound on the ray. Rays outside the pyramid may miss triangles that they would hit in the whole scene.
-    #[must_use]
     pub(crate) fn narrowed(
         &self,
         ray: &WorldRay,

@@ -27,7 +27,6 @@ pub enum Shape {
 
 impl Shape {
     /// The name of the shape in lists and scene files.
-    #[must_use]
     pub fn kind(&self) -> &'static str {
         match self {
             Self::Sphere => "sphere",
@@ -38,7 +37,6 @@ impl Shape {
     }
 
     /// The mesh that it is a part of; `None` for analytic shapes.
-    #[must_use]
     pub fn mesh(&self) -> Option<&Arc<Mesh>> {
         match self {
             Self::Mesh { mesh, .. } => Some(mesh),
@@ -47,7 +45,6 @@ impl Shape {
     }
 
     /// The triangles of its part of the mesh; `None` for analytic shapes.
-    #[must_use]
     pub fn triangles(&self) -> Option<Range<u32>> {
         match self {
             Self::Mesh { mesh, part } => Some(mesh.part_triangles(*part)),
@@ -56,7 +53,6 @@ impl Shape {
     }
 
     /// Where its triangles begin among those of its mesh; 0 for analytic shapes.
-    #[must_use]
     pub fn first_triangle(&self) -> u32 {
         self.triangles().map_or(0, |triangles| triangles.start)
     }
@@ -79,7 +75,6 @@ pub struct Object {
 
 impl Object {
     /// A visible object without a colour of its own.
-    #[must_use]
     pub fn new(name: impl Into<String>, shape: Shape, placement: Placement) -> Self {
         Self {
             name: name.into(),
@@ -94,7 +89,6 @@ impl Object {
     ///
     /// # Panics
     /// When the hit is on a triangle that its mesh lacks.
-    #[must_use]
     pub fn albedo(&self, hit: &Hit) -> [f32; 3] {
         let (Shape::Mesh { mesh, .. }, Some(at), None) =
             (&self.shape, &hit.on_triangle, self.colour)
@@ -105,7 +99,6 @@ impl Object {
     }
 
     /// The shading normal at a hit, in object space: interpolated over the triangle, or the surface's own.
-    #[must_use]
     pub fn shading_normal(&self, hit: &Hit) -> DVec3 {
         match (&self.shape, &hit.on_triangle) {
             (Shape::Mesh { mesh, .. }, Some(at)) => mesh.shading_normal(at).unwrap_or(hit.normal),
@@ -114,7 +107,6 @@ impl Object {
     }
 
     /// The smallest world-space box about it; empty for a mesh without triangles.
-    #[must_use]
     pub fn bounds_world(&self) -> Aabb {
         let to_world = |point| self.placement.point_to_world(point);
         match &self.shape {

@@ -33,7 +33,6 @@ pub struct Break {
 
 impl Break {
     /// The method, to pick by; `None` where the registry has no such method.
-    #[must_use]
     pub fn swap(&self) -> Option<Swap> {
         let (step, key) = (self.step, (self.method, self.precision));
         let method = step.methods().iter().position(|known| known.key() == key)?;
@@ -83,7 +82,6 @@ pub fn breaks_on(exhibit: &str) -> impl Iterator<Item = &'static Break> {
 
 /// The rows of all methods of a break's step, in the break's family and on the view's own rays (the family [`SCENE`]).
 /// Errors in pixels are converted to pixels of the view. `None` once `go_on`, which is asked now and then, says no.
-#[must_use]
 pub fn rows(of: &Break, scene: &Scene, view: View, go_on: &dyn Fn() -> bool) -> Option<Vec<Row>> {
     // Enough that some go through the one column of pixels on which `along_a_face` breaks.
     const RAYS: usize = 6000;

@@ -8,7 +8,6 @@ use super::{
 use crate::camera::View;
 
 /// The five lines that `--budget` prints. `report` is a timed run over the scene's own rays.
-#[must_use]
 pub fn budget(rays: &SceneRays, view: &View, report: &Report, budget_px: f64) -> String {
     let [narrow, wide] = [F32, F64].map(|precision| estimates(rays, view, report, precision));
     let chain = chain(&narrow, &wide, budget_px);
@@ -136,7 +135,6 @@ fn sample<'a>(report: &Report, estimates: impl Iterator<Item = &'a Estimate>) ->
 }
 
 /// The measured error of an estimate's method on the scene's own rays, in pixels.
-#[must_use]
 pub fn measured(report: &Report, step: &Estimate) -> Option<f64> {
     let row = row(report, step, step.precision)?;
     let errors = [row.worst_error, row.worst_wrong];

@@ -14,7 +14,6 @@ pub const SUMMARY_COLUMNS: &str = "step,method,precision,ours,ordinary_ns,worst_
 
 /// The whole report: RFC 4180 with a header line. Measured numbers have two digits, so that machines whose tangents
 /// differ in the last bit agree; the error of a value that is NaN is `inf`.
-#[must_use]
 pub fn csv(report: &Report) -> String {
     let rows = report.rows.iter().map(|row| {
         let times = row.time.map(|time| {
@@ -31,7 +30,6 @@ pub fn csv(report: &Report) -> String {
 /// A line for each method over all of the report's workloads. Time and `median_error` are those of the ordinary
 /// workload, the other errors those of the worst. `on_front`: no method that is at most as wrong is more than a tenth
 /// faster.
-#[must_use]
 pub fn summary_csv(report: &Report) -> String {
     let rows = report.steps().into_iter().flat_map(|step| {
         let all = report.summaries(step);

@@ -53,7 +53,6 @@ impl Estimate {
 }
 
 /// The estimates for the steps that a scene's rays take. `report` is a run over these rays.
-#[must_use]
 pub fn estimates(
     rays: &SceneRays,
     view: &View,

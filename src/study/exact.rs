@@ -26,38 +26,32 @@ impl Exact {
     ///
     /// # Panics
     /// For NaN and infinities; workloads have none.
-    #[must_use]
     pub fn new(value: f64) -> Self {
         let float = Float::try_from(value).expect("workloads are finite");
         Self(float.with_precision(0).value())
     }
 
     /// A whole number.
-    #[must_use]
     pub fn int(value: i64) -> Self {
         Self(Float::from(value).with_precision(0).value())
     }
 
     /// The nearest `f64`.
-    #[must_use]
     pub fn to_f64(&self) -> f64 {
         self.0.clone().with_precision(BITS).value().to_f64().value()
     }
 
     /// The number compared with 0.
-    #[must_use]
     pub fn sign(&self) -> Ordering {
         self.0.cmp(&Float::ZERO)
     }
 
     /// Whether it is 0.
-    #[must_use]
     pub fn is_zero(&self) -> bool {
         self.sign() == Ordering::Equal
     }
 
     /// The magnitude.
-    #[must_use]
     pub fn abs(self) -> Self {
         if self.sign() == Ordering::Less {
             -self
@@ -70,7 +64,6 @@ impl Exact {
     ///
     /// # Panics
     /// For a negative number.
-    #[must_use]
     pub fn sqrt(&self) -> Self {
         let root = self.0.clone().with_precision(BITS).value().sqrt();
         Self(root.with_precision(0).value())
@@ -154,7 +147,6 @@ impl Exact3 {
 
 /// The angle between two directions in radians. Small angles, which matter, have all digits of an `f64`. Infinite for
 /// an answer that is 0 or not finite.
-#[must_use]
 pub fn angle(truth: &Exact3, answer: [f64; 3]) -> f64 {
     if !answer.iter().all(|c| c.is_finite()) || answer.iter().all(|c| *c == 0.0) {
         return f64::INFINITY;

@@ -10,7 +10,6 @@ pub struct Random(u64);
 
 impl Random {
     /// The stream of a seed.
-    #[must_use]
     pub fn new(seed: u64) -> Self {
         let mut random = Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
         // The first outputs of neighbouring seeds are alike.
@@ -22,7 +21,6 @@ impl Random {
 
     /// The stream of a seed and a name (hashed by FNV-1a), so that a new family leaves the streams of the others as
     /// they are.
-    #[must_use]
     pub fn named(seed: u64, names: &[&str]) -> Self {
         let bytes = names.iter().flat_map(|name| name.bytes().chain([0]));
         let hash = bytes.fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {

@@ -21,20 +21,17 @@ impl Real for f32 {}
 impl Real for f64 {}
 
 /// The `f32` nearest to a value, as `f64`: workloads give methods of both precisions the same numbers.
-#[must_use]
 pub fn through_f32(value: f64) -> f64 {
     f32::of(value).wide()
 }
 
 /// [`through_f32`] for each coordinate.
-#[must_use]
 pub fn through_f32_each(v: V3<f64>) -> V3<f64> {
     V3::<f32>::of(v).wide()
 }
 
 impl<T: Real> V3<T> {
     /// Each coordinate rounded from `f64`.
-    #[must_use]
     pub fn of(v: V3<f64>) -> Self {
         Self::new(T::of(v.x), T::of(v.y), T::of(v.z))
     }

@@ -48,19 +48,16 @@ pub struct Row {
 
 impl Row {
     /// How many decisions were wrong.
-    #[must_use]
     pub fn wrong(&self) -> usize {
         self.missed + self.phantoms + self.others
     }
 
     /// The share of wrong decisions in per cent.
-    #[must_use]
     pub fn wrong_percent(&self) -> f64 {
         100.0 * rate(self.wrong(), self.cases)
     }
 
     /// The ends of that share's 95 % interval, in per cent.
-    #[must_use]
     pub fn wrong_percent_within(&self) -> [f64; 2] {
         interval(self.wrong(), self.cases).map(|share| 100.0 * share)
     }
@@ -81,7 +78,6 @@ impl Report {
     }
 
     /// Two reports, one of the general workloads and one of a scene's own rays; `None` where there are no such rows.
-    #[must_use]
     pub fn split(&self) -> [Option<Self>; 2] {
         let part = |is_own: bool| {
             let mut rows = self.rows.clone();

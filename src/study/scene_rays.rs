@@ -23,7 +23,6 @@ pub struct SceneRays {
 
 impl SceneRays {
     /// Rays through `count` random pixels of a scene's view.
-    #[must_use]
     pub fn new(scene: &Scene, view: View, count: usize, seed: u64) -> Self {
         let world = Arc::new(PickWorld::new(scene, view));
         let mut random = Random::named(seed, &["scene"]);

@@ -43,7 +43,6 @@ pub struct MethodInfo {
 
 impl MethodInfo {
     /// Name and precision: unique within a step.
-    #[must_use]
     pub fn key(&self) -> (&'static str, Precision) {
         (self.name, self.precision)
     }
@@ -219,7 +218,6 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
     /// The most rounds that are timed.
     const MOST_ROUNDS: usize = usize::MAX;
     /// How many cases of a workload are judged.
-    #[must_use]
     fn count(effort: Effort) -> usize {
         effort.cases
     }
@@ -229,12 +227,10 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
     const FAMILIES: &'static [Family<Self>];
 
     /// Every method, in order.
-    #[must_use]
     fn methods() -> impl Iterator<Item = &'static Method<Self>> {
         Self::METHODS.iter().copied().flatten()
     }
     /// The cases from a scene's own rays; none where the scene has nothing for this step.
-    #[must_use]
     fn of_scene(_: &SceneRays) -> Vec<Self> {
         Vec::new()
     }
@@ -243,7 +239,6 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
         true
     }
     /// The time of a method that answers for a whole picture at once, in nanoseconds; `None` for all other methods.
-    #[must_use]
     fn whole_picture(_: &[Self], _: &Method<Self>) -> Option<f64> {
         None
     }

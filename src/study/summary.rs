@@ -101,7 +101,6 @@ pub fn distinct<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<T> {
 
 impl Report {
     /// The steps that have rows, in order.
-    #[must_use]
     pub fn steps(&self) -> Vec<About> {
         distinct(self.rows.iter().map(|row| row.info.step))
     }

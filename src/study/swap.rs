@@ -53,7 +53,6 @@ pub struct AnyStep {
 
 impl AnyStep {
     /// The step that a case belongs to.
-    #[must_use]
     pub const fn of<C: Step>() -> Self {
         Self {
             about: C::ABOUT,
@@ -64,7 +63,6 @@ impl AnyStep {
     }
 
     /// Its methods, in the registry's order.
-    #[must_use]
     pub fn methods(self) -> Vec<MethodInfo> {
         (self.methods)()
     }
@@ -87,13 +85,11 @@ pub struct Swap {
 
 impl Swap {
     /// What is known about the method.
-    #[must_use]
     pub fn info(&self) -> MethodInfo {
         self.step.methods()[self.method]
     }
 
     /// The pick at a pixel position with this method.
-    #[must_use]
     pub fn pick(&self, scene: &Scene, view: &View, px: DVec2) -> Option<Found> {
         (self.step.pick)(self.method, &Click::new(scene, view, px))
     }
@@ -101,7 +97,6 @@ impl Swap {
 
 impl Found {
     /// Sightline's own pick at a pixel position.
-    #[must_use]
     pub fn sightlines(scene: &Scene, view: &View, px: DVec2) -> Option<Self> {
         Click::new(scene, view, px).sightlines()
     }

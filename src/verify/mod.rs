@@ -144,7 +144,6 @@ impl Class {
     }
 
     /// The word for it.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Edge => "edge",
@@ -162,7 +161,6 @@ impl Class {
 ///
 /// # Panics
 /// When either differs from the view in size.
-#[must_use]
 pub fn compare(
     scene: &Scene,
     view: &View,

@@ -106,7 +106,6 @@ impl Sheets<'_> {
 
 /// The surfaces that drawing cannot tell from the picked one at a pixel position; `None` where there are none, or no
 /// pick. It assumes the common rasteriser's grid, so that the answer is the same on every device.
-#[must_use]
 pub fn in_one_place(scene: &Scene, view: &View, px: DVec2) -> Option<InOnePlace> {
     let places = Places::new(scene, view, Rasteriser::COMMON);
     InOnePlace::of(scene, &places.at(px))
@@ -114,7 +113,6 @@ pub fn in_one_place(scene: &Scene, view: &View, px: DVec2) -> Option<InOnePlace>
 
 impl<'a> Places<'a> {
     /// For a scene in a view, as this rasteriser draws it.
-    #[must_use]
     pub fn new(scene: &'a Scene, view: &View, rasteriser: Rasteriser) -> Self {
         Self {
             surfaces: Surfaces::new(scene, view, rasteriser),
@@ -123,7 +121,6 @@ impl<'a> Places<'a> {
 
     /// The nearest hit at a pixel position and the hits in one place with it, from front to back. Empty where nothing
     /// else is in one place with it, or nothing is hit.
-    #[must_use]
     pub fn at(&self, px: DVec2) -> Vec<SceneHit> {
         let (scene, view) = (self.surfaces.scene, self.surfaces.space.view());
         self.on_ray(&Beam::whole(scene), &view.ray(px), px, usize::MAX)
@@ -189,7 +186,6 @@ impl<'a> Places<'a> {
 
     /// The pixels at whose centres surfaces lie in one place, row by row from the top; on all cores. Pixels after
     /// `stop` returns true are left out.
-    #[must_use]
     pub fn pixels(&self, stop: impl Fn() -> bool + Sync) -> Vec<[u32; 2]> {
         let view = self.surfaces.space.view();
         let marked = pick::each_ray(self.surfaces.scene, view, |beam, ray, px| {

@@ -22,7 +22,6 @@ pub const COLOURS: [(Class, Srgb, &str); 6] = [
 pub const IN_ONE_PLACE: (Srgb, &str) = (look::IN_ONE_PLACE, "dark blue");
 
 /// The picture in grey, with pixels `in_one_place` tinted and [`marks`] over them.
-#[must_use]
 pub fn paint(
     colours: &Image<Rgb>,
     in_one_place: &[[u32; 2]],

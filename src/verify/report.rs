@@ -66,20 +66,17 @@ pub enum Verdict {
 
 impl Report {
     /// Pixels of one class.
-    #[must_use]
     pub fn count(&self, class: Class) -> usize {
         let of_class = |at: &&Disagreement| at.class == class;
         self.disagreements.iter().filter(of_class).count()
     }
 
     /// Pixels on which both agree.
-    #[must_use]
     pub fn same(&self) -> usize {
         self.pixels - self.disagreements.len()
     }
 
     /// The share of outline pixels that differ, in [0, 1]; 0 where there are none.
-    #[must_use]
     pub fn share_of_outline(&self) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "pixels are counted in millions")]
         let share = self.outline_differ as f64 / self.outline.max(1) as f64;
@@ -87,13 +84,11 @@ impl Report {
     }
 
     /// Pixels that differ away from all outlines.
-    #[must_use]
     pub fn differ_off_outlines(&self) -> usize {
         self.disagreements.len() - self.outline_differ
     }
 
     /// The verdict on all of it.
-    #[must_use]
     pub fn verdict(&self) -> Verdict {
         let [beyond, unexplained] = [Class::BeyondF32, Class::Unexplained].map(|c| self.count(c));
         match (self.drawn, self.picked) {
@@ -118,7 +113,6 @@ impl Report {
     }
 
     /// The pixel hardest to explain: that of the gravest class with the most strain.
-    #[must_use]
     pub fn worst(&self) -> Option<&Disagreement> {
         let gravity = |a: &&Disagreement, b: &&Disagreement| {
             (a.class.cmp(&b.class)).then(a.strain.total_cmp(&b.strain))

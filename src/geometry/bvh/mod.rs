@@ -75,7 +75,6 @@ impl Bvh {
     ///
     /// # Panics
     /// When a triangle names a position that is not there.
-    #[must_use]
     pub fn build(
         positions: &[[f32; 3]],
         triangles: &[[u32; 3]],
@@ -115,7 +114,6 @@ impl Bvh {
     }
 
     /// The boxes `level` steps below the root, and those of leaves above that level: at most `most` of them.
-    #[must_use]
     pub fn boxes(&self, level: u32, most: usize) -> Vec<Aabb> {
         let mut boxes = vec![(Place::ROOT, self.whole())];
         for _ in 0..level {

@@ -41,7 +41,6 @@ impl Simd {
     }
 
     /// The fastest that this processor can do.
-    #[must_use]
     pub fn fastest() -> Self {
         Self::available().next().unwrap_or(Self::Portable)
     }

@@ -12,7 +12,6 @@ use num_bigint::BigInt;
 
 impl PlacedPoint {
     /// Where it is in the world, each coordinate rounded once.
-    #[must_use]
     pub fn world(&self) -> DVec3 {
         if self.is_finite() {
             divided(&placed(self), &Number::new(1.0))
@@ -22,7 +21,6 @@ impl PlacedPoint {
     }
 
     /// Where it is in object space, each coordinate rounded once.
-    #[must_use]
     pub fn object(&self) -> DVec3 {
         let model = DAffine3::IDENTITY;
         Self { model, ..*self }.world()

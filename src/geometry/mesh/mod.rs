@@ -45,7 +45,6 @@ pub struct MeshData {
 impl MeshData {
     /// Triangles of one part, without colours of their own and with one normal per face. `positions` are in object
     /// space, `triangles` index them, counter-clockwise seen from outside. [`Mesh::new`] checks all of it.
-    #[must_use]
     pub fn of_triangles(
         name: impl Into<String>,
         positions: Vec<[f32; 3]>,
@@ -176,13 +175,11 @@ impl Mesh {
     }
 
     /// What it is made of.
-    #[must_use]
     pub fn data(&self) -> &MeshData {
         &self.data
     }
 
     /// The triangles of a part; none of one that does not exist.
-    #[must_use]
     pub fn part_triangles(&self, part: usize) -> Range<u32> {
         let part = self.data.parts.get(part);
         part.map_or(0..0, |part| part.triangles.clone())
@@ -190,14 +187,12 @@ impl Mesh {
 
     /// The box about the triangles of a part, in object space; empty for a part that has no triangles or does not
     /// exist.
-    #[must_use]
     pub fn part_bounds(&self, part: usize) -> Aabb {
         self.bounds.get(part).copied().unwrap_or(Aabb::EMPTY)
     }
 
     /// The part that holds a triangle.
     #[inline]
-    #[must_use]
     pub fn part_of(&self, triangle: u32) -> usize {
         let parts = &self.data.parts;
         parts.partition_point(|part| part.triangles.end <= triangle)
@@ -227,7 +222,6 @@ impl Mesh {
     ///
     /// # Panics
     /// When there is no such triangle.
-    #[must_use]
     pub fn corners(&self, triangle: u32) -> [DVec3; 3] {
         self.vertex_corners(triangle)
             .map(|corner| self.data.origin + corner)
@@ -235,7 +229,6 @@ impl Mesh {
 
     /// The normals for shading. Those that the data lacks are computed on all cores when first asked for; lists and
     /// picks never ask.
-    #[must_use]
     pub fn normals(&self) -> &CornerNormals {
         let Ok(normals) = self.normals_while(ALWAYS);
         normals
@@ -257,7 +250,6 @@ impl Mesh {
 
     /// The interpolated shading normal at a point of a triangle, in object space and of any length; `None` where
     /// the mesh has none or they cancel.
-    #[must_use]
     pub fn shading_normal(&self, at: &OnTriangle) -> Option<DVec3> {
         let shading = self.normals();
         let corners = shading.corners_of(&self.data.triangles);
@@ -272,7 +264,6 @@ impl Mesh {
     ///
     /// # Panics
     /// When there is no such triangle.
-    #[must_use]
     pub fn triangle_colour(&self, triangle: u32) -> Option<Srgb> {
         let runs = &self.data.colours;
         runs[runs.partition_point(|run| run.triangles.end <= triangle)].colour
@@ -283,7 +274,6 @@ impl Mesh {
     ///
     /// # Panics
     /// When there is no such triangle.
-    #[must_use]
     pub fn albedo(&self, at: &OnTriangle) -> [f32; 3] {
         let colours = &self.data.vertex_colours;
         let own = self.triangle_colour(at.triangle);

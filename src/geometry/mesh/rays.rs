@@ -56,7 +56,6 @@ impl Mesh {
 
     /// The object-space boxes of the tree at a level (0 is the box about everything): at most `most`, none without a
     /// tree.
-    #[must_use]
     #[doc(hidden)] // public for tests
     pub fn tree_boxes(&self, level: u32, most: usize) -> Vec<Aabb> {
         let boxes = self.tree.get().map(|tree| tree.boxes(level, most));
@@ -68,7 +67,6 @@ impl Mesh {
     }
 
     /// Whether rays are as fast as they will be: the tree is built, or not worth building.
-    #[must_use]
     pub(crate) fn is_ready(&self) -> bool {
         self.data.triangles.len() < WORTH_A_TREE || self.tree.get().is_some() || self.few.is_some()
     }
@@ -76,7 +74,6 @@ impl Mesh {
     /// The same mesh, for rays within one of these pyramids of object space. Each vertex and each triangle is tested
     /// once against each pyramid; rays are then tested only against the few triangles that they may meet. Rays
     /// outside the pyramids may wrongly miss.
-    #[must_use]
     pub(crate) fn narrowed(&self, pyramids: &[Pyramid]) -> Self {
         let near = |pyramid: &Pyramid| self.triangles_near(&pyramid.about(self.data.origin));
         let few = match pyramids {
@@ -115,7 +112,6 @@ impl Mesh {
 
     /// The nearest hit of an object-space ray on the parts that `accept` names; of ties, the lowest triangle. It is the
     /// hit that exact arithmetic would choose.
-    #[must_use]
     pub fn closest<'a>(
         &self,
         ray: impl Into<LocalRay<'a>>,
@@ -126,7 +122,6 @@ impl Mesh {
     }
 
     /// [`Mesh::closest`] among the hits that `accept` takes, each given with its part.
-    #[must_use]
     pub(crate) fn closest_of(
         &self,
         ray: &LocalRay,
@@ -147,7 +142,6 @@ impl Mesh {
     }
 
     /// [`Mesh::closest`] by another triangle test, which is asked about every triangle whose box the ray may meet.
-    #[must_use]
     #[doc(hidden)] // public for tests
     pub fn closest_by<'a>(
         &self,
@@ -164,7 +158,6 @@ impl Mesh {
     }
 
     /// All hits of an object-space ray on the parts that `accept` names, in the order of [`Mesh::closest`].
-    #[must_use]
     pub fn all<'a>(
         &self,
         ray: impl Into<LocalRay<'a>>,

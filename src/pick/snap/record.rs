@@ -72,7 +72,6 @@ impl Snap {
     ///
     /// # Panics
     /// When `faces` finds a face with corners that are not among its vertices.
-    #[must_use]
     pub fn at(
         scene: &Scene,
         view: &View,
@@ -215,7 +214,6 @@ fn asked(
 
 /// The area of an object in the world. A mesh is measured as its file writes it; the error covers how far storing moved
 /// its corners.
-#[must_use]
 pub fn object_area(object: &Object) -> Measured {
     let placement = &object.placement;
     match &object.shape {

@@ -17,7 +17,6 @@ pub struct FilesAgain<'a> {
 
 impl<'a> FilesAgain<'a> {
     /// Takes a scene and its mesh files, as [`Loaded::meshes`](super::Loaded) has them.
-    #[must_use]
     pub fn new(scene: &'a Scene, files: &'a [MeshFile], progress: &'a Progress) -> Self {
         let again = |(mesh, file): (usize, &'a MeshFile)| {
             let contents = file.contents.as_ref()?;

@@ -60,13 +60,11 @@ impl Exhibit {
     }
 
     /// The path that opens it.
-    #[must_use]
     pub fn path(&self) -> PathBuf {
         format!("{PREFIX}{}", self.name).into()
     }
 
     /// Its name in words.
-    #[must_use]
     pub fn title(&self) -> String {
         let words = self.name.replace('_', " ");
         let mut letters = words.chars();
@@ -75,7 +73,6 @@ impl Exhibit {
     }
 
     /// What fails on it and why: the comment at the head of its file.
-    #[must_use]
     pub fn about(&self) -> String {
         let comment = self.text.lines().map_while(|line| line.strip_prefix("# "));
         comment.collect::<Vec<_>>().join(" ")

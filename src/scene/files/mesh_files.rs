@@ -25,13 +25,11 @@ pub struct MeshFile {
 
 impl MeshFile {
     /// The file of a mesh, among `files`.
-    #[must_use]
     pub fn of<'a>(files: &'a [Self], mesh: &Arc<Mesh>) -> Option<&'a Self> {
         files.iter().find(|file| Arc::ptr_eq(&file.mesh, mesh))
     }
 
     /// Whether two files had the same length when they were loaded. If they hold one mesh, they then hold one text.
-    #[must_use]
     pub(crate) fn is_as_long_as(&self, other: &Self) -> bool {
         let bytes = |file: &Self| file.contents.as_ref()?.bytes();
         bytes(self) == bytes(other)
@@ -39,7 +37,6 @@ impl MeshFile {
 
     /// The mesh and its file as the file is now; `None` if the file no longer holds this very mesh. A file that has
     /// changed since it was loaded is read again.
-    #[must_use]
     pub(super) fn now(&self) -> Option<Self> {
         if self.contents.as_ref()?.is_current(&self.path) {
             return Some(self.clone());

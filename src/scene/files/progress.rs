@@ -109,7 +109,6 @@ impl Progress {
     }
 
     /// The fraction of the expected work that is done, in [0, 1].
-    #[must_use]
     #[expect(
         clippy::cast_precision_loss,
         clippy::cast_possible_truncation,

@@ -36,7 +36,6 @@ mod prelude {
 }
 
 /// The charts of a report, each with its file's stem.
-#[must_use]
 pub fn charts(report: &Report) -> Vec<(&'static str, Picture)> {
     let [general, own] = report.split();
     let report = &general.unwrap_or_default();

@@ -122,7 +122,6 @@ pub struct Picture {
 }
 
 /// The width of a line of text, in pixels.
-#[must_use]
 pub fn text_width(text: &str, size: f64) -> f64 {
     let known = register_typeface().ok();
     let measured = known.and_then(|()| (FONT, size).into_font().box_size(text).ok());

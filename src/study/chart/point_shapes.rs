@@ -20,7 +20,6 @@ pub enum Shape {
 }
 
 /// The closed outlines of a point about a middle; `r` is half its width.
-#[must_use]
 pub fn outlines(shape: Shape, [x, y]: [f64; 2], r: f64) -> Vec<Vec<[f64; 2]>> {
     let ring = |corners: u32, from_turn: f64, radius: &dyn Fn(u32) -> f64| {
         let corner = |i: u32| {

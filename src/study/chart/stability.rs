@@ -69,7 +69,6 @@ fn names<'a>(rows: &[&'a Row]) -> Vec<&'a str> {
 /// The chart of one family: one panel in a narrow picture, in which the line of the method `wide` is wider. `rows` has
 /// the family's rows and a scene's own ([`SCENE`]), which are marked at `here`. Without rows of the family, the chart
 /// is empty.
-#[must_use]
 pub fn family(rows: &[Row], here: f64, wide: Option<(&str, Precision)>) -> Picture {
     let (own, rows): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.family == SCENE);
     let mut picture = Picture::new(400.0, 282.0 + LINE * count(names(&rows).len()));

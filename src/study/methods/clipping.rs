@@ -39,7 +39,6 @@ pub struct ClipCase {
 impl ClipCase {
     /// A hit at a view depth on the ray through a position of a picture of 1920 x 1080 pixels, with the camera at the
     /// origin.
-    #[must_use]
     pub fn new(tan: f64, near: f64, far: f64, px: DVec2, depth: f64) -> Option<Self> {
         let fov_y = 2.0 * tan.atan();
         let lens = Lens {

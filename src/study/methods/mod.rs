@@ -47,7 +47,6 @@ pub struct ShapeCase<Shape> {
 
 impl<Shape> ShapeCase<Shape> {
     /// The case of a ray; `px` is the width of a pixel in radians.
-    #[must_use]
     pub fn new(origin: V3<f64>, direction: V3<f64>, px: f64) -> Self {
         let wide = ObjectRay { origin, direction };
         let [origin, direction] = [origin, direction].map(V3::of);
@@ -95,7 +94,6 @@ where
     Wide: for<'a> From<(&'a Placement, &'a Ray)>,
 {
     /// The case of a ray and a model matrix; `None` where it has no inverse. `px` is the width of a pixel in radians.
-    #[must_use]
     pub fn new(ray: [V3<f64>; 2], linear: M3<f64>, translation: V3<f64>, px: f64) -> Option<Self> {
         let placement = placement(linear, translation)?;
         let ray = from_start(ray[0], ray[1]);
@@ -168,7 +166,6 @@ pub fn each_step(visitor: &mut impl Visitor) {
 }
 
 /// Every method of every step.
-#[must_use]
 pub fn registry() -> Vec<MethodInfo> {
     let mut list = Vec::new();
     each_step(&mut list);

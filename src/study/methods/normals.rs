@@ -42,7 +42,6 @@ pub struct NormalCase {
 
 impl NormalCase {
     /// The case of a normal and a matrix; `None` where the matrix has no inverse.
-    #[must_use]
     pub fn new(linear: M3<f64>, normal: V3<f64>) -> Option<Self> {
         Some(Self {
             narrow: Tilted::new(M3::of(&linear), V3::of(normal)),

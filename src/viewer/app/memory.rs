@@ -68,7 +68,6 @@ fn text_of(path: &Path) -> Result<String, String> {
 }
 
 /// The file that remembers a user's window; `None` where the system has no place for it.
-#[must_use]
 pub fn memory_file() -> Option<PathBuf> {
     let places = etcetera::choose_base_strategy().ok()?;
     let folder = places.state_dir().unwrap_or_else(|| places.config_dir());

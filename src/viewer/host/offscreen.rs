@@ -70,7 +70,6 @@ impl Due {
 impl Offscreen {
     /// A window of `size` physical pixels, with `pixels_per_point` pixels to a point. It loads what `options` name. It
     /// needs no graphics until a picture is asked for.
-    #[must_use]
     pub fn open(options: Options, size: Viewport, pixels_per_point: f32) -> Self {
         let start = |wake| App::start(options, wake, Host::Picture);
         Self::of(start, size, pixels_per_point)

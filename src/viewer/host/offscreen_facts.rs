@@ -5,19 +5,16 @@ use crate::{render::Gpu, viewer::model::State};
 
 impl Offscreen {
     /// What stands in the window's title.
-    #[must_use]
     pub fn title(&self) -> String {
         self.app.title()
     }
 
     /// The window's controls and texts, by its accessibility tree.
-    #[must_use]
     pub fn controls(&self) -> &[Control] {
         &self.controls
     }
 
     /// What it shows.
-    #[must_use]
     pub fn state(&self) -> &State {
         &self.app.state
     }
@@ -30,49 +27,41 @@ impl Offscreen {
 
     /// Whether the window is at rest after the last event: nothing is animated, and nothing but smooth edges is under
     /// way.
-    #[must_use]
     pub fn is_at_rest(&self) -> bool {
         self.at_rest && self.app.picture.behind.is_none()
     }
 
     /// Whether the last frame shows the wanted scene, in whatever resolution.
-    #[must_use]
     pub fn shows_scene(&self) -> bool {
         self.app.picture.behind.is_none()
     }
 
     /// About how many triangles of the scene the last frame drew.
-    #[must_use]
     pub fn drawn_work(&self) -> u64 {
         self.app.picture.drawn
     }
 
     /// How many objects and triangles the last frame itself uploaded. Those that a job uploaded do not count.
-    #[must_use]
     pub fn uploaded_work(&self) -> usize {
         self.app.picture.uploaded
     }
 
     /// How many triangles of meshes were uploaded so far, by frames and by jobs.
-    #[must_use]
     pub fn uploaded_triangles(&self) -> u64 {
         self.gpu().map_or(0, Gpu::uploaded_triangles)
     }
 
     /// Whether the last frame looks different from the one before: a window presents only such frames.
-    #[must_use]
     pub fn looks_different(&self) -> bool {
         self.picture.is_another
     }
 
     /// Whether it fills the screen.
-    #[must_use]
     pub fn is_full_screen(&self) -> bool {
         self.app.fills_screen
     }
 
     /// Whether the panels have a glyph for each character of a text.
-    #[must_use]
     pub fn can_write(&self, text: &str) -> bool {
         let font = egui::FontId::default();
         let context = &self.app.context;
@@ -80,31 +69,26 @@ impl Offscreen {
     }
 
     /// What was put on the clipboard last.
-    #[must_use]
     pub fn copied(&self) -> Option<&str> {
         self.copied.as_deref()
     }
 
     /// Whether the user has closed it.
-    #[must_use]
     pub fn has_quit(&self) -> bool {
         self.app.quit
     }
 
     /// How often the panels were laid out so far: once a frame, or twice where the first time changes what they show.
-    #[must_use]
     pub fn passes(&self) -> u64 {
         self.app.context.cumulative_pass_nr()
     }
 
     /// What the adapter calls itself, once something was drawn.
-    #[must_use]
     pub fn adapter_name(&self) -> &str {
         self.gpu().map_or("", Gpu::adapter_name)
     }
 
     /// Whether the adapter is a program on the CPU, once something was drawn.
-    #[must_use]
     pub fn is_software(&self) -> bool {
         self.gpu().is_some_and(Gpu::is_software)
     }

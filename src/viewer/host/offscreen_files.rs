@@ -68,7 +68,6 @@ impl Offscreen {
     }
 
     /// How many save dialogs were opened so far.
-    #[must_use]
     pub fn save_dialogs(&self) -> usize {
         self.app.save_dialogs
     }

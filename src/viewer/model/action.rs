@@ -197,7 +197,6 @@ pub struct LensControls {
 
 impl LensControls {
     /// The lens of a camera choice, with defaults for what it leaves open.
-    #[must_use]
     pub fn of(choice: &CameraChoice) -> Self {
         Self {
             fov_deg: choice.fov.unwrap_or(CameraChoice::FOV),

@@ -129,7 +129,6 @@ impl State {
     }
 
     /// The points that clicks snapped to, and what was measured.
-    #[must_use]
     pub fn measuring(&self) -> &Measuring {
         &self.measuring
     }

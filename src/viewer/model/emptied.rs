@@ -39,7 +39,6 @@ impl State {
 
     /// What leaves the picture without any of the visible objects, and the actions that bring some into view. `None` if
     /// one may be in view.
-    #[must_use]
     pub fn emptied(&self) -> Option<(EmptiedBy, Vec<Action>)> {
         let view = self.view;
         if self.may_show(&view) {

@@ -62,7 +62,6 @@ pub struct DepthSteps {
 
 impl RayHits {
     /// Casts the ray through a position and picks surface `at`, which wraps round where there are fewer.
-    #[must_use]
     pub fn cast(scene: &Scene, view: View, px: DVec2, at: usize) -> Self {
         let picks = pick::pick_all(scene, &view, px);
         let at = at % picks.len().max(1);
@@ -117,7 +116,6 @@ impl RayHits {
     }
 
     /// The record of what is picked.
-    #[must_use]
     pub fn line(&self) -> PickLine {
         PickLine {
             px: self.px,
@@ -129,7 +127,6 @@ impl RayHits {
 
 impl DepthSteps {
     /// The steps at a pick that is seen through `lens`.
-    #[must_use]
     pub fn at(lens: &Lens, pick: &Pick) -> Self {
         let step = |depth| (depth, Lens { depth, ..*lens }.depth_step(pick.depth));
         Self {
@@ -140,7 +137,6 @@ impl DepthSteps {
     }
 
     /// Whether the next surface lies so close that a mapping cannot be relied on to tell which is nearer.
-    #[must_use]
     pub fn confuses(&self, mapping: DepthMapping) -> bool {
         let step = self.steps.iter().find(|(of, _)| *of == mapping);
         matches!((step, self.next_surface), (Some((_, step)), Some(next)) if next < *step)
@@ -148,7 +144,6 @@ impl DepthSteps {
 }
 
 /// The corners in the world of the triangle that was hit; `None` for analytic shapes.
-#[must_use]
 pub fn triangle(scene: &Scene, pick: &Pick) -> Option<[DVec3; 3]> {
     let object = scene.objects().get(pick.id.checked_sub(1)?)?;
     let Shape::Mesh { mesh, .. } = &object.shape else {

@@ -50,7 +50,6 @@ pub struct Steps {
 
 impl Matrices {
     /// The matrices in use for an object; without one, M is the identity.
-    #[must_use]
     pub fn of(view: &View, object: Option<&Object>) -> Self {
         Self {
             model: object.map_or(DMat4::IDENTITY, |object| object.placement.model().into()),
@@ -60,7 +59,6 @@ impl Matrices {
     }
 
     /// P * V * M.
-    #[must_use]
     pub fn product(&self) -> DMat4 {
         self.projection * self.view * self.model
     }
@@ -69,7 +67,6 @@ impl Matrices {
 impl Steps {
     /// Follows an object-space point; `None` where it lies at or behind the eye. The view-space point is computed
     /// relative to the eye, which keeps the digits that `V * world` loses far from the origin.
-    #[must_use]
     pub fn follow(view: &View, object: &Object, point_object: DVec3) -> Option<Self> {
         let world = object.placement.point_to_world(point_object);
         let in_view = view.camera.to_view(world);

@@ -29,7 +29,6 @@ impl What {
     ];
 
     /// Its name.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Distance => "distance",
@@ -56,7 +55,6 @@ pub struct Entry {
 
 impl Entry {
     /// What the list adds after the value.
-    #[must_use]
     pub fn remark(&self) -> &'static str {
         if self.outdated {
             "before the scene changed"
@@ -84,7 +82,6 @@ impl Measuring {
     pub const RADIUS_PX: f64 = 8.0;
 
     /// The measure of the last points; `None` where they do not give it.
-    #[must_use]
     pub fn entry(&self, what: What) -> Option<Entry> {
         let last = self.points.last()?;
         let (of, measured) = match what {
@@ -109,7 +106,6 @@ impl Measuring {
     }
 
     /// Why a measure cannot be taken, or what to do first.
-    #[must_use]
     pub fn lacks(&self, what: What) -> &'static str {
         match what {
             _ if !self.is_on => {
@@ -129,7 +125,6 @@ impl Measuring {
     }
 
     /// What to do next, in a line.
-    #[must_use]
     pub fn next(&self) -> &'static str {
         match (self.is_on, self.points.len()) {
             (false, _) => "Tick \u{201c}snap clicks\u{201d}, then click in the picture.",
@@ -140,7 +135,6 @@ impl Measuring {
     }
 
     /// The list as text, a line each.
-    #[must_use]
     pub fn text(&self) -> String {
         let line = |entry: &Entry| {
             let Entry { what, of, .. } = entry;
@@ -165,7 +159,6 @@ fn face_label(snap: &Snap) -> String {
 
 impl Snap {
     /// What it is, in a few words.
-    #[must_use]
     pub fn label(&self) -> String {
         let vertices = self.vertices.as_deref().unwrap_or_default();
         match (self.to, vertices) {

@@ -192,7 +192,6 @@ impl State {
     }
 
     /// Whether this is the demo, which opens where no file is named.
-    #[must_use]
     pub fn is_demo(&self) -> bool {
         let of_no_file = self.source.paths.is_empty() && self.showing.is_none();
         of_no_file && !self.scene.objects().is_empty()
@@ -200,7 +199,6 @@ impl State {
 
     /// The file that is proposed for saving: the scene file that the scene is from, or else `scene.toml` beside its
     /// first file.
-    #[must_use]
     pub fn file_to_save(&self) -> PathBuf {
         match self.source.paths.as_slice() {
             [own] if scene::is_scene_file(own) => own.clone(),

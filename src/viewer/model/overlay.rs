@@ -26,7 +26,6 @@ impl Overlay {
     ];
 
     /// Its name, its key and what it shows.
-    #[must_use]
     pub fn about(self) -> [&'static str; 3] {
         match self {
             Self::Triangle => ["picked triangle", "Y", "with its corners and barycentrics"],
@@ -79,13 +78,11 @@ impl Default for Overlays {
 
 impl Overlays {
     /// Whether one shows.
-    #[must_use]
     pub fn shows(self, overlay: Overlay) -> bool {
         self.shown & (1 << overlay as u32) != 0
     }
 
     /// The same with one of them switched.
-    #[must_use]
     pub fn toggled(mut self, overlay: Overlay) -> Self {
         self.shown ^= 1 << overlay as u32;
         self

@@ -29,7 +29,6 @@ pub struct Followed {
 
 impl State {
     /// The point that is followed: the pick's, or else the cursor's.
-    #[must_use]
     pub fn followed(&self) -> Option<Followed> {
         let of_pick = self.picked().map(|hit| (hit.id - 1, hit.point_object));
         let picked = of_pick.or_else(|| self.panes.as_ref()?.point);
@@ -42,7 +41,6 @@ impl State {
     }
 
     /// Where the followed point is in the world.
-    #[must_use]
     pub fn followed_world(&self) -> Option<DVec3> {
         let followed = self.followed()?;
         let placement = &self.scene.objects().get(followed.object)?.placement;

@@ -29,7 +29,6 @@ impl State {
 
     /// The ray that made the pick, with its view, for copies that repeat it. A click on nothing counts while its view
     /// is on screen.
-    #[must_use]
     pub fn pick_ray(&self) -> Option<&RayHits> {
         let ray = self.hits()?;
         let counts = match self.selection() {
@@ -40,7 +39,6 @@ impl State {
     }
 
     /// How the view on screen shows the pick; `None` where no surface is picked.
-    #[must_use]
     pub fn pick_view(&self) -> Option<PickView> {
         self.pick_ray()?.seen_in(&self.view)
     }

@@ -10,19 +10,16 @@ use glam::DVec3;
 
 impl State {
     /// Whether there can be a section: not in the gallery, whose scenes stay as they are.
-    #[must_use]
     pub fn takes_sections(&self) -> bool {
         self.showing.is_none()
     }
 
     /// How many more picks a section by three points waits for; `None` where none is waiting.
-    #[must_use]
     pub fn points_wanted(&self) -> Option<usize> {
         Some(3 - self.section_memory.points.as_ref()?.len())
     }
 
     /// A section across an axis of the world, through the middle of what is visible, that cuts away the eye's side.
-    #[must_use]
     pub fn section_across(&self, axis: DVec3) -> Option<Section> {
         let bounds = self.scene.visible_bounds();
         if bounds.is_empty() {
@@ -36,7 +33,6 @@ impl State {
     }
 
     /// The picked face, where it is flat.
-    #[must_use]
     pub fn picked_face(&self) -> Option<SectionChoice> {
         let pick = self.picked()?;
         let face = match &self.scene.objects().get(pick.id - 1)?.shape {
@@ -53,7 +49,6 @@ impl State {
     }
 
     /// A section along the picked face. It keeps the face and what lies behind it. Looks at all triangles of a mesh.
-    #[must_use]
     pub fn section_along_pick(&self) -> Option<Section> {
         self.scene.section(self.picked_face()?).ok().flatten()
     }

@@ -75,7 +75,6 @@ impl State {
     }
 
     /// Whether a ray is quick enough for a mouse move: meshes have their trees, or are small.
-    #[must_use]
     pub fn rays_are_quick(&self) -> bool {
         let meshes = self.scene.meshes().iter();
         let tried = meshes.filter(|mesh| !mesh.is_ready());

@@ -14,7 +14,6 @@ const ASIDE: [f64; 3] = [0.0, 1.0 / 16_777_216.0, 1.0 / 4096.0];
 
 impl State {
     /// The marked face or vertex, where it stands now.
-    #[must_use]
     pub fn sought(&self) -> Option<Sought> {
         let sought = self.sought?;
         let placement = &self.scene.objects().get(sought.object)?.placement;
@@ -24,14 +23,12 @@ impl State {
 
     /// Whether the view on screen shows the mark, decided exactly; `None` where nothing is marked, or while rays are
     /// slow.
-    #[must_use]
     pub fn sight_of_sought(&self) -> Option<Sight> {
         let sought = self.sought().filter(|_| self.rays_are_quick())?;
         Some(sight(&self.scene, &self.view, &sought.point))
     }
 
     /// [`Self::sight_of_sought`] in words.
-    #[must_use]
     pub fn says_of_sought(&self) -> Option<String> {
         Some(match self.sight_of_sought()? {
             Sight::Hidden(hit) => {

@@ -62,7 +62,6 @@ pub struct Distance {
 
 impl Fault {
     /// Whether anybody would see it.
-    #[must_use]
     pub fn is_wrong(&self) -> bool {
         !matches!(self, Self::Off(by) if !by.shows())
     }
@@ -70,7 +69,6 @@ impl Fault {
 
 impl Distance {
     /// Whether anybody would see it: half a pixel, a degree or a ten-thousandth of the distance is enough.
-    #[must_use]
     pub fn shows(&self) -> bool {
         // NaN counts as visible.
         let small = self.px < 0.5 && self.normal_deg < 1.0 && self.relative < 1e-4;
@@ -80,7 +78,6 @@ impl Distance {
 
 impl Showing {
     /// A scene that has just been opened, where Sightline's own method picks.
-    #[must_use]
     pub fn new(exhibit: &'static Exhibit) -> Self {
         Self {
             exhibit,
@@ -90,7 +87,6 @@ impl Showing {
     }
 
     /// The method before or after the present one, in a ring with this program's own.
-    #[must_use]
     pub fn next_method(&self, forward: bool) -> Option<Swap> {
         let swaps = breaks::swaps(self.exhibit.name);
         let own = swaps.len();
@@ -101,7 +97,6 @@ impl Showing {
     }
 
     /// Which of the breaks on this scene to show: the present method's own, else one of the same step, else the first.
-    #[must_use]
     pub fn subject(&self) -> Option<&'static Break> {
         let breaks = || breaks::breaks_on(self.exhibit.name);
         let own = || breaks().find(|known| known.swap() == self.method);
@@ -114,7 +109,6 @@ impl Showing {
 
 impl Compared {
     /// One click, picked both ways.
-    #[must_use]
     pub fn at(scene: &Scene, view: &View, method: &Swap, px: DVec2) -> Self {
         Self {
             view: *view,
@@ -125,7 +119,6 @@ impl Compared {
     }
 
     /// What is wrong with the method's pick; `None` where both hit nothing.
-    #[must_use]
     pub fn fault(&self) -> Option<Fault> {
         let what = |found: &Found| {
             let triangle = found.hit.hit.on_triangle.map(|at| at.triangle);

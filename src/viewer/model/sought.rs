@@ -13,7 +13,6 @@ pub enum Numbered {
 
 impl Numbered {
     /// Its name in panels and marks.
-    #[must_use]
     pub fn name(self) -> String {
         match self {
             Self::Face(number) => format!("face {number}"),

@@ -36,7 +36,6 @@ impl Stage {
     ];
 
     /// Its name.
-    #[must_use]
     pub fn name(self) -> &'static str {
         Self::ALL[self as usize].1
     }
@@ -53,7 +52,6 @@ const CREASE: f32 = 0.5;
 
 /// The scene in NDC as it is drawn, see `ndc_drawn`: the same objects in the same order as parts of one mesh, clipped
 /// by the section and at the near plane. An object of which nothing is left is hidden.
-#[must_use]
 pub fn projected(scene: &Scene, view: &View) -> Scene {
     let mut data = MeshData::default();
     let spheres = scene.objects().iter();

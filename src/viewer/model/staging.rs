@@ -22,7 +22,6 @@ const BEYOND_NDC: f64 = 1e30;
 
 impl State {
     /// What the window shows of the scene.
-    #[must_use]
     pub fn views(&self) -> Views {
         match &self.panes {
             None => Views::Picture,
@@ -31,7 +30,6 @@ impl State {
     }
 
     /// The stages on screen; none where the picture is.
-    #[must_use]
     pub fn stages(&self) -> Vec<Stage> {
         match self.views() {
             Views::Picture => Vec::new(),
@@ -162,13 +160,11 @@ impl State {
     }
 
     /// The object whose space the object view shows.
-    #[must_use]
     pub fn pane_object(&self) -> Option<usize> {
         self.panes.as_ref()?.object
     }
 
     /// The box about an object in its own space; empty unless the object view shows it.
-    #[must_use]
     pub fn object_bounds(&self, object: usize) -> Aabb {
         match &self.panes {
             Some(panes) if panes.object == Some(object) => panes.alone.scene.bounds(),
@@ -177,7 +173,6 @@ impl State {
     }
 
     /// Where a world point is drawn in NDC; `None` in front of the near plane.
-    #[must_use]
     pub fn ndc_drawn(&self, point_world: DVec3) -> Option<DVec3> {
         let lens = standard(&self.view);
         let p = self.view.camera.to_view(point_world);
@@ -202,7 +197,6 @@ impl State {
 
     /// The view of a stage's observer, in the space of the scene that the stage shows. The view stage shows the scene
     /// in the world. `None` while the views are closed.
-    #[must_use]
     pub fn pane_view(&self, stage: Stage) -> Option<View> {
         let panes = self.panes.as_ref()?;
         let (scene, _) = self.pane_scene(stage)?;

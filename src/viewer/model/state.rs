@@ -220,67 +220,56 @@ pub struct State {
 
 impl State {
     /// The scene that is shown.
-    #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
     /// Changes with each scene.
-    #[must_use]
     pub fn scene_revision(&self) -> u64 {
         self.scene_revision
     }
 
     /// Changes whenever objects are shown, hidden or moved.
-    #[must_use]
     pub fn visibility_revision(&self) -> u64 {
         self.visibility_revision
     }
 
     /// What the scene is called.
-    #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
     /// The view that is drawn and picked through.
-    #[must_use]
     pub fn view(&self) -> &View {
         &self.view
     }
 
     /// The lens as the panel sets it.
-    #[must_use]
     pub fn controls(&self) -> LensControls {
         self.controls
     }
 
     /// Which of the world's axes points up.
-    #[must_use]
     pub fn up_axis(&self) -> UpAxis {
         self.up_axis
     }
 
     /// What is selected.
-    #[must_use]
     pub fn selection(&self) -> Option<&Selection> {
         self.chosen.selection.as_ref()
     }
 
     /// The index of the selected object.
-    #[must_use]
     pub fn selected(&self) -> Option<usize> {
         Some(self.selection()?.object)
     }
 
     /// The picked hit on the selected object.
-    #[must_use]
     pub fn picked(&self) -> Option<&Pick> {
         self.selection()?.pick.as_ref()?.hit.as_ref()
     }
 
     /// What undo (`back`) or redo would change, in a word or two; `None` where there is nothing to undo or redo.
-    #[must_use]
     pub fn next_step(&self, back: bool) -> Option<&'static str> {
         Some(match self.timeline.steps(back).last()? {
             UndoStep::Edited(Edit::Place(..), ..) => "model matrix",
@@ -293,14 +282,12 @@ impl State {
     }
 
     /// Where the scene is from.
-    #[must_use]
     pub fn source(&self) -> &Source {
         &self.source
     }
 
     /// The highlighted object: the one whose row in the list is under the cursor, else the one under the cursor in the
     /// picture.
-    #[must_use]
     pub fn hover(&self) -> Option<usize> {
         let under_cursor = || self.cursor?.hit.map(|(object, _)| object);
         let is_there = |&object: &usize| object < self.scene.objects().len();
@@ -308,45 +295,38 @@ impl State {
     }
 
     /// The pixel under the cursor; `None` while the cursor is elsewhere.
-    #[must_use]
     pub fn cursor(&self) -> Option<Cursor> {
         self.cursor
     }
 
     /// What is shown over the scene.
-    #[must_use]
     pub fn overlays(&self) -> Overlays {
         self.overlays
     }
 
     /// Whether the grid shows.
-    #[must_use]
     pub fn grid(&self) -> bool {
         self.grid
     }
 
     /// The camera that was left standing in the scene. The four views show none: the world view shows the camera as it
     /// is.
-    #[must_use]
     pub fn frozen(&self) -> Option<&Frozen> {
         self.frozen.as_ref().filter(|_| self.panes.is_none())
     }
 
     /// The scene of the gallery, if this is one, and the method that picks in it.
-    #[must_use]
     pub fn showing(&self) -> Option<&Showing> {
         self.showing.as_ref()
     }
 
     /// The study's method that picks now; `None` for Sightline's own. In the four views only Sightline's own picks.
-    #[must_use]
     pub fn method(&self) -> Option<Swap> {
         let showing = self.showing.as_ref().filter(|_| self.panes.is_none());
         showing?.method
     }
 
     /// The row of a matrix that the cursor rests on.
-    #[must_use]
     pub fn row(&self) -> Option<Row> {
         self.row
     }
@@ -367,13 +347,11 @@ impl State {
     }
 
     /// Every surface on the last click's ray.
-    #[must_use]
     pub fn hits(&self) -> Option<&RayHits> {
         self.chosen.hits.as_ref()
     }
 
     /// The depth buffer's steps at the pick, in the view of the click: the camera may have moved since.
-    #[must_use]
     pub fn depth_steps(&self) -> Option<DepthSteps> {
         let hits = self.hits()?;
         let pick = hits.picks.get(hits.at)?;
@@ -381,7 +359,6 @@ impl State {
     }
 
     /// The last two picked points, the older one first.
-    #[must_use]
     pub fn landmarks(&self) -> &[Landmark] {
         &self.landmarks
     }

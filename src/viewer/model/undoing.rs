@@ -44,7 +44,6 @@ impl State {
     }
 
     /// Whether something was open before the gallery.
-    #[must_use]
     pub fn has_outside(&self) -> bool {
         self.timeline.steps(true).iter().any(UndoStep::leads_out)
     }

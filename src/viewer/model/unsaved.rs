@@ -23,7 +23,6 @@ impl State {
 
     /// Whether the scene differs from its files in a model matrix, or has an object that is in none of them. What is
     /// hidden and the section do not count: reading the files again keeps them.
-    #[must_use]
     pub fn edited(&self) -> bool {
         self.edits.matrices != self.filed.matrices
     }
@@ -49,7 +48,6 @@ impl State {
     }
 
     /// Whether there are unsaved edits. Measures are none.
-    #[must_use]
     pub fn unsaved(&self) -> bool {
         !self.unsaved_scenes().is_empty()
     }

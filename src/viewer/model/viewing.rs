@@ -48,7 +48,6 @@ fn looks_alike(a: &View, b: &View) -> bool {
 
 impl State {
     /// The whole camera, as a scene file keeps it.
-    #[must_use]
     pub fn camera_choice(&self) -> CameraChoice {
         let camera = &self.view.camera;
         let ortho = match camera.lens().projection {

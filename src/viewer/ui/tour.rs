@@ -284,7 +284,6 @@ const CHAPTERS: [Chapter; 8] = [
 ];
 
 /// The tour as README has it: a numbered list in Markdown, with an entry for each chapter.
-#[must_use]
 pub fn tour_text() -> String {
     let entry = |(at, chapter): (usize, &Chapter)| {
         let steps = chapter.steps.iter();

@@ -69,7 +69,6 @@ struct Face {
 
 impl<'a> Again<'a> {
     /// The file that a mesh was loaded from.
-    #[must_use]
     pub fn new(
         path: &'a Path,
         contents: &'a Contents,

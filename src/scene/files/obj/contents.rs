@@ -84,7 +84,6 @@ impl Contents {
 
     /// Whether the file at `path` and the MTL files that it names are those that were loaded, unchanged since. False
     /// where the bytes came from no file.
-    #[must_use]
     pub fn is_current(&self, path: &Path) -> bool {
         let now = |file: &Path| Stamp::of(file).ok();
         let mut libraries = self.libraries.iter();
@@ -138,13 +137,11 @@ impl Contents {
     }
 
     /// How many faces the file has. Every `f` line counts, valid or not.
-    #[must_use]
     pub fn faces(&self) -> usize {
         self.starts.last().map_or(0, |end| end.counts.faces)
     }
 
     /// How many vertices the file has.
-    #[must_use]
     pub fn vertices(&self) -> usize {
         self.starts.last().map_or(0, |end| end.counts.vertices)
     }

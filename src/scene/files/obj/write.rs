@@ -6,7 +6,6 @@ use std::{collections::BTreeSet, fmt::Write};
 
 /// The text of an OBJ file for a mesh. Its colours are in the MTL file `library`. Every number reads back as exactly
 /// the same value.
-#[must_use]
 pub(in crate::scene::files) fn text(mesh: &Mesh, library: Option<&str>) -> String {
     let data = mesh.data();
     let mut text = String::new();
@@ -59,7 +58,6 @@ pub(in crate::scene::files) fn text(mesh: &Mesh, library: Option<&str>) -> Strin
 }
 
 /// The text of the MTL file that [`text`] names; `None` if no triangle has a colour of its own.
-#[must_use]
 pub(in crate::scene::files) fn materials(mesh: &Mesh) -> Option<String> {
     let colours: BTreeSet<_> = (mesh.data().colours.iter())
         .map(|run| run.colour.map(|Srgb(rgb)| rgb))
@@ -89,7 +87,6 @@ fn unit(Srgb(channels): Srgb) -> [f64; 3] {
 }
 
 /// Whether two meshes have bit-identical triangles and colours, and normals that differ by rounding only.
-#[must_use]
 pub(in crate::scene::files) fn same(a: &Mesh, b: &Mesh) -> bool {
     /// The largest difference of normals. Reading makes them unit length again, which rounds once or twice.
     const NORMALS: f32 = 4.0 * f32::EPSILON;

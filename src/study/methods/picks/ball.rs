@@ -46,7 +46,6 @@ pub fn gpu() -> Option<&'static Gpu> {
 ///
 /// # Panics
 /// Never: there is such a camera and such a picture.
-#[must_use]
 pub fn ball_scene(offset: f64) -> (Scene, View) {
     let at = (DVec3::new(1.0, -2.0, 3.0).normalize() * offset).round();
     let mesh = ball(at);

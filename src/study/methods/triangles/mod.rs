@@ -45,7 +45,6 @@ impl RayTriangle<f64> {
     }
 
     /// How far the ray passes from the triangle's nearest edge, in radians seen from its origin.
-    #[must_use]
     pub fn edge_angle(&self) -> f64 {
         truth::edge_angle(self.origin, self.direction, &self.corners)
     }
