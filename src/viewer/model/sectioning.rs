@@ -19,6 +19,11 @@ impl State {
         Some(3 - self.section_memory.points.as_ref()?.len())
     }
 
+    /// The points picked so far for a section by three points.
+    pub fn section_points(&self) -> &[DVec3] {
+        self.section_memory.points.as_deref().unwrap_or_default()
+    }
+
     /// A section across an axis of the world, through the middle of what is visible, that cuts away the eye's side.
     pub fn section_across(&self, axis: DVec3) -> Option<Section> {
         let bounds = self.scene.visible_bounds();

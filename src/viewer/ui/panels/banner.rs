@@ -6,22 +6,24 @@ use super::{
     prelude::*,
 };
 use crate::{study::swap::Found, viewer::model::Compared};
-use egui::{Painter, StrokeKind, UiBuilder};
+use egui::{Painter, Shape, StrokeKind, UiBuilder};
 
-/// The bar's height in points.
-pub(super) const HEIGHT: f32 = 50.0;
+/// The bar's height in points where its text does not wrap.
+const HEIGHT: f32 = 50.0;
 /// The bar's colour. Marks in the picture hardly use it.
 const BAR: Color32 = Color32::from_rgb(0xf0, 0xe4, 0x42);
 
-/// Shown over the scene's rectangle; nothing while Sightline's own method picks.
+/// Shown over the scene's rectangle; nothing while Sightline's own method picks. Returns the bar's height in points.
 pub(super) fn show(
     ui: &mut Ui,
     rect: Rect,
     place: SceneRect,
     state: &State,
     commands: &mut Vec<Command>,
-) {
-    let Some(method) = state.method() else { return };
+) -> f32 {
+    let Some(method) = state.method() else {
+        return 0.0;
+    };
     let painter = ui.painter().with_clip_rect(rect);
     if let Some(showing) = state.showing()
         && let Some(compared) = &showing.compared
@@ -29,11 +31,12 @@ pub(super) fn show(
         marks(&painter, place, state, compared);
     }
     painter.rect_stroke(rect, 0.0, Stroke::new(4.0, BAR), StrokeKind::Inside);
-    let bar = Rect::from_min_size(rect.min, vec2(rect.width(), HEIGHT));
-    painter.rect_filled(bar, 0.0, BAR);
+    let mut bar = Rect::from_min_size(rect.min, vec2(rect.width(), HEIGHT));
+    // It lies behind its text, whose height is known later.
+    let back = painter.add(Shape::Noop);
     let inside = UiBuilder::new().max_rect(bar.shrink2(vec2(10.0, 4.0)));
     let inside = inside.layout(Layout::right_to_left(Align::Center));
-    ui.scope_builder(inside, |ui| {
+    let text = ui.scope_builder(inside, |ui| {
         let back = RichText::new("back (Esc)").size(15.0).strong();
         let hint = "pick by Sightline's own method again, the default";
         ui.button(back).asks(hint, Action::PickBy(None), commands);
@@ -46,6 +49,9 @@ pub(super) fn show(
             ui.add(name).hint(method.info().source);
         });
     });
+    bar.max.y = bar.bottom().max(text.response.rect.bottom() + 4.0);
+    painter.set(back, Shape::rect_filled(bar, 0.0, BAR));
+    bar.height()
 }
 
 /// The click, and the point and normal as the method and as Sightline find them.

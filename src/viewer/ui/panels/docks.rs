@@ -183,13 +183,18 @@ impl Docks {
     /// Makes the matrices visible, wherever their panel stands. If they are visible already, they are no longer wanted.
     /// Returns whether they are wanted.
     pub fn toggle_matrices(&mut self, are_wanted: bool) -> bool {
-        let are_visible = are_wanted && self.is_visible(PanelKind::Pipeline);
+        let are_visible = self.shows_matrices(are_wanted);
         if are_visible {
             self.leave_matrices();
         } else {
             self.take_room(PanelKind::Pipeline);
         }
         !are_visible
+    }
+
+    /// Whether the matrices, if they are wanted, can be seen.
+    pub fn shows_matrices(&self, are_wanted: bool) -> bool {
+        are_wanted && self.is_visible(PanelKind::Pipeline)
     }
 
     /// The matrices are no longer wanted: gives their room back, as `give_back` says.

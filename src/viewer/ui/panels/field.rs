@@ -102,6 +102,7 @@ impl<'a> Field<'a> {
         let was_typed = typed.is_some();
         // Only below a field without the focus, so that nothing moves while the user types.
         let still = (wrong.as_ref()).filter(|_| !ui.memory(|memory| memory.has_focus(id)));
+        let reason = parsed.as_ref().err();
         let height = ui.spacing().interact_size.y + if still.is_some() { STILL } else { 0.0 };
         let below = Layout::top_down(Align::Min);
         let response = ui.allocate_ui_with_layout(vec2(self.width, height), below, |ui| {
@@ -109,6 +110,9 @@ impl<'a> Field<'a> {
             let response = self.edit(ui, id, &mut text, wrong.as_deref());
             if let Some(wrong) = still {
                 ui.data_mut(|data| data.insert_temp(refused_id(), Refused(pass)));
+                let red = ui.visuals().error_fg_color;
+                let reason = RichText::new(reason.map_or("", String::as_str));
+                ui.add(Label::new(reason.size(11.0).color(red)).wrap());
                 let still = RichText::new(format!("still {shown}")).size(11.0);
                 ui.add(Label::new(still).truncate()).on_hover_text(wrong);
             }

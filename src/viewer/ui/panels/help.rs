@@ -1,8 +1,8 @@
 //! The help: keys, from the table that dispatches them, and what the mouse does.
 
-use super::{prelude::*, tour_card};
+use super::{elided, prelude::*, tour_card};
 use crate::viewer::ui::{command::TourMove, keys};
-use egui::{Context, ScrollArea, Window};
+use egui::{Context, ScrollArea, TextStyle, Window};
 
 /// The space around the rows, and the width of a row that does not wrap, in points.
 const MARGIN: Vec2 = vec2(60.0, 90.0);
@@ -53,8 +53,16 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
 }
 
 fn table(ui: &mut Ui, column: usize, rows: &[(&str, &str)]) {
+    // In a narrow window, words wrap.
+    let font = TextStyle::Monospace.resolve(ui.style());
+    let inputs = rows
+        .iter()
+        .map(|(input, _)| elided::width(ui, (*input).to_owned(), &font));
+    let inputs = inputs.fold(0.0, f32::max);
+    let room = ui.available_width() - ui.spacing().item_spacing.x;
     Grid::new(column)
         .num_columns(2)
+        .max_col_width((room - inputs).max(0.5 * room))
         .striped(true)
         .show(ui, |ui| {
             for (input, does) in rows {

@@ -10,7 +10,7 @@ use crate::{
     pick::Pick,
     viewer::model::{DepthSteps, Overlay, triangle},
 };
-use egui::{CollapsingHeader, ScrollArea};
+use egui::{CollapsingHeader, ScrollArea, collapsing_header::CollapsingState};
 
 /// The most rows of hits that show at once.
 const ROWS: f32 = 12.0;
@@ -30,9 +30,27 @@ pub(super) fn show(
     }
 }
 
-/// A heading that stays open or folded when its title changes.
-fn section(ui: &mut Ui, salt: &str, title: String, hint: &str, inside: impl FnOnce(&mut Ui)) {
-    let header = CollapsingHeader::new(title).id_salt(salt).show(ui, inside);
+/// A heading that stays open or folded when its title changes. What it unfolds scrolls into view.
+pub(super) fn section(
+    ui: &mut Ui,
+    salt: &str,
+    title: String,
+    hint: &str,
+    inside: impl FnOnce(&mut Ui),
+) {
+    let header = CollapsingHeader::new(title).id_salt(salt).show(ui, |ui| {
+        inside(ui);
+        ui.min_rect()
+    });
+    let state = CollapsingState::load(ui.ctx(), header.header_response.id);
+    if let (Some(body), true) = (header.body_returned, header.openness < 1.0)
+        && state.is_some_and(|state| state.is_open())
+    {
+        // The heading stays in view.
+        let mut whole = header.header_response.rect.union(body);
+        whole.max.y = whole.bottom().min(whole.top() + ui.clip_rect().height());
+        ui.scroll_to_rect(whole, None);
+    }
     header.header_response.hint(hint);
 }
 

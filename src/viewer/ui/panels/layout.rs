@@ -11,6 +11,7 @@ use super::{
     status, toolbar, tour_card, wings,
 };
 use crate::viewer::{
+    jobs::Checking,
     model::Stage,
     ui::{
         keys,
@@ -45,7 +46,12 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         tour_card::strip(ui, tour, shown.state, &mut commands);
     }
     let room = room(window, ui.available_size());
+    let showed = shown.docks.showing;
     let widths = shown.docks.lay_out(&wanted, room);
+    // The toolbar, which says what shows, was laid out before.
+    if shown.docks.showing != showed {
+        ui.ctx().request_repaint();
+    }
     let edges = Side::BOTH.map(|side| {
         let width = widths[side as usize];
         wings::show(ui, side, width, &wanted, shown, &mut commands)
@@ -53,7 +59,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     let place = CentralPanel::no_frame().show(ui, |ui| {
         let rect = picture_rect(ui, shown);
         let place = SceneRect::new(rect, ui.ctx().pixels_per_point())?;
-        let panes = if shown.state.stages().is_empty() {
+        let (panes, below) = if shown.state.stages().is_empty() {
             let (response, actions) = mouse::scene(ui, None, rect, place, drag);
             let px = response.interact_pointer_pos().map(|at| place.to_px(at));
             menu::of_picture(&response, shown.state, px, &mut commands);
@@ -62,16 +68,18 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
             marks::show(ui, rect, place, shown.state);
             section_handle::show(ui, rect, place, shown.state, &mut commands);
             axis_cross::show(ui, rect, shown.state, &mut commands);
-            banner::show(ui, rect, place, shown.state, &mut commands);
-            Vec::new()
+            let banner = banner::show(ui, rect, place, shown.state, &mut commands);
+            (Vec::new(), banner)
         } else {
             // The camera, which the views are about, has a picture as large as all of them together.
             commands.push(Command::Act(Action::Resize(place.viewport)));
-            panes::show(ui, rect, shown.state, drag, &mut commands)
+            let panes = panes::show(ui, rect, shown.state, drag, &mut commands);
+            (panes, 0.0)
         };
-        messages::show(ui, rect, shown, &mut commands);
-        // The offer would cover a part of the four views.
-        if shown.offers_tour && shown.tour.is_none() && shown.state.stages().is_empty() {
+        messages::show(ui, rect, below, shown, &mut commands);
+        // The offer would cover a part of the four views, and a comparison would cover the offer.
+        let is_free = shown.state.stages().is_empty() && matches!(shown.checking, Checking::Off);
+        if shown.offers_tour && shown.tour.is_none() && is_free {
             tour_card::offer(ui, rect, &mut commands);
         }
         Some((place, panes))

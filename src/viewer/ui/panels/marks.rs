@@ -30,11 +30,12 @@ const MARGIN_PX: f64 = 16.0;
 
 /// Shown over the scene's rectangle.
 pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
-    let page = Page {
+    let mut page = Page {
         painter: ui.painter().with_clip_rect(rect),
         place,
         view: state.view(),
         colour: color32(look::HIT),
+        labels: Vec::new(),
     };
     let pick = state.picked();
     let is_in = state.pick_view() != Some(PickView::LeftOut);
@@ -48,6 +49,9 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
         page.hit(pick);
     }
     page.snapped(&state.measuring().points);
+    for point in state.section_points() {
+        page.diamond(*point);
+    }
     page.sought(state);
 }
 
@@ -56,6 +60,8 @@ struct Page<'a> {
     place: SceneRect,
     view: &'a View,
     colour: Color32,
+    /// Where labels stand already.
+    labels: Vec<Rect>,
 }
 
 /// Lines shorter than this, in points, have their length written above both ends.
@@ -99,7 +105,7 @@ impl Page<'_> {
 
     /// A square around the face or vertex that the user went to, dashed if it is not seen, with its name and what hides
     /// it.
-    fn sought(&self, state: &State) {
+    fn sought(&mut self, state: &State) {
         let Some(sought) = state.sought() else { return };
         let Some(at) = self.at(sought.point.world()) else {
             return;
@@ -132,22 +138,29 @@ impl Page<'_> {
     }
 
     /// A diamond around each point that a click snapped to, and the distance between them.
-    fn snapped(&self, points: &[Snap]) {
+    fn snapped(&mut self, points: &[Snap]) {
         if let [from, to] = points {
             self.distance(from.point_world, to.point_world);
         }
-        for at in points.iter().filter_map(|point| self.at(point.point_world)) {
-            let corners = [(9.0, 0.0), (0.0, 9.0), (-9.0, 0.0), (0.0, -9.0)];
-            let corners = corners.map(|(x, y)| at + vec2(x, y)).to_vec();
-            for (colour, more) in rimmed(self.colour) {
-                let stroke = Stroke::new(1.5 + more, colour);
-                let diamond = Shape::closed_line(corners.clone(), stroke);
-                self.painter.add(diamond);
-            }
+        for point in points {
+            self.diamond(point.point_world);
         }
     }
 
-    fn triangle(&self, state: &State, pick: &Pick) {
+    fn diamond(&self, point_world: DVec3) {
+        let Some(at) = self.at(point_world) else {
+            return;
+        };
+        let corners = [(9.0, 0.0), (0.0, 9.0), (-9.0, 0.0), (0.0, -9.0)];
+        let corners = corners.map(|(x, y)| at + vec2(x, y)).to_vec();
+        for (colour, more) in rimmed(self.colour) {
+            let stroke = Stroke::new(1.5 + more, colour);
+            let diamond = Shape::closed_line(corners.clone(), stroke);
+            self.painter.add(diamond);
+        }
+    }
+
+    fn triangle(&mut self, state: &State, pick: &Pick) {
         let (Some(corners), Some(weights)) = (triangle(state.scene(), pick), pick.barycentric)
         else {
             return;
@@ -184,7 +197,7 @@ impl Page<'_> {
         }
     }
 
-    fn distance(&self, from: DVec3, to: DVec3) {
+    fn distance(&mut self, from: DVec3, to: DVec3) {
         let Some(ends) = self.segment(from, to) else {
             return;
         };
@@ -205,15 +218,24 @@ impl Page<'_> {
         self.text(above, short(from.distance(to)));
     }
 
-    fn text(&self, at: Pos2, text: String) {
+    fn text(&mut self, at: Pos2, text: String) {
         let (font, colour) = (FontId::proportional(15.0), self.colour);
         let galley = self.painter.layout_no_wrap(text, font, colour);
         let rect = Align2::CENTER_CENTER.anchor_size(at, galley.size());
         // Moved sideways into the picture, if it fits there.
         let bounds = self.painter.clip_rect().shrink(4.0);
         let over = (rect.right() - bounds.right()).max(0.0);
-        let rect = rect.translate(vec2((bounds.left() - rect.left()).max(-over), 0.0));
-        let plate = rect.expand2(vec2(4.0, 1.0));
+        let mut rect = rect.translate(vec2((bounds.left() - rect.left()).max(-over), 0.0));
+        let around = vec2(4.0, 1.0);
+        // Moved below the labels that it would cover. The list is sorted by height, so it covers none afterwards.
+        for label in &self.labels {
+            if label.intersects(rect.expand2(around)) {
+                rect = rect.translate(vec2(0.0, label.bottom() + 2.0 - rect.top()));
+            }
+        }
+        let plate = rect.expand2(around);
+        self.labels.push(plate);
+        self.labels.sort_by(|a, b| a.top().total_cmp(&b.top()));
         (self.painter).rect_filled(plate, 3.0, Color32::from_black_alpha(200));
         self.painter.galley(rect.min, galley, colour);
     }

@@ -1,6 +1,6 @@
 //! Messages and progress over the picture.
 
-use super::{banner, hyphens::apart, prelude::*, shown::Shown};
+use super::{hyphens::apart, prelude::*, shown::Shown};
 use crate::viewer::{
     model::EmptiedBy,
     ui::notice::{Kind, Notices},
@@ -13,10 +13,15 @@ pub(super) fn plate(ctx: &Context, name: &str, at: Pos2, of: Align2, inside: imp
     area.show(ctx, |ui| Frame::popup(ui.style()).show(ui, inside));
 }
 
-/// Messages at the top, progress at the bottom, and a hint where there is nothing to see.
-pub(super) fn show(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mut Vec<Command>) {
+/// Messages at the top, `below` points down, progress at the bottom, and a hint where there is nothing to see.
+pub(super) fn show(
+    ui: &mut Ui,
+    rect: Rect,
+    below: f32,
+    shown: &mut Shown,
+    commands: &mut Vec<Command>,
+) {
     let ctx = ui.ctx().clone();
-    let below = shown.state.method().map_or(0.0, |_| banner::HEIGHT);
     Area::new(Id::unique("notices"))
         .fixed_pos(rect.left_top() + vec2(10.0, 10.0 + below))
         .show(&ctx, |ui| {

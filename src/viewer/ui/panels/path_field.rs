@@ -12,12 +12,13 @@ pub(super) fn show(ctx: &Context, question: &mut PathQuestion, commands: &mut Ve
     };
     let mut take = None;
     Modal::new(Id::unique("path question")).show(ctx, |ui| {
-        ui.set_max_width(460.0);
+        let width = (ctx.content_rect().width() - 60.0).clamp(100.0, 460.0);
+        ui.set_max_width(width);
         ui.heading(heading);
         ui.label("This desktop shows no file dialog: it needs an XDG desktop portal, or zenity. Type the path of the file:");
         let id = Id::unique("typed path");
         let edit = TextEdit::singleline(&mut question.text).id(id);
-        let field = ui.add(edit.desired_width(440.0)).named("path");
+        let field = ui.add(edit.desired_width(width - 20.0)).named("path");
         if field.changed() {
             question.edited();
         }

@@ -86,11 +86,11 @@ pub(super) fn show(
         let hint = "a command line that repeats this pick, in the view it was made in (C)";
         (ui.button("copy command")).asks(hint, Command::CopyCommandLine, commands);
     });
-    let header = ui.collapsing("In object space and NDC", |ui| {
+    let hint = "the picked point in the object's own coordinates, and in the picture's";
+    let title = "In object space and NDC".to_owned();
+    inspect::section(ui, "spaces", title, hint, |ui| {
         rows(ui, "spaces", &spaces(hit, digits));
     });
-    let hint = "the picked point in the object's own coordinates, and in the picture's";
-    header.header_response.hint(hint);
     inspect::show(ui, state, hit, digits, commands);
 }
 

@@ -153,7 +153,7 @@ fn learning(shown: &Shown) -> Vec<Tool> {
     let help = ask("\u{2753}", "Help", hint, Command::ToggleHelp);
     vec![
         four.switched(!shown.state.stages().is_empty()),
-        matrices.switched(shown.floating.pipeline),
+        matrices.switched(shown.docks.shows_matrices(shown.floating.pipeline)),
         compare.switched(!matches!(shown.checking, Checking::Off)),
         gallery,
         look,
@@ -207,7 +207,7 @@ fn tree_level(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         let level = state.overlays().tree_level;
         let shown = level.map_or("off".to_owned(), |level| level.to_string());
-        let hint = "boxes of the meshes' search trees (BVH); small meshes have none; level 0 is the box around a mesh";
+        let hint = "boxes of the search trees (BVH) of the selection's whole mesh, or of all; small meshes have none; level 0 is the box around a mesh";
         ui.label(format!("tree level: {shown}")).hint(hint);
         for (icon, deeper, name, hint) in [
             ("\u{2212}", false, "one level up", "(Shift+K)"),

@@ -105,7 +105,13 @@ fn body(
     let area = ScrollArea::both().id_salt(panel.name()).max_height(height);
     let area = area.auto_shrink([false, true]).min_scrolled_height(0.0);
     area.show(ui, |ui| {
-        ui.set_max_width(width.max(FIELDS));
+        // Sentences wrap; fields do not.
+        let least = if panel == PanelKind::Gallery {
+            0.0
+        } else {
+            FIELDS
+        };
+        ui.set_max_width(width.max(least));
         contents(ui, panel, shown, commands);
     });
 }
