@@ -62,7 +62,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = bindings! {
     "W", "wireframe, of the selection or of everything": NONE W => act(Action::Toggle(Overlay::Wireframe));
     "L", "normals of faces, of the selection or of everything": NONE L => act(Action::Toggle(Overlay::Normals));
     "X", "bounding boxes, of the selection or of everything": NONE X => act(Action::Toggle(Overlay::Boxes));
-    "K, Shift+K", "boxes of the meshes' search trees: one level down, one up":
+    "K, Shift+K", "boxes of search trees, of the selection's mesh or of all: one level down, up":
         SHIFT K => act(Action::TreeLevel { deeper: false }), NONE K => act(Action::TreeLevel { deeper: true });
     "T", "freeze the camera: it stays as lines while you look around": NONE T => act(Action::ToggleFreeze);
     "4", "object, world, view and NDC side by side; the picture again": NONE Num4 => Command::ToggleFour;

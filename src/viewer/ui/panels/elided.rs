@@ -11,7 +11,9 @@ pub(super) fn width(ui: &Ui, text: String, font: &FontId) -> f32 {
 
 /// The name as egui lays it out, with its middle left out if it is too wide: names differ mostly at their ends.
 pub(super) fn elided(ui: &Ui, name: &str, font: &FontId, room: f32) -> String {
-    let letters: Vec<char> = name.chars().collect();
+    // A name that was cut as it was read ends in a mark of its own, and one is enough.
+    let whole = name.strip_suffix('\u{2026}').unwrap_or(name);
+    let letters: Vec<char> = whole.chars().collect();
     let mut kept = letters.len();
     let mut text = name.to_owned();
     while kept > 2 && width(ui, text.clone(), font) > room {
@@ -34,11 +36,13 @@ mod tests {
         let names = ends.map(|end| format!("bolt_of_the_front_left_wheel_{end}"));
         let mut shown = Vec::new();
         let output = egui::Context::default().run_ui(egui::RawInput::default(), |ui| {
-            let all = ["bolt", &names[0], &names[1]];
+            let cut = format!("{}\u{2026}", "N".repeat(1000));
+            let all = ["bolt", &names[0], &names[1], &cut];
             shown = all.map(|name| elided(ui, name, &font, 120.0)).to_vec();
         });
         output.drop_without_applying_deltas();
         assert_eq!(shown[0], "bolt");
+        assert_eq!(shown[3].matches('\u{2026}').count(), 1, "{}", shown[3]);
         for (text, end) in shown[1..].iter().zip(ends) {
             assert!(text.starts_with("bolt") && text.ends_with(end), "{text}");
             assert!(text.contains('\u{2026}'), "{text}");
