@@ -22,6 +22,7 @@ mod looks;
 mod measures;
 mod menus;
 mod motion;
+mod narrow;
 mod nothing_lost;
 mod numbers;
 mod one_place;

@@ -1,0 +1,53 @@
+//! In a narrow window nothing is cut off, and what was out of sight can be seen.
+
+use super::*;
+
+const NONE: Modifiers = Modifiers::NONE;
+
+fn demo(points: [u32; 2]) -> Offscreen {
+    Offscreen::open(Options::default(), px(points, 1.0), 1.0)
+}
+
+#[track_caller]
+fn is_within(window: &Offscreen, name: &str) {
+    let rect = control(window, name).rect;
+    assert!(
+        rect.left() >= 0.0 && rect.right() <= 400.0,
+        "{name}: {rect}"
+    );
+}
+
+#[test]
+fn help_and_a_typed_path_are_as_narrow_as_the_window() {
+    let mut window = demo([400, 700]);
+    press_key(&mut window, NONE, Key::H);
+    is_within(&window, "Take the tour");
+    is_within(&window, "undo; redo (either key)");
+    press_key(&mut window, NONE, Key::H);
+    window.open_without_dialog();
+    window.wait_s(1.0);
+    is_within(&window, "path");
+}
+
+/// The button is lit only while the matrices can be seen, and they stand beside the four views.
+#[test]
+fn the_matrices_button_tells_whether_they_are_seen() {
+    let mut window = demo([640, 400]);
+    let is_on = |window: &Offscreen| {
+        let seen = has_control(window, "P, row z");
+        seen.then(|| control(window, "left side").is_on)
+    };
+    press_key(&mut window, NONE, Key::Num4);
+    assert_eq!(is_on(&window), Some(true));
+    click_on(&mut window, "right side");
+    assert_eq!(is_on(&window), None);
+}
+
+/// A reason can be read below the field that was left.
+#[test]
+fn why_a_number_is_refused_stands_below_its_field() {
+    let (mut window, _folder) = row(1.0);
+    type_into(&mut window, "fov", "abc");
+    press_key(&mut window, NONE, Key::Enter);
+    control(&window, "\u{201c}abc\u{201d} is not a number");
+}
