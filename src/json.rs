@@ -14,6 +14,19 @@ pub(crate) fn is_mark(character: char) -> bool {
     character.is_control() || turns || matches!(character, '\u{2028}' | '\u{2029}')
 }
 
+/// The text with control and direction marks escaped.
+pub(crate) fn plain(text: &str) -> String {
+    let mut plain = String::new();
+    for c in text.chars() {
+        if is_mark(c) {
+            plain.extend(c.escape_default());
+        } else {
+            plain.push(c);
+        }
+    }
+    plain
+}
+
 /// Writes a value as JSON without a newline. In strings the characters of [`is_mark`] are escaped.
 ///
 /// # Errors

@@ -1,11 +1,9 @@
 //! `sightline doctor`: describes the graphics of this machine, as text for a bug report.
 
-use super::{
-    CliError, print,
-    terminal::{plain, start_log},
-};
+use super::{CliError, print, terminal::start_log};
 use crate::{
     geometry::shares,
+    json::plain,
     render::{self, AdapterCan, AdapterFound, GpuError, Numbers},
     viewer,
 };

@@ -1,6 +1,6 @@
 //! Writes errors, warnings and progress to stderr, one line each.
 
-use crate::json::is_mark;
+use crate::json::plain;
 use log::{Level, LevelFilter};
 use std::io::Write;
 
@@ -15,6 +15,15 @@ pub(super) fn start_log(verbose: bool) {
     let _ = env_logger::Builder::new()
         .filter_level(LevelFilter::Error)
         .filter_module("sightline", ours)
+        // The window says in its own words that no dialog can be shown.
+        .filter_module(
+            "rfd",
+            if verbose {
+                LevelFilter::Error
+            } else {
+                LevelFilter::Off
+            },
+        )
         .parse_default_env()
         .format(|out, record| {
             let kind = if record.level() == Level::Warn {
@@ -36,17 +45,4 @@ pub(super) fn say(text: &str) {
 /// Makes one line of a text. Names in files may contain control characters; these are escaped.
 fn line(text: &str) -> String {
     format!("sightline: {}", plain(text))
-}
-
-/// The text with control and direction marks escaped.
-pub(super) fn plain(text: &str) -> String {
-    let mut plain = String::new();
-    for c in text.chars() {
-        if is_mark(c) {
-            plain.extend(c.escape_default());
-        } else {
-            plain.push(c);
-        }
-    }
-    plain
 }

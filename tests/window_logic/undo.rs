@@ -230,6 +230,29 @@ fn undoing_a_move_leaves_the_view() {
     assert_eq!(at(&state), STILL.to_model());
 }
 
+/// Undo takes a section away and leaves the camera where it was turned to since; so it is with back faces.
+#[test]
+fn undoing_a_section_leaves_the_camera() {
+    let section = Section::through(DVec3::ZERO, DVec3::X).expect("a section");
+    for change in [Action::Section(Some(section)), Action::ToggleSides] {
+        let mut state = front_view();
+        let uncut = *state.view();
+        state.apply(change);
+        let cut = *state.view();
+        state.apply(Action::Turn(DVec2::new(40.0, 10.0)));
+        let turned = state.view().camera.eye();
+        assert_ne!(turned, uncut.camera.eye());
+        state.apply(Action::Undo);
+        let view = state.view();
+        assert_eq!((view.section, view.sides), (uncut.section, uncut.sides));
+        assert_eq!(view.camera.eye(), turned);
+        state.apply(Action::Redo);
+        let view = state.view();
+        assert_eq!((view.section, view.sides), (cut.section, cut.sides));
+        assert_eq!(view.camera.eye(), turned);
+    }
+}
+
 fn exhibit(name: &str) -> (Loaded, Vec<std::path::PathBuf>) {
     let paths = vec![format!("gallery:{name}").into()];
     (

@@ -8,6 +8,7 @@ use crate::{
         model::{Numbered, State},
     },
 };
+use glam::DVec3;
 use std::collections::VecDeque;
 
 /// A triangle: the scene's revision, the object's index, the triangle's index in the mesh.
@@ -38,17 +39,27 @@ pub(in crate::viewer) struct Numbers {
     pub(super) said: Option<(Situation, String)>,
 }
 
-/// The scene's revision, the selected object, and whether a mark is set.
-type Situation = (u64, Option<usize>, bool);
+/// The scene's revision, the selected object, whether it is visible and whether a mark is set, and the picked point where
+/// none is set.
+type Situation = (u64, Option<usize>, [bool; 2], Option<DVec3>);
 
 /// What a text about the last "go to" holds for.
 pub(super) fn situation(state: &State) -> Situation {
-    let is_marked = state.sought().is_some();
-    (state.scene_revision(), state.selected(), is_marked)
+    let (is_marked, selected) = (state.sought().is_some(), state.selected());
+    let object = selected.and_then(|object| state.scene().objects().get(object));
+    let is_visible = object.is_some_and(|object| object.visible);
+    let picked = state.picked().filter(|_| !is_marked);
+    let point = picked.map(|pick| pick.point_world);
+    (
+        state.scene_revision(),
+        selected,
+        [is_visible, is_marked],
+        point,
+    )
 }
 
 impl Numbers {
-    /// What the last "go to" has found, until the scene, the selection or the mark changes.
+    /// What the last "go to" has found, until the scene, the pick or the mark changes.
     pub fn said(&self, state: &State) -> Option<&str> {
         let (holds_in, text) = self.said.as_ref()?;
         (*holds_in == situation(state)).then_some(text)

@@ -9,6 +9,7 @@ use super::{
 };
 use crate::{
     camera::{CameraChoice, View, Viewport},
+    json::plain,
     render::{Gpu, MeshStore},
     scene::{Loaded, Warning},
     viewer::{
@@ -317,7 +318,7 @@ impl App {
     pub fn title(&self) -> String {
         let unsaved = self.state.unsaved();
         let mark = if unsaved { "\u{2022} " } else { "" };
-        format!("{mark}{} \u{2013} Sightline", self.state.name())
+        format!("{mark}{} \u{2013} Sightline", plain(self.state.name()))
     }
 
     /// Logs, once for each scene, that it is on screen.

@@ -23,9 +23,9 @@ type Stamp = Option<(SystemTime, u64)>;
 pub(in crate::viewer) struct Stamps(BTreeMap<PathBuf, Stamp>);
 
 impl Stamps {
-    /// How files are now.
+    /// How files are now, by their absolute paths.
     pub fn of<'a>(files: impl IntoIterator<Item = &'a PathBuf>) -> Self {
-        let stamped = files.into_iter().map(|file| (file.clone(), stamp(file)));
+        let stamped = files.into_iter().map(|file| (whole(file), stamp(file)));
         Self(stamped.collect())
     }
 
@@ -155,6 +155,11 @@ impl Watching {
     pub fn is_of(&self, files: &BTreeSet<PathBuf>) -> bool {
         self.known.0.keys().eq(files)
     }
+}
+
+/// The path as an absolute one: the command line may name a file by a relative path, and a mesh has an absolute one.
+pub(in crate::viewer) fn whole(file: &Path) -> PathBuf {
+    std::path::absolute(file).unwrap_or_else(|_| file.to_owned())
 }
 
 fn folder_of(file: &Path) -> Option<&Path> {

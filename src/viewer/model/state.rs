@@ -134,6 +134,8 @@ pub(super) enum UndoStep {
     Edited(Edit, Edits, Chosen),
     /// The view was there.
     Viewpoint(Viewpoint),
+    /// The view had this section and showed these sides.
+    Cut(Option<Section>, Sides),
     /// The list of measures was this.
     Measured(Vec<Entry>),
     /// Another scene was open, with all of its state.
@@ -275,7 +277,7 @@ impl State {
             UndoStep::Edited(Edit::Place(..), ..) => "model matrix",
             UndoStep::Edited(Edit::Toggle(_), ..) => "hide and show",
             UndoStep::Edited(Edit::Compose(..), ..) => "objects added",
-            UndoStep::Viewpoint(_) => "view",
+            UndoStep::Viewpoint(_) | UndoStep::Cut(..) => "view",
             UndoStep::Measured(_) => "measures",
             UndoStep::Open(_) => "gallery",
         })

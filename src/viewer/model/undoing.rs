@@ -19,10 +19,22 @@ impl State {
         self.timeline.push(gesture, step, UndoStep::leads_out);
     }
 
-    /// Keeps a step back to where the view stood, if it has moved.
+    /// Keeps a step back to how the view was, if it has changed. It leads back to where the view stood only if that
+    /// has changed.
     pub(super) fn record_viewpoint(&mut self, gesture: Option<Gesture>, was: &Viewpoint) {
-        if *was != self.viewpoint() {
-            self.record(gesture, UndoStep::Viewpoint(*was));
+        let now = self.viewpoint();
+        let cut = Viewpoint {
+            section: now.section,
+            sides: now.sides,
+            ..*was
+        };
+        let step = if cut == now {
+            UndoStep::Cut(was.section, was.sides)
+        } else {
+            UndoStep::Viewpoint(*was)
+        };
+        if *was != now {
+            self.record(gesture, step);
         }
     }
 
@@ -62,6 +74,15 @@ impl State {
                 let inverse = UndoStep::Viewpoint(self.viewpoint());
                 self.restore_viewpoint(&viewpoint);
                 inverse
+            }
+            UndoStep::Cut(section, sides) => {
+                let now = self.viewpoint();
+                self.restore_viewpoint(&Viewpoint {
+                    section,
+                    sides,
+                    ..now
+                });
+                UndoStep::Cut(now.section, now.sides)
             }
             UndoStep::Measured(list) => {
                 UndoStep::Measured(mem::replace(&mut self.measuring.list, list))

@@ -44,7 +44,7 @@ impl PathQuestion {
     /// Takes the path in the field. `None` if it cannot be taken, or not yet: then [`Self::said`] says why. A file that
     /// is there already is replaced only if its path is taken twice.
     pub fn take(&mut self) -> Option<PathBuf> {
-        let mut path = PathBuf::from(self.text.trim());
+        let mut path = in_home(self.text.trim());
         if path.as_os_str().is_empty() || path.is_dir() {
             self.said = Some("This is not the path of a file.".into());
             return None;
@@ -65,5 +65,13 @@ impl PathQuestion {
             }
             _ => Some(path),
         }
+    }
+}
+
+/// A typed path. A leading `~/` is the home folder, as in a shell.
+fn in_home(typed: &str) -> PathBuf {
+    match (typed.strip_prefix("~/"), std::env::home_dir()) {
+        (Some(rest), Some(home)) => home.join(rest),
+        _ => PathBuf::from(typed),
     }
 }

@@ -82,7 +82,8 @@ pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &m
         let room = ui.available_width() - 2.0 * ui.spacing().item_spacing.x;
         let width = (room / 3.0 - FRAME).floor().max(40.0);
         for (name, hint, to) in fields {
-            let id = Id::unique(("go to", name));
+            // A number is about one scene.
+            let id = Id::unique(("go to", name, state.document()));
             let mut text: String = ui.data(|data| data.get_temp(id)).unwrap_or_default();
             let number = text.trim().parse::<usize>();
             let number = number.ok().filter(|number| *number > 0);
