@@ -29,20 +29,6 @@ fn help_and_a_typed_path_are_as_narrow_as_the_window() {
     is_within(&window, "path");
 }
 
-/// The button is lit only while the matrices can be seen, and they stand beside the four views.
-#[test]
-fn the_matrices_button_tells_whether_they_are_seen() {
-    let mut window = demo([640, 400]);
-    let is_on = |window: &Offscreen| {
-        let seen = has_control(window, "P, row z");
-        seen.then(|| control(window, "left side").is_on)
-    };
-    press_key(&mut window, NONE, Key::Num4);
-    assert_eq!(is_on(&window), Some(true));
-    click_on(&mut window, "right side");
-    assert_eq!(is_on(&window), None);
-}
-
 /// A reason can be read below the field that was left.
 #[test]
 fn why_a_number_is_refused_stands_below_its_field() {

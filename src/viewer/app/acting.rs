@@ -61,9 +61,6 @@ impl App {
     pub(super) fn show_views(&mut self, views: Views) {
         let (was, floating) = (self.state.views(), &mut self.floating);
         if was == Views::Picture && views != Views::Picture {
-            if !self.docks.shows_matrices(floating.pipeline) {
-                self.docks.toggle_matrices(false);
-            }
             floating.pipeline_was = mem::replace(&mut floating.pipeline, true);
         } else if was != Views::Picture && views == Views::Picture {
             if floating.pipeline && !floating.pipeline_was {
