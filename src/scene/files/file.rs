@@ -117,6 +117,6 @@ fn up_to(file: File, bytes: u64) -> io::Result<Vec<u8>> {
 }
 
 /// The path as an absolute one.
-pub(super) fn absolute(path: &Path) -> PathBuf {
+pub(crate) fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }

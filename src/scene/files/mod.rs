@@ -21,6 +21,7 @@ mod warning;
 use super::{Object, Scene, Shape};
 pub(crate) use entry::matrix_rows;
 pub use file::FileError;
+pub(crate) use file::absolute;
 pub use files_again::FilesAgain;
 pub(crate) use load::{is_scene_file, title};
 pub use load::{load, load_with};

@@ -8,7 +8,7 @@ use super::{
 use crate::{
     camera::CameraChoice,
     json,
-    scene::{Scene, description},
+    scene::{self, Scene, description},
     viewer::{
         jobs::{self, Answer, Checking},
         model::{Action, MeasureAction, RayHits, Views, view_command},
@@ -172,7 +172,7 @@ impl App {
                 let asked = self.to_save.as_ref();
                 let scene = asked.and_then(|(asked, _)| self.state.opened(asked.document));
                 let file = scene.unwrap_or(&self.state).file_to_save();
-                let file = std::path::absolute(&file).unwrap_or(file);
+                let file = scene::absolute(&file);
                 self.ask_path(what, &file);
             }
         }

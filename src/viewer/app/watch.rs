@@ -7,7 +7,7 @@ use super::{
 use crate::{
     scene::{self, gallery::Exhibit},
     viewer::{
-        jobs::{Stamps, Watching, whole},
+        jobs::{Stamps, Watching},
         model::Source,
     },
 };
@@ -136,10 +136,14 @@ fn is_gone(file: PathBuf) -> String {
     format!("{name} is gone from the disk. What is on screen stays: Ctrl+S saves it")
 }
 
-/// The files of a scene that others may change, by their absolute paths.
+/// The files of a scene that others may change, by their absolute paths: the command line may name a file by a relative
+/// one, and its mesh has an absolute one.
 fn files_of(source: &Source) -> BTreeSet<PathBuf> {
     let is_file = |path: &&PathBuf| !matches!(Exhibit::at(path), Ok(Some(_)));
     let meshes = source.meshes.iter().map(|file| &file.path);
     let files = source.paths.iter().chain(meshes).chain(&source.materials);
-    files.filter(is_file).map(|file| whole(file)).collect()
+    files
+        .filter(is_file)
+        .map(|file| scene::absolute(file))
+        .collect()
 }

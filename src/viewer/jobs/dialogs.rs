@@ -1,6 +1,7 @@
 //! File dialogs. On Linux a portal shows them, or `zenity` where there is no portal.
 
 use super::portal::{Question, ask};
+use crate::scene;
 use std::{
     panic::{self, AssertUnwindSafe},
     path::{Path, PathBuf},
@@ -37,7 +38,7 @@ pub(in crate::viewer) fn save_dialog(
     answered: impl FnOnce(Answer) + Send + 'static,
 ) {
     // Portals want an absolute path.
-    let suggested = std::path::absolute(suggested).unwrap_or_else(|_| suggested.to_path_buf());
+    let suggested = scene::absolute(suggested);
     let mut dialog = rfd::AsyncFileDialog::new()
         .set_title("Save scene")
         .add_filter("Scenes", &["toml"]);

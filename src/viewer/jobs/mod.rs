@@ -36,4 +36,4 @@ pub(super) use study::Chart;
 pub(super) use trees::build_trees;
 pub(super) use typefaces::{Missing, Typeface, Typefaces};
 pub(super) use uploading::{Making, Upload, Uploaded};
-pub(super) use watching::{Stamps, Watching, whole};
+pub(super) use watching::{Stamps, Watching};

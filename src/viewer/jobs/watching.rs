@@ -1,5 +1,6 @@
 //! Watches files that other programs may change.
 
+use crate::scene;
 use notify::{RecommendedWatcher, RecursiveMode, Watcher};
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -25,7 +26,9 @@ pub(in crate::viewer) struct Stamps(BTreeMap<PathBuf, Stamp>);
 impl Stamps {
     /// How files are now, by their absolute paths.
     pub fn of<'a>(files: impl IntoIterator<Item = &'a PathBuf>) -> Self {
-        let stamped = files.into_iter().map(|file| (whole(file), stamp(file)));
+        let stamped = files
+            .into_iter()
+            .map(|file| (scene::absolute(file), stamp(file)));
         Self(stamped.collect())
     }
 
@@ -155,11 +158,6 @@ impl Watching {
     pub fn is_of(&self, files: &BTreeSet<PathBuf>) -> bool {
         self.known.0.keys().eq(files)
     }
-}
-
-/// The path as an absolute one: the command line may name a file by a relative path, and a mesh has an absolute one.
-pub(in crate::viewer) fn whole(file: &Path) -> PathBuf {
-    std::path::absolute(file).unwrap_or_else(|_| file.to_owned())
 }
 
 fn folder_of(file: &Path) -> Option<&Path> {
