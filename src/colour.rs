@@ -100,7 +100,7 @@ fn encode(light: f32) -> u8 {
     let encoded = if light <= 0.003_130_8 {
         12.92 * light
     } else {
-        1.055 * light.powf(1.0 / 2.4) - 0.055
+        1.055 * libm::powf(light, 1.0 / 2.4) - 0.055
     };
     let [value, ..] = Srgb::from_unit([f64::from(encoded); 3]).0;
     value
@@ -111,7 +111,7 @@ fn decode(c: f32) -> f32 {
     if c <= 0.040_45 {
         c / 12.92
     } else {
-        ((c + 0.055) / 1.055).powf(2.4)
+        libm::powf((c + 0.055) / 1.055, 2.4)
     }
 }
 

@@ -89,7 +89,7 @@ impl Lens {
     /// perspective (so `tan(fov_y / 2)` high).
     pub fn half_extent(&self, aspect: f64) -> DVec2 {
         let top = match self.projection {
-            Projection::Perspective { fov_y } => (0.5 * fov_y).tan(),
+            Projection::Perspective { fov_y } => libm::tan(0.5 * fov_y),
             Projection::Orthographic { height } => 0.5 * height,
         };
         DVec2::new(top * aspect, top)

@@ -70,8 +70,8 @@ impl Orbit {
             frame,
             target: camera.target(),
             distance: camera.eye().distance(camera.target()),
-            yaw: (-right.z).atan2(right.x),
-            pitch: back.y.atan2(up.y),
+            yaw: libm::atan2(-right.z, right.x),
+            pitch: libm::atan2(back.y, up.y),
         }
     }
 
@@ -99,7 +99,7 @@ impl Orbit {
 
     /// Yaw and pitch for an eye in this direction, given in an upright frame.
     fn angles(DVec3 { x, y, z }: DVec3) -> (f64, f64) {
-        (x.atan2(z), y.atan2(x.hypot(z)))
+        (libm::atan2(x, z), libm::atan2(y, libm::hypot(x, z)))
     }
 
     /// Moves target and distance so that `bounds_world` just fills the picture as seen from the present direction;
@@ -116,7 +116,7 @@ impl Orbit {
         } else {
             1e-3 * center.length().max(1.0)
         };
-        let top = (0.5 * fov_y).tan();
+        let top = libm::tan(0.5 * fov_y);
         let to_view = self.axes().transpose();
         // Each corner needs a distance that puts it within the picture and in front of the eye.
         let distance = bounds.corners().into_iter().map(|corner| {

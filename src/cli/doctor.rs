@@ -34,7 +34,7 @@ const VARIABLES: [&str; 7] = [
 
 /// The commands that work without an adapter.
 const WITHOUT: &str =
-    "list, pick, install-desktop, study (but for the step that draws) and render --by raycast";
+    "list, pick, render (by rays), install-desktop and study (but for the step that draws)";
 
 /// Prints the report.
 pub(super) fn run(args: &DoctorArgs) -> Result<(), CliError> {

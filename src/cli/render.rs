@@ -8,7 +8,7 @@ use crate::{
     camera::View,
     image::{Id, Image, ImageError, Rgb},
     pick,
-    render::{self, Gpu},
+    render::{self, Gpu, GpuError},
     replace::target,
     scene::Scene,
     viewer::{self, model::Views},
@@ -25,16 +25,16 @@ pub struct RenderArgs {
     /// The PNG file to write
     #[arg(short, long, value_name = "FILE.png", value_parser = value::png())]
     pub output: PathBuf,
-    /// What draws: the graphics adapter, or rays on the CPU, which need no graphics driver
-    #[arg(long, value_enum, default_value_t = By::Raster)]
-    pub by: By,
+    /// What draws: the graphics adapter, or rays on the CPU [default: the adapter; rays where none draws]
+    #[arg(long, value_enum)]
+    pub by: Option<By>,
     /// Draw the object at this position as selected
     #[arg(long, value_name = "X,Y", value_parser = value::point, allow_hyphen_values = true)]
     pub pick: Option<DVec2>,
     /// Also write object ids, as 16-bit grey: 0 for the background, n for the object with id n
     #[arg(long, value_name = "FILE.png", value_parser = value::png())]
     pub ids: Option<PathBuf>,
-    /// Draw the four views side by side, or one of them, as the window does [default: picture]
+    /// Draw the four views side by side, or one of them, as the window does, with a graphics adapter [default: picture]
     #[arg(long, value_name = "VIEWS", value_parser = value::word(value::VIEWS), conflicts_with_all = ["ids", "by"])]
     pub views: Option<Views>,
     /// How to look at it.
@@ -63,16 +63,17 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
         ));
     }
     let views = args.views.filter(|views| *views != Views::Picture);
-    let (mut loaded, gpu) = if args.by == By::Raster && views.is_none() {
-        let open = if args.ids.is_none() && args.pick.is_none() {
-            Gpu::headless_for_colours
-        } else {
+    let needs_ids = args.ids.is_some() || args.pick.is_some();
+    let (mut loaded, gpu) = if args.by == Some(By::Raycast) || views.is_some() {
+        (load(&args.scene)?, None)
+    } else {
+        let open = if needs_ids {
             Gpu::headless
+        } else {
+            Gpu::headless_for_colours
         };
         let (loaded, gpu) = load_beside_gpu(&args.scene, open)?;
         (loaded, Some(gpu))
-    } else {
-        (load(&args.scene)?, None)
     };
     let view = args.view.apply(&mut loaded)?;
     // The warnings were printed already.
@@ -98,19 +99,20 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     let selection = at.and_then(|ray| pick::closest(scene, ray, view.sides));
     let selection = selection.map(|hit| hit.object);
     let start = Instant::now();
-    let (ids, colours) = if let Some(gpu) = gpu {
-        let gpu = gpu?;
-        log::info!("drawing with {}", gpu.adapter_name());
-        if args.ids.is_none() && selection.is_none() {
-            (None, render::picture(&gpu, scene, &view)?)
-        } else {
-            let (ids, colours) = render::render(&gpu, scene, &view, selection)?;
+    let drawn = gpu.map(|gpu| raster(&gpu?, scene, &view, selection, args.ids.is_some()));
+    let (ids, colours) = match drawn {
+        Some(Ok(drawn)) => drawn,
+        Some(Err(error)) if args.by.is_some() || !rays_do_without(&error) => {
+            return Err(error.into());
+        }
+        failed => {
+            if let Some(Err(error)) = failed {
+                log::warn!("drawn by rays on the CPU: {error}");
+            }
+            check_memory(view.viewport, pick::RAYCAST_BYTES)?;
+            let (ids, colours) = raycast(scene, &view, selection);
             (Some(ids), colours)
         }
-    } else {
-        check_memory(view.viewport, pick::RAYCAST_BYTES)?;
-        let (ids, colours) = raycast(scene, &view, selection);
-        (Some(ids), colours)
     };
     log::info!("drew the picture in {:.1?}", start.elapsed());
     // Neither file is replaced unless both can be written.
@@ -123,6 +125,28 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
         let placed = ids.put_in_place();
         placed.map_err(|error| CliError::file(path, &error))
     })
+}
+
+/// The picture, and the ids where they are wanted or tell what is selected.
+fn raster(
+    gpu: &Gpu,
+    scene: &Scene,
+    view: &View,
+    selection: Option<usize>,
+    wants_ids: bool,
+) -> Result<(Option<Image<Id>>, Image<Rgb>), GpuError> {
+    log::info!("drawing with {}", gpu.adapter_name());
+    if !wants_ids && selection.is_none() {
+        return Ok((None, render::picture(gpu, scene, view)?));
+    }
+    let (ids, colours) = render::render(gpu, scene, view, selection)?;
+    Ok((Some(ids), colours))
+}
+
+/// Whether rays can draw although the adapter cannot. Another try may do where it was lost, and memory that is used up
+/// may be missed by rays, too.
+fn rays_do_without(error: &GpuError) -> bool {
+    !matches!(error, GpuError::Lost(_) | GpuError::OutOfMemory(_))
 }
 
 fn raycast(scene: &Scene, view: &View, selection: Option<usize>) -> (Image<Id>, Image<Rgb>) {

@@ -100,6 +100,7 @@ fn budget(args: &StudyArgs, px: f64) -> Result<(), CliError> {
     let mut loaded = load(&args.scene)?;
     let view = uncut(args.view.apply(&mut loaded)?);
     let rays = SceneRays::new(&loaded.scene, view, BUDGET_RAYS, args.seed);
+    study::has_budget(&rays).map_err(|error| CliError::usage(error.to_string()))?;
     let effort = Effort {
         seed: args.seed,
         ..Effort::SCENE_ONLY

@@ -59,8 +59,10 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
     let (mut loaded, gpu) = load_beside_gpu(&args.scene, Gpu::headless)?;
     let view = args.view.apply(&mut loaded)?;
     let scene = &loaded.scene;
-    let nothing_drawn =
-        |error: GpuError| CliError::new(4, format!("{error}; picking itself needs no driver"));
+    let nothing_drawn = |error: GpuError| {
+        let text = format!("{error}; `sightline pick` and `sightline render` do without");
+        CliError::new(4, text)
+    };
     let gpu = gpu.map_err(nothing_drawn)?;
     let start = Instant::now();
     let (drawn, colours) = render::render(&gpu, scene, &view, None).map_err(nothing_drawn)?;

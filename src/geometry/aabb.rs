@@ -95,7 +95,7 @@ impl Aabb {
             clippy::cast_sign_loss,
             reason = "clamped"
         )]
-        let places = (6.0 - size.log10().floor()).clamp(0.0, 330.0) as usize;
+        let places = (6.0 - libm::log10(size).floor()).clamp(0.0, 330.0) as usize;
         places
     }
 

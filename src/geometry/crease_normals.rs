@@ -104,7 +104,7 @@ pub(super) fn crease_normals_while<E: Send>(
         triangles,
         faces: &faces,
         around: &around,
-        cos_crease: crease.cos(),
+        cos_crease: libm::cosf(crease),
     };
     let shares = in_pieces(positions.len(), 0.25, go_on, |vertices| {
         fans.normals(vertices)

@@ -11,6 +11,8 @@
 //!   matrix that it went through. Both bound the error of their rounded numbers. Shapes decide as exact arithmetic
 //!   would for the exact ray: hit or miss, front or back, in the interval or not, which is nearest ([`crate::pick`] has
 //!   the contract).
+//! * **Arithmetic**: what decides or bounds uses +, -, x, /, square roots and integers, and numbers that are stored or
+//!   printed the `libm` crate's sine and the like. So a hit is the same to the last bit on every system.
 //! * **Barycentrics** `[s1, s2, s3]` weight the corners in order: `point = s1 v1 + s2 v2 + s3 v3`, sum 1.
 //! * **Winding** is counter-clockwise seen from outside; normals point outwards and are never flipped
 //!   towards the ray. A hit is at the *front* when `direction . normal < 0`.

@@ -218,7 +218,7 @@ fn row_sums(matrix: DMat3) -> DVec3 {
 /// axes.
 pub(crate) fn sin_cos_quarters(quarter_turns: f64) -> (f64, f64) {
     let whole = quarter_turns.round();
-    let (sin, cos) = ((quarter_turns - whole) * FRAC_PI_2).sin_cos();
+    let (sin, cos) = libm::sincos((quarter_turns - whole) * FRAC_PI_2);
     match whole.rem_euclid(4.0) {
         1.0 => (cos, -sin),
         2.0 => (-sin, -cos),

@@ -56,10 +56,13 @@ impl Trs {
         }
         // Each angle is found after the one before is undone. Together they then make the matrix, even where single
         // ones are undetermined.
-        let z = r.x_axis.y.atan2(r.x_axis.x);
-        let (sin, cos) = z.sin_cos();
-        let y = (-r.x_axis.z).atan2(cos * r.x_axis.x + sin * r.x_axis.y);
-        let x = (sin * r.z_axis.x - cos * r.z_axis.y).atan2(cos * r.y_axis.y - sin * r.y_axis.x);
+        let z = libm::atan2(r.x_axis.y, r.x_axis.x);
+        let (sin, cos) = libm::sincos(z);
+        let y = libm::atan2(-r.x_axis.z, cos * r.x_axis.x + sin * r.x_axis.y);
+        let x = libm::atan2(
+            sin * r.z_axis.x - cos * r.z_axis.y,
+            cos * r.y_axis.y - sin * r.y_axis.x,
+        );
         Some(Self {
             translation: model.translation,
             // Turns -0, which would be displayed, into 0.

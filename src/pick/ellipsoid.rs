@@ -100,8 +100,8 @@ fn eigenvectors(cofactors: &[DyadicVector; 3]) -> [DVec3; 3] {
                 continue;
             }
             let twice_cot = (matrix[q][q] - matrix[p][p]) / matrix[p][q];
-            let tan = 2.0_f64.copysign(twice_cot) / (twice_cot.abs() + twice_cot.hypot(2.0));
-            let cos = 1.0 / tan.hypot(1.0);
+            let tan = 2.0_f64.copysign(twice_cot) / (twice_cot.abs() + libm::hypot(twice_cot, 2.0));
+            let cos = 1.0 / libm::hypot(tan, 1.0);
             let sin = tan * cos;
             for row in &mut matrix {
                 (row[p], row[q]) = (cos * row[p] - sin * row[q], sin * row[p] + cos * row[q]);

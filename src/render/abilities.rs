@@ -167,8 +167,7 @@ mod tests {
     #[test]
     fn an_adapter_is_refused_by_the_name_of_each_ability_that_it_lacks() {
         let line = |what: &str| {
-            let advice = "use another driver; `sightline render --by raycast` needs none, \
-                          `sightline doctor` lists what there is";
+            let advice = "use another driver; `sightline doctor` lists what there is";
             Some(format!("Old card lacks {what}: {advice}"))
         };
         for (flag, what) in FLAGS {

@@ -6,15 +6,11 @@
 pub enum GpuError {
     /// No driver.
     #[error(
-        "no graphics driver found: install one (Debian, Ubuntu: apt-get install mesa-vulkan-drivers); \
-         `sightline render --by raycast` needs none"
+        "no graphics driver found: install one (Debian, Ubuntu: apt-get install mesa-vulkan-drivers)"
     )]
     NoAdapter,
     /// The driver lacks something that drawing requires.
-    #[error(
-        "{adapter} lacks {what}: use another driver; `sightline render --by raycast` needs none, \
-         `sightline doctor` lists what there is"
-    )]
+    #[error("{adapter} lacks {what}: use another driver; `sightline doctor` lists what there is")]
     Lacks {
         /// The adapter's name.
         adapter: String,
@@ -22,9 +18,7 @@ pub enum GpuError {
         what: String,
     },
     /// The driver is there but does not work.
-    #[error(
-        "{adapter} refuses to work ({reason}): use another driver; `sightline render --by raycast` needs none"
-    )]
+    #[error("{adapter} refuses to work ({reason}): use another driver")]
     Device {
         /// The adapter's name.
         adapter: String,
@@ -33,8 +27,7 @@ pub enum GpuError {
     },
     /// More pixels than a texture may have.
     #[error(
-        "a picture of {width}x{height} is too large: {adapter} draws at most {limit} pixels each way; \
-         `sightline render --by raycast` has no such limit"
+        "a picture of {width}x{height} is too large: {adapter} draws at most {limit} pixels each way"
     )]
     PictureTooLarge {
         /// The adapter's name.
@@ -47,10 +40,7 @@ pub enum GpuError {
         limit: u32,
     },
     /// More vertices, triangles or objects than a buffer may hold.
-    #[error(
-        "the scene's {what} need {bytes} bytes, {adapter} takes at most {limit}; \
-         `sightline render --by raycast` has no such limit"
-    )]
+    #[error("the scene's {what} need {bytes} bytes, {adapter} takes at most {limit}")]
     SceneTooLarge {
         /// The adapter's name.
         adapter: String,
@@ -62,9 +52,7 @@ pub enum GpuError {
         limit: u64,
     },
     /// The driver gave up the device: it was reset, updated or unplugged.
-    #[error(
-        "{0} was lost, as when a driver restarts: try again; `sightline render --by raycast` needs no driver"
-    )]
+    #[error("{0} was lost, as when a driver restarts: try again")]
     Lost(String),
     /// Graphics memory is used up.
     #[error(

@@ -5,16 +5,65 @@ use super::{
     prelude::*,
     table::{number, short},
 };
-use crate::camera::View;
+use crate::{
+    camera::{Projection, View},
+    geometry::Ray,
+};
 
-/// The five lines that `--budget` prints. `report` is a timed run over the scene's own rays.
+/// How many times farther from the world's origin than from each other eye and hit may lie. Farther off, a program has
+/// choices that the estimates do not know, such as one `f64` origin for each file.
+const FAR: f64 = 1000.0;
+
+/// Why there is no budget for a scene.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum NoBudget {
+    /// No ray hits.
+    #[error(
+        "--budget: none of {0} rays hits anything: look at the scene, by --eye and --target or without camera flags"
+    )]
+    NothingHit(usize),
+    /// Rounded coordinates differ by too much.
+    #[error(
+        "--budget: the scene lies {} times farther from the world's origin than from the eye, and the estimates hold \
+         up to {FAR}: move it to the origin",
+        number(*.0)
+    )]
+    FarFromOrigin(f64),
+}
+
+/// Whether a scene's hits are such that its budget can be told.
+///
+/// # Errors
+/// Where nothing is hit, or a hit or its ray's start lies far from the world's origin.
+pub fn has_budget(rays: &SceneRays) -> Result<(), NoBudget> {
+    let each = rays.objects().map(|(ray, _, hit)| {
+        let point = ray.at(hit.hit.t);
+        point.length().max(ray.origin.length()) / reach_of(rays, ray, hit.hit.t)
+    });
+    match each.reduce(f64::max) {
+        None => Err(NoBudget::NothingHit(rays.at.len())),
+        Some(times) if times > FAR => Err(NoBudget::FarFromOrigin(times)),
+        Some(_) => Ok(()),
+    }
+}
+
+/// The size of what is seen around a hit: its distance from the eye, or with parallel rays the picture's height.
+fn reach_of(rays: &SceneRays, ray: &Ray, t: f64) -> f64 {
+    match rays.world.view.camera.lens().projection {
+        Projection::Perspective { .. } => t * ray.direction.length(),
+        Projection::Orthographic { height } => height,
+    }
+}
+
+/// The five lines that `--budget` prints. `report` is a timed run over the scene's own rays, which
+/// [have a budget](has_budget).
 pub fn budget(rays: &SceneRays, view: &View, report: &Report, budget_px: f64) -> String {
     let [narrow, wide] = [F32, F64].map(|precision| estimates(rays, view, report, precision));
     let chain = chain(&narrow, &wide, budget_px);
     let lines = [
         methods(&chain, budget_px),
         largest(&chain, &narrow, &wide),
-        reach(&chain, view, budget_px),
+        reach(&chain, rays, view, budget_px),
         savings(report, &narrow),
         sample(report, narrow.iter().chain(&wide)),
     ];
@@ -79,7 +128,7 @@ fn largest(chain: &[Estimate], narrow: &[Estimate], wide: &[Estimate]) -> String
 }
 
 /// How far the whole scene can move from the world's origin before the chain exceeds the budget.
-fn reach(chain: &[Estimate], view: &View, budget_px: f64) -> String {
+fn reach(chain: &[Estimate], rays: &SceneRays, view: &View, budget_px: f64) -> String {
     let now = view.camera.eye().length();
     let px = total(chain, |step| step.px);
     let unmoved = total(chain, |step| step.px - step.px_by_origin[0]);
@@ -90,10 +139,12 @@ fn reach(chain: &[Estimate], view: &View, budget_px: f64) -> String {
             "No distance from the world's origin is near enough: the picture needs more digits than f64 has, or its eye touches a surface; {here}."
         );
     }
-    if per_unit == 0.0 {
-        return format!("That holds at any distance from the world's origin; {here}.");
-    }
-    let most = number(0.95 * ((budget_px - unmoved) / per_unit));
+    let reaches = rays
+        .objects()
+        .map(|(ray, _, hit)| reach_of(rays, ray, hit.hit.t));
+    let told = FAR * reaches.fold(f64::INFINITY, f64::min);
+    let most = ((budget_px - unmoved) / per_unit).min(told);
+    let most = number(0.95 * most);
     format!("That holds until eye and objects are {most} units from the world's origin; {here}.")
 }
 

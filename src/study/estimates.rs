@@ -11,12 +11,16 @@
 //! * box: 5u of the distance and a side for each of two slabs;
 //! * square: 12u of the distance to its furthest corner, and in `f32` 2u of the world coordinates;
 //! * triangle, Woop: 8u for a corner's sheared coordinates and 6u for the edge function, both of the furthest corner's
-//!   distance; 2u for the ray's start.
+//!   distance; 2u for the ray's start; and in `f32` u of the file's coordinates.
 //!
 //! This distance, divided by the distance of the nearest edge, is an angle at the eye.
 
 use super::{prelude::*, scene_rays::px_angle};
-use crate::{camera::View, geometry::Placement, scene::Shape};
+use crate::{
+    camera::View,
+    geometry::Placement,
+    scene::{Object, Shape},
+};
 use glam::DVec3;
 
 /// Each step's key, and its sound method.
@@ -69,6 +73,7 @@ pub fn estimates(
         let px_by_origin = match (precision, step) {
             (F32, "ray") => eye(view, u),
             (F32, "object-space") => places(rays, u),
+            (F32, "triangle") => file_coordinates(rays, u),
             (F32, "square") => squares(rays, u),
             _ => [0.0; 2],
         };
@@ -103,13 +108,29 @@ fn eye(view: &View, u: f64) -> [f64; 2] {
     [unit * camera.eye().length(), unit]
 }
 
-/// The error from the rounded world coordinates of rays and objects.
+/// The error from the rounded world coordinates of rays and objects, as it is seen at the hit.
 fn places(rays: &SceneRays, u: f64) -> [f64; 2] {
     let each = rays.objects().map(|(ray, object, hit)| {
         let place = object.placement.model().translation;
-        let along = (place - ray.origin).dot(ray.direction).abs() / ray.direction.length();
-        let unit = u / along / rays.px(hit.hit.t);
+        let unit = u * rays.px_per_unit(ray, hit.hit.t);
         [unit * (ray.origin.length() + place.length()), 2.0 * unit]
+    });
+    each.fold([0.0; 2], larger)
+}
+
+/// The error from rounding the file's coordinates of a mesh and the ray's start among them, as it is seen at the hit. It
+/// grows where the mesh moves within its file, for which no direction is longer than sqrt(3) along the axes.
+fn file_coordinates(rays: &SceneRays, u: f64) -> [f64; 2] {
+    let is_mesh = |object: &Object| matches!(object.shape, Shape::Mesh { .. });
+    let meshes = rays.objects().filter(|(_, object, _)| is_mesh(object));
+    let each = meshes.map(|(ray, object, hit)| {
+        let local = object.placement.ray_to_object(ray);
+        let rounded = local.origin.abs() + local.at(hit.hit.t).abs();
+        let linear = object.placement.model().matrix3;
+        let columns = [linear.x_axis, linear.y_axis, linear.z_axis];
+        let lengths = DVec3::from(columns.map(DVec3::length));
+        let unit = u * rays.px_per_unit(ray, hit.hit.t);
+        [unit * lengths.dot(rounded), 2.0 * 3_f64.sqrt() * unit]
     });
     each.fold([0.0; 2], larger)
 }

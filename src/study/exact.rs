@@ -158,6 +158,6 @@ pub fn angle(truth: &Exact3, answer: [f64; 3]) -> f64 {
     if cos > 0.0 && sin < 1e-8 {
         sin
     } else {
-        sin.atan2(cos)
+        libm::atan2(sin, cos)
     }
 }

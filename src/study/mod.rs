@@ -73,7 +73,7 @@ mod table;
 mod timing;
 pub mod truth;
 
-pub use budget::{budget, measured};
+pub use budget::{NoBudget, budget, has_budget, measured};
 pub use csv::{COLUMNS, SUMMARY_COLUMNS, csv, summary_csv};
 pub use effort::Effort;
 pub use estimates::{Estimate, estimates};

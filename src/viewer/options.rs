@@ -43,7 +43,7 @@ pub enum ViewerError {
     )]
     NoDisplay,
     /// No graphics device to draw it with.
-    #[error(transparent)]
+    #[error("{0}; or draw a picture, which needs no driver: sightline render SCENE -o picture.png")]
     Gpu(#[from] GpuError),
 }
 

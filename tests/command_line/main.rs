@@ -8,6 +8,7 @@ mod doctor;
 mod exact;
 mod flags;
 mod in_file;
+mod no_driver;
 mod pictures;
 #[path = "../common/real_files.rs"]
 mod real_files;

@@ -11,6 +11,9 @@ mod complete;
 mod gallery;
 mod no_adapter;
 mod readme;
+#[path = "../common/real_files.rs"]
+mod real_files;
+mod rounded;
 mod summary;
 mod views;
 

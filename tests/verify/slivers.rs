@@ -101,7 +101,8 @@ fn section_of(random: &mut Random, slivers: &[[DVec3; 3]]) -> Section {
     }
 }
 
-/// Compares many pictures of slivers. At least `least` pixels must differ, or the slivers miss what they aim at.
+/// Compares many pictures of slivers. At least `least` pixels must pick a sliver, or the slivers miss what they aim at;
+/// how many of these a driver draws is up to its last bits.
 #[track_caller]
 fn check(
     seed: u64,
@@ -113,6 +114,7 @@ fn check(
     let mut renderer = Renderer::new(&gpu, 1);
     let mut random = Random::new(seed);
     let mut classes = [0; 6];
+    let mut hit = 0;
     let mut worst = String::new();
     for mut view in (0..pictures).flat_map(|_| views()) {
         let slivers: Vec<_> = (0..SLIVERS).map(|_| sliver(&mut random, &view)).collect();
@@ -121,7 +123,9 @@ fn check(
         scene.build_trees();
         let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
         let drawn = drawn(&gpu, &mut renderer, &buffers, &view);
-        let report = compare(&scene, &view, &drawn, &pick::ids(&scene, &view));
+        let picked = pick::ids(&scene, &view);
+        hit += picked.pixels().iter().filter(|id| id.object == 1).count();
+        let report = compare(&scene, &view, &drawn, &picked);
         for (count, class) in classes.iter_mut().zip(Class::ALL) {
             *count += report.count(class);
         }
@@ -129,10 +133,9 @@ fn check(
             worst = format!("{:?}\n{view:?}\n{:?}", report.worst(), slivers);
         }
     }
-    println!("{classes:?}");
+    println!("{classes:?}, {hit} hit");
     assert_eq!(classes[4..], [0, 0], "of {classes:?}: {worst}");
-    let differ: usize = classes.iter().sum();
-    assert!(differ >= least, "only {differ} pixels differ");
+    assert!(hit >= least, "only {hit} pixels pick a sliver");
 }
 
 /// A driver that interpolates between corners as given draws this one at a centre beside it, deeper than any corner and
@@ -222,10 +225,10 @@ fn slimmer_than_f32() {
     let view = "--size 40x60 --eye=0,0,0 --look=0,0,-1 --ortho 13.047210075203077";
     let counts = Counts::of(extremes::run(Some(&file), view));
     assert_eq!(counts.get("unexplained"), 0, "{}", counts.line);
-    // lavapipe shows it before the wall, an NVIDIA H100 does not.
-    let adapter = counts.line["adapter"].as_str().expect("a name");
-    let shown = u64::from(adapter.contains("llvmpipe"));
-    assert_eq!(counts.get("beyond_f32"), shown, "{}", counts.line);
+    // lavapipe shows one pixel of it before the wall, an NVIDIA H100 none.
+    let shown = counts.get("beyond_f32");
+    assert!(shown <= 1, "{}", counts.line);
+    assert_eq!(counts.code, Some(i32::from(shown > 0)), "{}", counts.line);
 }
 
 #[test]

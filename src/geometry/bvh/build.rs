@@ -281,8 +281,8 @@ impl Vertices<'_> {
         if largest == 0.0 || (1.0 / SAFE..=SAFE).contains(&largest) {
             return Some(1.0);
         }
-        #[expect(clippy::cast_possible_truncation, reason = "within 150")]
-        let exponent = (largest.log2() as i32).clamp(-126, 126);
+        let biased = i32::from((largest.to_bits() >> 23) as u16);
+        let exponent = (biased - 127).clamp(-126, 126);
         let (scale, unscale) = (2_f32.powi(-exponent), 2_f32.powi(exponent));
         let kept = |x: &f32| ((x * scale) * unscale).to_bits() == x.to_bits();
         let mut corners = self.triangles.as_flattened().iter();

@@ -184,7 +184,7 @@ fn length<I: Decided>(x: &Number<I>, y: &Number<I>) -> Result<(f64, i64), InDoub
         _ => of_y,
     };
     let in_unit = |size, of: i64| times_power_of_two(size, of - unit);
-    Ok((in_unit(x, of_x).hypot(in_unit(y, of_y)), unit))
+    Ok((libm::hypot(in_unit(x, of_x), in_unit(y, of_y)), unit))
 }
 
 fn quotient(a: (f64, i64), b: (f64, i64)) -> f64 {

@@ -36,8 +36,8 @@ fn ring() -> Arc<Mesh> {
     const CREASE: f32 = 0.5;
     let vertex = |i: u32| {
         let turn = |part: u32, whole: u32| TAU * f64::from(part) / f64::from(whole);
-        let (sin_u, cos_u) = turn(i / ACROSS, AROUND).sin_cos();
-        let (sin_v, cos_v) = turn(i % ACROSS, ACROSS).sin_cos();
+        let (sin_u, cos_u) = libm::sincos(turn(i / ACROSS, AROUND));
+        let (sin_v, cos_v) = libm::sincos(turn(i % ACROSS, ACROSS));
         let radius = RADIUS + THICKNESS * cos_v;
         DVec3::new(radius * cos_u, radius * sin_u, THICKNESS * sin_v)
             .as_vec3()

@@ -26,7 +26,7 @@ impl Axis {
     pub fn new(values: &[f64], ends: [f64; 2]) -> Self {
         let finite = || {
             let scaled = |v: &&f64| v.is_finite() && **v > Figure::TIE;
-            values.iter().filter(scaled).map(|v| v.log10())
+            values.iter().filter(scaled).map(|v| libm::log10(*v))
         };
         let low = finite().map(|e| (e + 1e-6).floor()).reduce(f64::min);
         let low = low.unwrap_or(0.0);
@@ -46,7 +46,7 @@ impl Axis {
             to -= direction * 1.6 * BEYOND;
             to + direction * BEYOND
         });
-        let scale = Self::between(f64::log10, [low, high], [from, to]);
+        let scale = Self::between(libm::log10, [low, high], [from, to]);
         let beside = [none, ties, fails];
         Self { beside, ..scale }
     }
@@ -96,7 +96,7 @@ impl Axis {
         let mut ticks: Vec<f64> = decades.collect();
         if high - low <= 2.0 {
             let between = (first - 1..=last).flat_map(|e| [2.0, 5.0].map(|f| f * 10_f64.powi(e)));
-            ticks.extend(between.filter(|v| (low..=high).contains(&v.log10())));
+            ticks.extend(between.filter(|v| (low..=high).contains(&libm::log10(*v))));
         }
         ticks.into_iter().map(|v| (v, word(v))).collect()
     }

@@ -76,7 +76,7 @@ fn marks(picture: &mut Picture, title: &str, mapping: Mapping, left: f64) {
 fn steps(picture: &mut Picture) {
     const PER_DECADE: i32 = 8;
     let decades = -PER_DECADE + 1..6 * PER_DECADE;
-    let depths = decades.map(|i| 10_f64.powf(f64::from(i) / f64::from(PER_DECADE)));
+    let depths = decades.map(|i| libm::exp10(f64::from(i) / f64::from(PER_DECADE)));
     let depths: Vec<f64> = depths.collect();
     let curves = MAPPINGS.map(|(name, mapping, colour, width)| {
         let step = |z: &f64| Some((*z, resolution(mapping, *z)?));

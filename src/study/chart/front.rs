@@ -86,7 +86,7 @@ pub fn chart(report: &Report) -> Picture {
         let left = LEFT + place * (width + GAP);
         let span = if *is_shared { shared } else { span(points) };
         let panel = Panel {
-            x: Axis::between(f64::log10, span, [left, left + width]),
+            x: Axis::between(libm::log10, span, [left, left + width]),
             y,
             from: [left, TOP],
             to: [left + width, BOTTOM],
@@ -112,7 +112,10 @@ fn never<'a>(points: &[Point<'a>]) -> Vec<&'a str> {
 /// The logarithms of the first and last time on an axis. Methods that are far slower than most stand at the axis's end,
 /// and their labels name their times.
 fn span<'a>(points: impl IntoIterator<Item = &'a Point<'a>>) -> [f64; 2] {
-    let mut times: Vec<f64> = points.into_iter().map(|point| point.ns.log10()).collect();
+    let mut times: Vec<f64> = points
+        .into_iter()
+        .map(|point| libm::log10(point.ns))
+        .collect();
     times.sort_by(f64::total_cmp);
     let (Some(first), Some(last)) = (times.first(), times.last()) else {
         return [0.0, 1.0];

@@ -70,7 +70,7 @@ fn colour(px: f64) -> Colour {
     if px <= 0.0 {
         return [0xff; 3];
     }
-    let share = (px.log10() - SCALE[0]) / (SCALE[1] - SCALE[0]);
+    let share = (libm::log10(px) - SCALE[0]) / (SCALE[1] - SCALE[0]);
     let from_light = ViridisRGB.get_color(1.0 - share.clamp(0.0, 1.0));
     [from_light.0, from_light.1, from_light.2]
 }
@@ -151,7 +151,7 @@ fn cell(picture: &mut Picture, [x, y]: [f64; 2], rows: &[&Row]) {
         (true, ..1.0) => "<1".to_owned(),
         (true, _) => format!("{wrong:.0}"),
         (false, _) if px.is_infinite() => "inf".to_owned(),
-        (false, _) => format!("{:.0}", px.log10().floor()),
+        (false, _) => format!("{:.0}", libm::log10(px).floor()),
     };
     let middle = [x + 0.5 * HALF - 0.5, y + 0.5 * ROW - 0.5];
     picture.text(middle, Anchor::Middle, 17.0, ink(colour), words);

@@ -45,7 +45,7 @@ impl LabelPlaces {
     /// Takes the free place nearest to a point, and returns it.
     pub fn spot(&mut self, at: [f64; 2], radius: f64) -> [f64; 2] {
         let around = |i: u32| {
-            let (sin, cos) = (f64::from(i % 8) / 8.0 * std::f64::consts::TAU).sin_cos();
+            let (sin, cos) = libm::sincos(f64::from(i % 8) / 8.0 * std::f64::consts::TAU);
             let away = 2.0 * radius * f64::from(i / 8 + 1);
             [at[0] + away * cos, at[1] - away * sin]
         };
@@ -65,7 +65,7 @@ impl LabelPlaces {
         let width = text_width(words, SIZE);
         let half = 0.42 * SIZE;
         let place = |(distance, turn): (f64, f64)| {
-            let (sin, cos) = (turn * std::f64::consts::TAU).sin_cos();
+            let (sin, cos) = libm::sincos(turn * std::f64::consts::TAU);
             let [x, y] = [at[0] + distance * cos, at[1] + 0.9 * distance * sin];
             let left = x - (0.5 - 0.5 * cos.signum() * f64::from(cos.abs() > 0.1)) * width;
             [left, y - half, left + width, y + half]
@@ -91,7 +91,7 @@ impl LabelPlaces {
         // If the frame is full, the first place must do.
         let area = *free.unwrap_or(&all[0]);
         let nearest = [at[0].clamp(area[0], area[2]), at[1].clamp(area[1], area[3])];
-        if (nearest[0] - at[0]).hypot(nearest[1] - at[1]) > 16.0 {
+        if libm::hypot(nearest[0] - at[0], nearest[1] - at[1]) > 16.0 {
             picture.line(vec![at, nearest], line, 1, false);
         }
         // White, to hide lines behind the words.

@@ -24,7 +24,7 @@ pub fn outlines(shape: Shape, [x, y]: [f64; 2], r: f64) -> Vec<Vec<[f64; 2]>> {
     let ring = |corners: u32, from_turn: f64, radius: &dyn Fn(u32) -> f64| {
         let corner = |i: u32| {
             let turn = from_turn + f64::from(i) / f64::from(corners);
-            let (sin, cos) = (turn * std::f64::consts::TAU).sin_cos();
+            let (sin, cos) = libm::sincos(turn * std::f64::consts::TAU);
             [x + radius(i) * cos, y + radius(i) * sin]
         };
         (0..corners).map(corner).collect::<Vec<_>>()

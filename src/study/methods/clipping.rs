@@ -40,7 +40,7 @@ impl ClipCase {
     /// A hit at a view depth on the ray through a position of a picture of 1920 x 1080 pixels, with the camera at the
     /// origin.
     pub fn new(tan: f64, near: f64, far: f64, px: DVec2, depth: f64) -> Option<Self> {
-        let fov_y = 2.0 * tan.atan();
+        let fov_y = 2.0 * libm::atan(tan);
         let lens = Lens {
             projection: Projection::Perspective { fov_y },
             near,

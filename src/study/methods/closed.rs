@@ -111,7 +111,7 @@ fn aim(
     offset: f64,
     target: fn(&mut Random, [V3<f64>; 3], bool) -> V3<f64>,
 ) -> ClosedCase {
-    let grid = bits.map_or(f64::INFINITY, f64::exp2);
+    let grid = bits.map_or(f64::INFINITY, libm::exp2);
     let body = body(random.below(16), grid, offset);
     let corners = body.1[random.below(body.1.len())].corners;
     let target = target(random, corners, bits.is_some());

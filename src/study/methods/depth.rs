@@ -171,7 +171,7 @@ impl Mapping {
     pub(in crate::study) fn stored(self, case: &DepthCase) -> f32 {
         let parallel = case.lens.is_orthographic();
         let ndc = if self.logarithmic && !parallel {
-            (1.0 + case.depth).log2() * f32::of((1.0 + case.lens.far).log2().recip())
+            libm::log2f(1.0 + case.depth) * f32::of(libm::log2(1.0 + case.lens.far).recip())
         } else {
             let (a, b) = self.row(case);
             (f32::of(a) * case.depth + f32::of(b)) / if parallel { 1.0 } else { case.depth }
@@ -199,7 +199,7 @@ impl Mapping {
         let stored = f64::from(stored);
         match (case.lens.is_orthographic(), self.logarithmic) {
             (true, _) => (stored - b) / a,
-            (false, true) => (1.0 + case.lens.far).powf(stored) - 1.0,
+            (false, true) => libm::pow(1.0 + case.lens.far, stored) - 1.0,
             (false, false) => b / (stored - a),
         }
     }

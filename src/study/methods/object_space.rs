@@ -23,6 +23,8 @@ pub struct Placed<T> {
     pub inverse: M3<T>,
     /// The translation of M's inverse: `-inverse(A) T`.
     pub back: V3<T>,
+    /// The ray parameter at which an answer is judged: where the ray passes the object's origin, or where it hits.
+    pub judged_at: T,
 }
 
 impl<T: Real> From<(&Placement, &Ray)> for Placed<T> {
@@ -33,6 +35,8 @@ impl<T: Real> From<(&Placement, &Ray)> for Placed<T> {
         let [translation, origin, direction] =
             [model.translation, ray.origin, ray.direction].map(|v| V3::<T>::of(v.into()));
         let inverse = linear.inverse();
+        let to_object = model.translation - ray.origin;
+        let passes = to_object.dot(ray.direction) / ray.direction.length_squared();
         Self {
             linear,
             translation,
@@ -40,6 +44,7 @@ impl<T: Real> From<(&Placement, &Ray)> for Placed<T> {
             direction,
             inverse,
             back: -inverse.apply(translation),
+            judged_at: T::of(passes),
         }
     }
 }
@@ -94,9 +99,12 @@ impl Case for PlacedCase {
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        let px = |hit: &SceneHit| scene.px(hit.hit.t);
-        let cases = scene.objects();
-        let cases = cases.map(|(ray, of, hit)| Self::of_object(&of.placement, ray, px(hit)));
+        let cases = scene.objects().map(|(ray, object, hit)| {
+            let t = hit.hit.t;
+            let mut case = Self::of_object(&object.placement, ray, scene.px(t));
+            case.wide.judged_at = t;
+            case
+        });
         cases.collect()
     }
 
@@ -124,8 +132,7 @@ impl Case for PlacedCase {
             world.length()
         };
         let from = case.origin - case.translation;
-        let d = case.direction;
-        let t = from.dot(d).abs() / d.dot(d);
+        let (d, t) = (case.direction, case.judged_at.abs());
         let error = 16.0 * UNIT * (back(from) + t * back(d) + spread * from.length());
         error / (t * d.length()) / self.px
     }
@@ -152,7 +159,7 @@ pub fn relative<T: Real>(case: &Placed<T>) -> ObjectSpaceRay {
 }
 
 /// The angle in radians, seen from the world ray's origin, between the world ray and the object-space ray that is
-/// transformed back exactly, at the depth of the object's origin. Infinite where the answer is not finite or has no
+/// transformed back exactly, at the depth of [`Placed::judged_at`]. Infinite where the answer is not finite or has no
 /// point at that depth.
 pub fn aside(case: &Placed<f64>, local: &[V3<f64>; 2]) -> f64 {
     if !local.iter().all(|v| v.is_finite()) {
@@ -165,13 +172,13 @@ pub fn aside(case: &Placed<f64>, local: &[V3<f64>; 2]) -> f64 {
     };
     let d = Exact3::new(case.direction);
     let to_object = Exact3::new(case.translation) - Exact3::new(case.origin);
-    let (start, step) = (to_world(local[0]) + &to_object, to_world(local[1]));
-    // The transformed ray's point at the object's depth: `start + s step`, whose product with d is `to_object . d`.
+    let (start, step) = (to_world(local[0]) + to_object, to_world(local[1]));
+    // The transformed ray's point at that depth: `start + s step`, whose product with d is that of the ray's point.
     let fall = step.dot(&d);
     if fall.is_zero() {
         return f64::INFINITY;
     }
-    let s = (to_object - &start).dot(&d) / fall;
+    let s = (d.times(&Exact::new(case.judged_at)) - &start).dot(&d) / fall;
     let point = start + step.times(&s);
     let off = point.cross(&d).length();
     let along = point.dot(&d).abs();

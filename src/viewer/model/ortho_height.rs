@@ -14,7 +14,7 @@ impl OrthoHeight {
     /// As high as a perspective picture is at the target.
     pub fn of_perspective(fov_deg: f64) -> Self {
         Self {
-            height: 2.0 * (0.5 * fov_deg.to_radians()).tan(),
+            height: 2.0 * libm::tan(0.5 * fov_deg.to_radians()),
             distance: 1.0,
         }
     }

@@ -137,7 +137,11 @@ impl Compared {
 fn distance(view: &View, theirs: &Found, ours: &Found) -> Distance {
     let px = |found: &Found| view.project(found.point_world).map(|at| at.px);
     let world = theirs.point_world.distance(ours.point_world);
-    let turned = theirs.normal_world.angle_between(ours.normal_world);
+    let normals = [theirs, ours].map(|found| found.normal_world);
+    let turned = libm::atan2(
+        normals[0].cross(normals[1]).length(),
+        normals[0].dot(normals[1]),
+    );
     let apart = match (px(theirs), px(ours)) {
         (Some(theirs), Some(ours)) => theirs.distance(ours),
         _ => 0.0,

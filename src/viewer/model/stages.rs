@@ -194,7 +194,7 @@ fn surface(object: &Object, rings: u32) -> Vec<([DVec3; 3], Srgb)> {
 /// The sphere by parallels and meridians, counter-clockwise seen from outside.
 fn sphere_quads(rings: u32) -> Vec<[DVec3; 4]> {
     let point = |(ring, spoke): (u32, u32)| {
-        let (sin, cos) = (PI * f64::from(ring) / f64::from(rings)).sin_cos();
+        let (sin, cos) = libm::sincos(PI * f64::from(ring) / f64::from(rings));
         let (side, front) = sin_cos_quarters(2.0 * f64::from(spoke) / f64::from(rings));
         Sphere::RADIUS * DVec3::new(sin * side, cos, sin * front)
     };

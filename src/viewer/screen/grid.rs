@@ -58,7 +58,7 @@ fn is_in_picture(view: &View, line: &Line) -> bool {
 
 fn step(radius: f64) -> Option<f64> {
     let radius = if radius > 0.0 { radius } else { 1.0 };
-    let step = 10.0_f64.powf((radius / 5.0).log10().round());
+    let step = libm::exp10(libm::log10(radius / 5.0).round());
     step.is_normal().then_some(step)
 }
 

@@ -176,7 +176,10 @@ fn wheel(ui: &Ui, place: SceneRect, at: DVec2, actions: &mut Vec<Action>) {
                         let by_px = by * f64::from(place.pixels_per_point);
                         actions.extend([Action::BeginPan(at), Action::Pan(by_px)]);
                     } else if by.y != 0.0 {
-                        actions.push(Action::Zoom(at, ZOOM_PER_LINE.powf(by.y / POINTS_PER_LINE)));
+                        actions.push(Action::Zoom(
+                            at,
+                            libm::pow(ZOOM_PER_LINE, by.y / POINTS_PER_LINE),
+                        ));
                     }
                 }
                 Event::Zoom(factor) if factor > 0.0 => {

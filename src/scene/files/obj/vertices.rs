@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     colour::Srgb,
-    geometry::Aabb,
+    geometry::{Aabb, binary::power_of_two_below},
     scene::{Cancelled, Progress},
 };
 use glam::{DVec3, Vec3};
@@ -198,7 +198,7 @@ fn places(used: &[bool]) -> Vec<u32> {
 /// position has the digits of the file.
 fn origin(bounds: Aabb) -> DVec3 {
     let size = (bounds.max - bounds.min).max_element();
-    let step = (size.log2().floor() - 4.0).exp2();
+    let step = power_of_two_below(size) / 16.0;
     let center = 0.5 * (bounds.min + bounds.max);
     DVec3::from_array(center.to_array().map(|c| {
         if c.abs() <= size || !step.is_normal() {

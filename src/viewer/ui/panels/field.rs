@@ -253,7 +253,7 @@ fn rounded(value: f64, digits: usize, most: usize) -> String {
     if !value.is_finite() {
         return value.to_string();
     }
-    let exponent = value.abs().log10().floor();
+    let exponent = libm::log10(value.abs()).floor();
     let room = u8::try_from(most).map_or(f64::INFINITY, f64::from);
     let plain = (3.0 - room).max(-4.0)..room.min(9.0) - 1.0;
     if !plain.contains(&exponent) {

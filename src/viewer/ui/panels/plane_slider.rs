@@ -46,7 +46,7 @@ pub(super) fn show(
     });
     let mut is_slid = slider.changed();
     if is_fine && (slider.dragged() || slider.drag_stopped()) {
-        slid = (depth * (FINE * f64::from(by)).exp()).clamp(least, most);
+        slid = (depth * libm::exp(FINE * f64::from(by))).clamp(least, most);
         is_slid = by != 0.0;
     }
     let hint = format!("{hint}. With Shift it slides finely, by half a percent per point");
