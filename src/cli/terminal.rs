@@ -15,6 +15,15 @@ pub(super) fn start_log(verbose: bool) {
     let _ = env_logger::Builder::new()
         .filter_level(LevelFilter::Error)
         .filter_module("sightline", ours)
+        // Without a driver, errors say so in one line; Vulkan's loader takes several, with addresses in them.
+        .filter_module(
+            "wgpu_hal::vulkan::instance",
+            if verbose {
+                LevelFilter::Error
+            } else {
+                LevelFilter::Off
+            },
+        )
         // The window says in its own words that no dialog can be shown.
         .filter_module(
             "rfd",

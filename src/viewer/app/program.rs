@@ -256,7 +256,10 @@ impl App {
         if self.notices.iter().any(|notice| notice.text == text) {
             return;
         }
-        log::error!("{text}");
+        // What a picture cannot show is an error of the command that asked for it.
+        if self.host == Host::Window {
+            log::error!("{text}");
+        }
         self.post(text, Kind::Error(of));
     }
 
