@@ -99,17 +99,16 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     let selection = at.and_then(|ray| pick::closest(scene, ray, view.sides));
     let selection = selection.map(|hit| hit.object);
     let start = Instant::now();
-    let drawn = gpu.map(|gpu| raster(&gpu?, scene, &view, selection, args.ids.is_some()));
+    let drawn = gpu.map(|gpu| raster(gpu, scene, &view, selection, args.ids.is_some()));
     let (ids, colours) = match drawn {
         Some(Ok(drawn)) => drawn,
-        Some(Err(error)) if args.by.is_some() || !rays_do_without(&error) => {
-            return Err(error.into());
-        }
-        failed => {
-            if let Some(Err(error)) = failed {
+        Some(Err(NotDrawn::Failed(error))) => return Err(without(&error)),
+        Some(Err(NotDrawn::NoAdapter(error))) if args.by.is_some() => return Err(without(&error)),
+        none => {
+            check_memory(view.viewport, pick::RAYCAST_BYTES)?;
+            if let Some(Err(NotDrawn::NoAdapter(error))) = none {
                 log::warn!("drawn by rays on the CPU: {error}");
             }
-            check_memory(view.viewport, pick::RAYCAST_BYTES)?;
             let (ids, colours) = raycast(scene, &view, selection);
             (Some(ids), colours)
         }
@@ -127,26 +126,41 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     })
 }
 
+/// Why the adapter drew no picture.
+enum NotDrawn {
+    /// No adapter draws, or none draws so much.
+    NoAdapter(GpuError),
+    /// One began to.
+    Failed(GpuError),
+}
+
 /// The picture, and the ids where they are wanted or tell what is selected.
 fn raster(
-    gpu: &Gpu,
+    gpu: Result<Gpu, GpuError>,
     scene: &Scene,
     view: &View,
     selection: Option<usize>,
     wants_ids: bool,
-) -> Result<(Option<Image<Id>>, Image<Rgb>), GpuError> {
+) -> Result<(Option<Image<Id>>, Image<Rgb>), NotDrawn> {
+    let gpu = gpu.map_err(NotDrawn::NoAdapter)?;
     log::info!("drawing with {}", gpu.adapter_name());
-    if !wants_ids && selection.is_none() {
-        return Ok((None, render::picture(gpu, scene, view)?));
-    }
-    let (ids, colours) = render::render(gpu, scene, view, selection)?;
-    Ok((Some(ids), colours))
+    let drawn = if wants_ids || selection.is_some() {
+        let drawn = render::render(&gpu, scene, view, selection);
+        drawn.map(|(ids, colours)| (Some(ids), colours))
+    } else {
+        render::picture(&gpu, scene, view).map(|colours| (None, colours))
+    };
+    drawn.map_err(|error| match error {
+        GpuError::PictureTooLarge { .. } | GpuError::SceneTooLarge { .. } => {
+            NotDrawn::NoAdapter(error)
+        }
+        error => NotDrawn::Failed(error),
+    })
 }
 
-/// Whether rays can draw although the adapter cannot. Another try may do where it was lost, and memory that is used up
-/// may be missed by rays, too.
-fn rays_do_without(error: &GpuError) -> bool {
-    !matches!(error, GpuError::Lost(_) | GpuError::OutOfMemory(_))
+/// The error of an adapter, with what draws without one.
+fn without(error: &GpuError) -> CliError {
+    CliError::new(4, format!("{error}; `--by raycast` needs none"))
 }
 
 fn raycast(scene: &Scene, view: &View, selection: Option<usize>) -> (Image<Id>, Image<Rgb>) {

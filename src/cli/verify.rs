@@ -60,7 +60,8 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
     let view = args.view.apply(&mut loaded)?;
     let scene = &loaded.scene;
     let nothing_drawn = |error: GpuError| {
-        let text = format!("{error}; `sightline pick` and `sightline render` do without");
+        let text =
+            format!("{error}; `sightline pick` and `sightline render --by raycast` do without");
         CliError::new(4, text)
     };
     let gpu = gpu.map_err(nothing_drawn)?;

@@ -55,8 +55,6 @@ pub enum GpuError {
     #[error("{0} was lost, as when a driver restarts: try again")]
     Lost(String),
     /// Graphics memory is used up.
-    #[error(
-        "{0} is out of memory: draw a smaller picture or scene; `sightline render --by raycast` needs no graphics memory"
-    )]
+    #[error("{0} is out of memory: draw a smaller picture or scene")]
     OutOfMemory(String),
 }

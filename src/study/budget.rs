@@ -7,42 +7,56 @@ use super::{
 };
 use crate::{
     camera::{Projection, View},
-    geometry::Ray,
+    geometry::{Ray, Trs},
 };
 
-/// How many times farther from the world's origin than from each other eye and hit may lie. Farther off, a program has
-/// choices that the estimates do not know, such as one `f64` origin for each file.
+/// How many times as large as what is seen coordinates may be. Beyond that, a program has choices that the estimates do
+/// not know, such as one `f64` origin for each file.
 const FAR: f64 = 1000.0;
 
 /// Why there is no budget for a scene.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NoBudget {
     /// No ray hits.
     #[error(
         "--budget: none of {0} rays hits anything: look at the scene, by --eye and --target or without camera flags"
     )]
     NothingHit(usize),
-    /// Rounded coordinates differ by too much.
+    /// Coordinates are this many times as large as what is seen.
     #[error(
-        "--budget: the scene lies {} times farther from the world's origin than from the eye, and the estimates hold \
-         up to {FAR}: move it to the origin",
-        number(*.0)
+        "--budget: coordinates are {0:.0} times as large as what is seen (the distance from eye to hit; with parallel \
+         rays, the picture's height), and the estimates hold up to {FAR}: move the scene to the world's origin, or see \
+         more of it"
     )]
     FarFromOrigin(f64),
+    /// An object's model matrix shears.
+    #[error(
+        "--budget: the model matrix of {0} shears, and the estimates hold for others alone: hide it, by --hide"
+    )]
+    Sheared(String),
 }
 
 /// Whether a scene's hits are such that its budget can be told.
 ///
 /// # Errors
-/// Where nothing is hit, or a hit or its ray's start lies far from the world's origin.
+/// Where nothing is hit, a hit or its ray's start lies far from the world's origin, or an object is sheared.
 pub fn has_budget(rays: &SceneRays) -> Result<(), NoBudget> {
+    let mut shown = rays
+        .world
+        .scene
+        .objects()
+        .iter()
+        .filter(|object| object.visible);
+    if let Some(object) = shown.find(|object| Trs::of(object.placement.model()).is_none()) {
+        return Err(NoBudget::Sheared(object.name.clone()));
+    }
     let each = rays.objects().map(|(ray, _, hit)| {
         let point = ray.at(hit.hit.t);
         point.length().max(ray.origin.length()) / reach_of(rays, ray, hit.hit.t)
     });
     match each.reduce(f64::max) {
         None => Err(NoBudget::NothingHit(rays.at.len())),
-        Some(times) if times > FAR => Err(NoBudget::FarFromOrigin(times)),
+        Some(times) if times > FAR => Err(NoBudget::FarFromOrigin(times.ceil())),
         Some(_) => Ok(()),
     }
 }
@@ -143,8 +157,8 @@ fn reach(chain: &[Estimate], rays: &SceneRays, view: &View, budget_px: f64) -> S
         .objects()
         .map(|(ray, _, hit)| reach_of(rays, ray, hit.hit.t));
     let told = FAR * reaches.fold(f64::INFINITY, f64::min);
-    let most = ((budget_px - unmoved) / per_unit).min(told);
-    let most = number(0.95 * most);
+    let most = 0.95 * ((budget_px - unmoved) / per_unit);
+    let most = number(most.min(told).max(now));
     format!("That holds until eye and objects are {most} units from the world's origin; {here}.")
 }
 

@@ -41,14 +41,14 @@ impl SceneRays {
         }
     }
 
-    /// [`px_angle`] in the scene's view.
+    /// [`px_angle`] in the scene's view. With parallel rays a hit may lie behind the eye.
     pub(super) fn px(&self, distance: f64) -> f64 {
-        px_angle(&self.world.view, distance)
+        px_angle(&self.world.view, distance.abs())
     }
 
     /// How many pixels a step of one unit in the world may be, at most, where a ray has this `t`, which is its depth.
     pub(super) fn px_per_unit(&self, ray: &Ray, t: f64) -> f64 {
-        ray.direction.length() / (t * self.px(t))
+        ray.direction.length() / (t.abs() * self.px(t))
     }
 
     /// Every ray that hits, with the object and the hit.

@@ -43,7 +43,7 @@ pub enum ViewerError {
     )]
     NoDisplay,
     /// No graphics device to draw it with.
-    #[error("{0}; or draw a picture, which needs no driver: sightline render SCENE -o picture.png")]
+    #[error("{0}; or draw a picture by rays: sightline render SCENE --by raycast -o picture.png")]
     Gpu(#[from] GpuError),
 }
 

@@ -2,7 +2,7 @@
 //! triangle, and the same camera with parry3d's mesh, which has a tree. All pick the same positions of one picture and
 //! return triangle and distance.
 //!
-//! `cargo run --release --no-default-features --features rivals --example beside`: times are of the fastest pass;
+//! `cargo run --profile bench --no-default-features --features rivals --example beside`: times are of the fastest pass;
 //! passes alternate, so that ratios hold on a busy machine. An answer that differs from Sightline's is wrong, since
 //! Sightline's is exact arithmetic's.
 

@@ -6,7 +6,7 @@ use std::{
 };
 
 /// Methods of `f32`, `f64` and glam's types that end in the C library.
-const METHODS: [&str; 34] = [
+const METHODS: [&str; 41] = [
     "mul_add",
     "hypot",
     "sin",
@@ -41,6 +41,13 @@ const METHODS: [&str; 34] = [
     "from_axis_angle",
     "from_euler",
     "slerp",
+    "from_angle",
+    "rotate_towards",
+    "to_euler",
+    "to_axis_angle",
+    "perspective_lh",
+    "perspective_rh",
+    "perspective_infinite_rh",
 ];
 
 /// Where they may stand, and why no stored or printed number of ours depends on it.
@@ -78,6 +85,7 @@ fn sources() -> Vec<(String, String)> {
                 continue;
             }
             let text = fs::read_to_string(&path).expect("a source file");
+            let text = text.replace("\r\n", "\n");
             let text = text
                 .split("#[cfg(test)]\nmod tests {")
                 .next()
@@ -85,36 +93,22 @@ fn sources() -> Vec<(String, String)> {
             let code = text
                 .lines()
                 .map(|line| line.split("//").next().unwrap_or_default());
-            let name = path
-                .strip_prefix(&src)
-                .expect("within")
-                .display()
-                .to_string();
+            let name = path.strip_prefix(&src).expect("within");
+            let name = name.display().to_string().replace('\\', "/");
             sources.push((name, code.collect::<Vec<_>>().join("\n")));
         }
     }
     sources
 }
 
-/// Whether a method is called or named: `x.sin()`, `f64::sin`.
+/// Whether a method is called or named, `x.sin()` or `f64::sin`, but for the functions of the `libm` crate.
 fn names(code: &str, method: &str) -> bool {
     let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    [
-        ".",
-        "f32::",
-        "f64::",
-        "DMat3::",
-        "Mat3::",
-        "DQuat::",
-        "DAffine3::",
-    ]
-    .iter()
-    .any(|before| {
-        let named = format!("{before}{method}");
-        code.match_indices(&named).any(|(at, _)| {
-            let rest = &code[at + named.len()..];
-            !rest.starts_with(is_word) && (*before != "." || rest.starts_with('('))
-        })
+    code.match_indices(method).any(|(at, _)| {
+        let (before, rest) = (&code[..at], &code[at + method.len()..]);
+        let is_called = before.ends_with('.') && rest.starts_with('(');
+        let is_named = before.ends_with("::") && !before.ends_with("libm::");
+        (is_called || is_named) && !rest.starts_with(is_word)
     })
 }
 

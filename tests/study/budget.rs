@@ -213,7 +213,7 @@ fn the_command_refuses_what_it_cannot_tell() {
     for (arguments, why) in [
         (
             ["gallery:far_from_the_origin", "--fov=45"],
-            "farther from the world's origin",
+            "times as large as what is seen",
         ),
         (
             ["gallery:needles", "--look=0,0,1"],

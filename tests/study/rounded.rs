@@ -159,8 +159,17 @@ fn is_within(scene: &Scene, view: &View, at: DVec2, px: f64, what: Found) -> boo
     around.any(|px| found(scene, view, *view.ray(px)) == what)
 }
 
+/// A camera of a scene file that looks down at a point of the plane y = 0: from before it, or with parallel rays from
+/// beyond it.
+fn camera(x: f64, z: f64, lens: &str) -> String {
+    let from = if lens.contains("near") { -1.0 } else { 1.0 };
+    let along = |by: f64| [x + 3.1 * by, 15.3 * by, z + 7.7 * by];
+    let (eye, target) = (along(from), along(from - 1.0));
+    format!("[camera]\neye = {eye:?}\ntarget = {target:?}\n{lens}\n")
+}
+
 /// Hills of 2 x 128 x 128 triangles, 20 units wide, about a point of the file's coordinates.
-fn hills(folder: &tempfile::TempDir, x: f64, z: f64, camera: &str) -> PathBuf {
+fn hills(folder: &tempfile::TempDir, x: f64, z: f64, lens: &str) -> PathBuf {
     const SIDE: u32 = 128;
     let mut text = String::new();
     for (i, j) in (0..=SIDE).flat_map(|j| (0..=SIDE).map(move |i| (i, j))) {
@@ -174,19 +183,16 @@ fn hills(folder: &tempfile::TempDir, x: f64, z: f64, camera: &str) -> PathBuf {
         writeln!(text, "f {a} {d} {c}\nf {a} {c} {b}").expect("text");
     }
     fs::write(folder.path().join("hills.obj"), text).expect("a file");
-    let (eye, target) = ([x + 3.1, 15.3, z + 7.7], [x, 0.0, z]);
-    let text = format!(
-        "[camera]\neye = {eye:?}\ntarget = {target:?}\n{camera}\n[[object]]\nshape = \"mesh\"\nfile = \"hills.obj\"\n"
-    );
+    let object = "[[object]]\nshape = \"mesh\"\nfile = \"hills.obj\"\n";
+    let text = camera(x, z, lens) + object;
     let file = folder.path().join("hills.toml");
     fs::write(&file, text).expect("a file");
     file
 }
 
 /// Blocks, balls and signs, turned and stretched, about a point of the world.
-fn blocks(folder: &tempfile::TempDir, x: f64, z: f64, camera: &str) -> PathBuf {
-    let (eye, target) = ([x + 3.1, 15.3, z + 7.7], [x, 0.0, z]);
-    let mut text = format!("[camera]\neye = {eye:?}\ntarget = {target:?}\n{camera}\n");
+fn blocks(folder: &tempfile::TempDir, x: f64, z: f64, lens: &str) -> PathBuf {
+    let mut text = camera(x, z, lens);
     for i in 0..120_u32 {
         let shape = ["cube", "sphere", "square"][i as usize % 3];
         let at = |step: f64| f64::from(i) * step % 16.0 - 8.0;
@@ -221,19 +227,19 @@ fn said_px(rays: &SceneRays, view: &View) -> f64 {
 #[test]
 fn picks_with_rounded_numbers_stay_within_what_is_said() {
     let mut changed: BTreeMap<Quantity, usize> = BTreeMap::new();
-    let lenses = ["fov = 50", "ortho = 14"];
+    let lenses = ["fov = 50", "ortho = 14", "ortho = 14\nnear = -60\nfar = 60"];
     let far = [(30.0, 20.0), (9_200.3, 7_100.7)];
-    for ((x, z), camera) in far.into_iter().flat_map(|at| lenses.map(|lens| (at, lens))) {
+    for ((x, z), lens) in far.into_iter().flat_map(|at| lenses.map(|lens| (at, lens))) {
         for make in [hills, blocks] {
             let folder = tempfile::tempdir().expect("a folder");
-            let path = make(&folder, x, z, camera);
+            let path = make(&folder, x, z, lens);
             let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
             let (scene, view) = (&loaded.scene, view_of(&loaded, 1600, 1200));
             scene.build_trees();
             let rays = SceneRays::new(scene, view, 2000, 1);
             has_budget(&rays).expect("it is near enough");
             let said = said_px(&rays, &view);
-            assert!(said < 5.0, "{camera}: {said} px");
+            assert!(said < 5.0, "{lens}: {said} px");
             let all = [EACH.to_vec()].into_iter();
             for rounded in EACH.map(|one| vec![one]).into_iter().chain(all) {
                 let other = scene_rounded(scene, &rounded);
@@ -245,7 +251,7 @@ fn picks_with_rounded_numbers_stay_within_what_is_said() {
                     }
                     assert!(
                         is_within(scene, &view, px, said, with_rounded),
-                        "{x} {camera} {rounded:?} at {px}: {with_rounded:?}, not within {said} px of {exact:?}"
+                        "{x} {lens} {rounded:?} at {px}: {with_rounded:?}, not within {said} px of {exact:?}"
                     );
                     if let [one] = rounded[..] {
                         *changed.entry(one).or_default() += 1;
@@ -281,13 +287,30 @@ fn what_cannot_be_told_is_refused() {
             "{at_map:?}"
         );
     }
-    let away = "fov = 50\nup = [1, 0, 0]\nlook = [0, 1, 0]";
-    let away = hills(&folder, 0.0, 0.0, away);
-    let text = fs::read_to_string(&away)
-        .expect("the file")
-        .replace("target = [0.0, 0.0, 0.0]\n", "");
-    fs::write(&away, text).expect("a file");
-    assert_eq!(refusal(away), Err(NoBudget::NothingHit(2000)));
+    let cube = |camera: &str, object: &str| {
+        let file = folder.path().join("cube.toml");
+        let text = format!(
+            "[camera]\neye = [3, 2, 4]\n{camera}\n[[object]]\nname = \"box\"\nshape = \"cube\"\n{object}\n"
+        );
+        fs::write(&file, text).expect("a file");
+        refusal(file)
+    };
+    let sheared = "matrix = [[1, 0.1, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]";
+    assert_eq!(
+        cube(
+            "target = [0, 0, 0]",
+            "scale = [1, 2, 3]\nrotation = [10, 20, 30]"
+        ),
+        Ok(())
+    );
+    assert_eq!(
+        cube("target = [0, 0, 0]", sheared),
+        Err(NoBudget::Sheared("box".into()))
+    );
+    assert_eq!(
+        cube("look = [3, 2, 4]", ""),
+        Err(NoBudget::NothingHit(2000))
+    );
     for name in ["spot_far.obj", "linz_x0410_utm33n.obj"] {
         let Some(folder) = real_files() else {
             return;

@@ -4,7 +4,7 @@
 use super::{cells, report};
 use sightline::study::{self, Report, Row, SUMMARY_COLUMNS, Time, methods::registry};
 
-/// Written by `cargo run --release -- study --out study` on the day and machine that README names.
+/// Written by `cargo run --profile bench -- study --out study` on the day and machine that README names.
 const RECORDED: &str = include_str!("../../assets/study-summary.csv");
 
 /// A line of the recorded run.

@@ -132,6 +132,6 @@ fn without_a_driver_it_says_what_needs_none() {
     assert_eq!(output.status.code(), Some(4), "{output:?}");
     let stderr = String::from_utf8(output.stderr).expect("text");
     assert!(stderr.contains("apt-get install"), "{stderr}");
-    let others = "`sightline pick` and `sightline render` do without\n";
+    let others = "`sightline pick` and `sightline render --by raycast` do without\n";
     assert!(stderr.ends_with(others), "{stderr}");
 }

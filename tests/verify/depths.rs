@@ -19,8 +19,9 @@ use std::f64::consts::FRAC_PI_8;
 
 /// Asserts that verify says that `f32` cannot hold the view, and excuses as *depth* no pixel whose two surfaces lie
 /// farther apart there than the ceilings that README states. How many pixels a driver gets wrong is up to its last bits.
+/// Returns how many were excused so, with faces of both surfaces at their centres.
 #[track_caller]
-fn cannot_be_held(toml: Option<&str>, view: &str) {
+fn cannot_be_held(toml: Option<&str>, view: &str) -> usize {
     let file = toml.map(scene);
     let path = file.as_ref().map(|(_, path)| path);
     let counts = Counts::of(run(path, view));
@@ -46,19 +47,16 @@ fn cannot_be_held(toml: Option<&str>, view: &str) {
         }
         let px = dvec2(pixel.pixel[0].into(), pixel.pixel[1].into()) + 0.5;
         let [drawn, picked] = [pixel.drawn, pixel.picked].map(|id| around(scene, &at, px, id));
-        let pairs = drawn
-            .iter()
-            .flat_map(|a| picked.iter().map(move |b| (a, b)));
-        let within =
-            |([a, may_a], [b, may_b]): (&[f64; 2], &[f64; 2])| (a - b).abs() <= may_a + may_b;
-        let are_known = !drawn.is_empty() && !picked.is_empty();
-        assert!(
-            !are_known || pairs.into_iter().any(within),
-            "{view}: {pixel:?}"
-        );
-        seen += usize::from(are_known);
+        if drawn.is_empty() || picked.is_empty() {
+            continue;
+        }
+        let is_within =
+            |[a, may_a]: &[f64; 2], [b, may_b]: &[f64; 2]| (a - b).abs() <= may_a + may_b;
+        let close = drawn.iter().any(|a| picked.iter().any(|b| is_within(a, b)));
+        assert!(close, "{view}: {pixel:?}");
+        seen += 1;
     }
-    println!("{seen} pixels of class depth: {view}");
+    seen
 }
 
 /// The depths of an object's flat faces at a position, and how far off drawing may be there: by the ceiling, and by the
@@ -123,6 +121,7 @@ fn standard_depth_with_near_at_the_eye() {
 
 #[test]
 fn orthographic_planes_far_apart() {
+    let mut seen = 0;
     for planes in [
         "--near=-1e7 --far 1e7",
         "--near 0 --far 1e7",
@@ -130,8 +129,9 @@ fn orthographic_planes_far_apart() {
         "--near=-1e9 --far 1e9",
         "--near=-1e20 --far 1e20",
     ] {
-        cannot_be_held(None, &format!("--size 320x240 --ortho 6 {planes}"));
+        seen += cannot_be_held(None, &format!("--size 320x240 --ortho 6 {planes}"));
     }
+    assert!(seen > 0, "no pixel is of class depth");
 }
 
 #[test]

@@ -5,7 +5,7 @@ use crate::{
     broken_drawings::{SIZE, mapped},
     cameras::culled,
     common::{mesh, orthographic, perspective, view},
-    compare, drawn_once,
+    compare, compare_made, drawn_once,
     scenes::{bumpy, object},
 };
 use glam::{DAffine3, DQuat, DVec2, DVec3};
@@ -129,7 +129,7 @@ fn of_a_back_only_triangles_as_slim_as_the_grid_may_show() {
                 Id::default()
             }
         });
-        let report = compare(&scene, &view, &wrong, &picked);
+        let report = compare_made(&scene, &view, &wrong, &picked);
         assert_eq!(report.drawn, 80);
         assert_eq!(report.count(class), 80, "{width_px}: {:?}", report.worst());
     }
@@ -324,7 +324,7 @@ fn a_cubes_front_missing_before_a_board_at_its_back() {
     let view = view([0.0, 0.0, 5.0], [0.0; 3], lens, SIZE);
     let (scene, wrong) = (board(-0.4999), board(0.5001));
     let picked = pick::ids(&scene, &view);
-    let report = compare(&scene, &view, &pick::ids(&wrong, &view), &picked);
+    let report = compare_made(&scene, &view, &pick::ids(&wrong, &view), &picked);
     let lost = report.disagreements.iter();
     let lost = lost.filter(|at| (at.drawn.object, at.picked.object) == (2, 1));
     let counts = lost.fold([0; 6], |mut counts, at| {

@@ -50,7 +50,8 @@ impl Counts {
             .unwrap_or_else(|| panic!("{name}: {}", self.line))
     }
 
-    /// Asserts that at most 10 pixels differ by an edge and 10 by depth, no others, and that enough pixels are shown.
+    /// Asserts that pixels differ by an edge or by depth alone, edges as few as centres lie within two steps of the
+    /// rasteriser's grid of an outline, and that enough pixels are shown.
     #[track_caller]
     fn agree(&self, least_shown: u64) {
         assert_eq!(self.code, Some(0), "{} {}", self.line, self.stderr);
@@ -61,8 +62,9 @@ impl Counts {
             "{}",
             self.line
         );
+        let near_edges = (4 * self.get("outline")) >> self.get("sub_pixel_bits");
         assert!(
-            self.get("edge") <= 10 && self.get("depth") <= 10,
+            self.get("edge") <= near_edges + 4 && self.get("depth") <= 10,
             "{}",
             self.line
         );
@@ -220,6 +222,13 @@ fn far_from_the_origin() {
 fn a_near_plane_below_what_f32_can_hold() {
     let may_be_held = Counts::of(run(None, "--size 160x120 --near 1e-35"));
     assert_eq!(may_be_held.get("unexplained"), 0, "{}", may_be_held.line);
+    let lost = may_be_held.get("beyond_f32") > 0;
+    assert_eq!(
+        may_be_held.code,
+        Some(i32::from(lost)),
+        "{}",
+        may_be_held.line
+    );
     for near in ["1e-36", "1e-300"] {
         let counts = Counts::of(run(None, &format!("--size 160x120 --near {near}")));
         assert_eq!(counts.get("unexplained"), 0, "{near}: {}", counts.line);
@@ -295,9 +304,8 @@ fn matrices_below_what_f32_holds() {
     let beyond = Counts::of(run(Some(&file), &format!("{flags} --far 1.6")));
     assert_eq!(beyond.get("unexplained"), 0, "{}", beyond.line);
     assert!(beyond.get("picked") > 150, "{}", beyond.line);
-    let lost = beyond.get("pixels") - beyond.get("same");
-    assert!(lost == 0 || beyond.get("beyond_f32") > 0, "{}", beyond.line);
-    assert_eq!(beyond.code, Some(i32::from(lost > 0)), "{}", beyond.stderr);
+    let lost = beyond.get("beyond_f32") > 0 || beyond.get("drawn") == 0;
+    assert_eq!(beyond.code, Some(i32::from(lost)), "{}", beyond.stderr);
 }
 
 /// Edges that a near plane just before the eye cuts beside it, far outside the picture.

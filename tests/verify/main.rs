@@ -60,6 +60,11 @@ fn compare(scene: &Scene, view: &View, drawn: &Image<Id>, picked: &Image<Id>) ->
     verify::compare(scene, view, rasteriser(), drawn, picked)
 }
 
+/// [`compare`] of a picture that no driver drew, with the common grid: it tells the same on every machine.
+fn compare_made(scene: &Scene, view: &View, made: &Image<Id>, picked: &Image<Id>) -> Report {
+    verify::compare(scene, view, Rasteriser::COMMON, made, picked)
+}
+
 /// [`Places`] with this rasteriser.
 fn places<'a>(scene: &'a Scene, view: &View) -> Places<'a> {
     Places::new(scene, view, rasteriser())

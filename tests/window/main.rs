@@ -418,7 +418,7 @@ fn without_a_driver_it_refuses() {
         "{said}"
     );
     assert!(
-        said.contains("sightline render SCENE -o picture.png"),
+        said.contains("sightline render SCENE --by raycast -o picture.png"),
         "{said}"
     );
 }
