@@ -141,7 +141,7 @@ struct Errors {
 /// An upper bound on the distance of a point.
 fn end_distance([u, v, w]: [f64; 3], errors: &Errors) -> f64 {
     if w > errors.w {
-        ((u * u + v * v).sqrt() + 2.0 * errors.aside) / (w - errors.w)
+        (libm::hypot(u, v) + 2.0 * errors.aside) / (w - errors.w)
     } else {
         f64::INFINITY
     }
