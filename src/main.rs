@@ -2,24 +2,18 @@
 
 use std::{env, process::ExitCode};
 
-/// What tells Mesa's layer which device to take, and where a compositor is.
+/// A folder for a compositor's socket, and the user's own choice of a device.
 #[cfg(target_os = "linux")]
-const ASKED: [&str; 5] = [
-    "XDG_RUNTIME_DIR",
-    "WAYLAND_DISPLAY",
-    "DISPLAY",
-    "MESA_VK_DEVICE_SELECT",
-    "DRI_PRIME",
-];
+const ASKED: [&str; 3] = ["XDG_RUNTIME_DIR", "MESA_VK_DEVICE_SELECT", "DRI_PRIME"];
 
 fn main() -> ExitCode {
     keep_mesa_quiet();
     sightline::cli::run(env::args_os())
 }
 
-/// Mesa's layer for choosing a device asks the desktop and two variables which one to take. It looks for a Wayland
-/// compositor first, and without a folder for its socket the Wayland library prints an error. In a container with no
-/// desktop and no such variables that would be all it does, so there it is switched off.
+/// Mesa's layer for choosing a device looks for a Wayland compositor whenever an adapter is opened. Without a folder for
+/// its socket, as in containers and for root, the Wayland library prints an error, although nothing is wrong. There the
+/// layer is switched off, unless the user tells it which device to take.
 #[cfg_attr(target_os = "linux", expect(unsafe_code, reason = "see SAFETY"))]
 fn keep_mesa_quiet() {
     #[cfg(target_os = "linux")]

@@ -87,7 +87,10 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
             views,
             ..viewer::Options::default()
         };
-        let picture = viewer::picture_of_views(loaded, options, args.view.size(), args.pick)?;
+        let picture = viewer::picture_of_views(loaded, options, args.view.size(), args.pick);
+        let picture = picture.map_err(|error| {
+            CliError::new(4, format!("{error}; without `--views`, rays can draw"))
+        })?;
         return Ok(picture.write_png(&args.output)?);
     }
     let scene = &loaded.scene;
@@ -160,7 +163,7 @@ fn raster(
 
 /// The error of an adapter, with what draws without one.
 fn without(error: &GpuError) -> CliError {
-    CliError::new(4, format!("{error}; `--by raycast` needs none"))
+    CliError::new(4, format!("{error}; `--by raycast` needs no adapter"))
 }
 
 fn raycast(scene: &Scene, view: &View, selection: Option<usize>) -> (Image<Id>, Image<Rgb>) {

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     camera::{Projection, View},
-    geometry::{Ray, Trs},
+    geometry::Ray,
 };
 
 /// How many times as large as what is seen coordinates may be. Beyond that, a program has choices that the estimates do
@@ -19,37 +19,23 @@ const FAR: f64 = 1000.0;
 pub enum NoBudget {
     /// No ray hits.
     #[error(
-        "--budget: none of {0} rays hits anything: look at the scene, by --eye and --target or without camera flags"
+        "--budget: none of {0} rays hits anything: turn to the scene, come nearer, or hide less of it"
     )]
     NothingHit(usize),
     /// Coordinates are this many times as large as what is seen.
     #[error(
         "--budget: coordinates are {0:.0} times as large as what is seen (the distance from eye to hit; with parallel \
-         rays, the picture's height), and the estimates hold up to {FAR}: move the scene to the world's origin, or see \
-         more of it"
+         rays, the picture's height), and the estimates hold up to {FAR}: see more of the scene, or move it to the \
+         world's origin, by `position` in a scene file"
     )]
     FarFromOrigin(f64),
-    /// An object's model matrix shears.
-    #[error(
-        "--budget: the model matrix of {0} shears, and the estimates hold for others alone: hide it, by --hide"
-    )]
-    Sheared(String),
 }
 
 /// Whether a scene's hits are such that its budget can be told.
 ///
 /// # Errors
-/// Where nothing is hit, a hit or its ray's start lies far from the world's origin, or an object is sheared.
+/// Where nothing is hit, or a hit or its ray's start lies far from the world's origin.
 pub fn has_budget(rays: &SceneRays) -> Result<(), NoBudget> {
-    let mut shown = rays
-        .world
-        .scene
-        .objects()
-        .iter()
-        .filter(|object| object.visible);
-    if let Some(object) = shown.find(|object| Trs::of(object.placement.model()).is_none()) {
-        return Err(NoBudget::Sheared(object.name.clone()));
-    }
     let each = rays.objects().map(|(ray, _, hit)| {
         let point = ray.at(hit.hit.t);
         point.length().max(ray.origin.length()) / reach_of(rays, ray, hit.hit.t)

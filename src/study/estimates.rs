@@ -13,15 +13,16 @@
 //! * triangle, Woop: 8u for a corner's sheared coordinates and 6u for the edge function, both of the furthest corner's
 //!   distance; 2u for the ray's start; and in `f32` u of the file's coordinates.
 //!
-//! This distance, divided by the distance of the nearest edge, is an angle at the eye.
+//! This distance, divided by the distance of the nearest edge, is an angle at the eye. For a sheared object, the
+//! condition of its matrix is a factor.
 
 use super::{prelude::*, scene_rays::px_angle};
 use crate::{
     camera::View,
-    geometry::Placement,
+    geometry::{Placement, Trs},
     scene::{Object, Shape},
 };
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 /// Each step's key, and its sound method.
 pub(super) const SOUND: [(&str, &str); 6] = [
@@ -119,7 +120,7 @@ fn places(rays: &SceneRays, u: f64) -> [f64; 2] {
 }
 
 /// The error from rounding the file's coordinates of a mesh and the ray's start among them, as it is seen at the hit. It
-/// grows where the mesh moves within its file, for which no direction is longer than sqrt(3) along the axes.
+/// grows where the mesh moves within its file, where a unit is at most sqrt(3) along the axes, more under a shear.
 fn file_coordinates(rays: &SceneRays, u: f64) -> [f64; 2] {
     let is_mesh = |object: &Object| matches!(object.shape, Shape::Mesh { .. });
     let meshes = rays.objects().filter(|(_, object, _)| is_mesh(object));
@@ -130,7 +131,8 @@ fn file_coordinates(rays: &SceneRays, u: f64) -> [f64; 2] {
         let columns = [linear.x_axis, linear.y_axis, linear.z_axis];
         let lengths = DVec3::from(columns.map(DVec3::length));
         let unit = u * rays.px_per_unit(ray, hit.hit.t);
-        [unit * lengths.dot(rounded), 2.0 * 3_f64.sqrt() * unit]
+        let along_axes = 3_f64.sqrt() * shear(&object.placement);
+        [unit * lengths.dot(rounded), 2.0 * along_axes * unit]
     });
     each.fold([0.0; 2], larger)
 }
@@ -174,9 +176,20 @@ fn shapes(rays: &SceneRays, step: &str, u: f64) -> f64 {
                 12.0 * furthest(ray.origin, &rim) / nearest(ray.origin, &rim)
             }
         };
-        u * off / px
+        u * off * shear(placement) / px
     });
     each.fold(0.0, f64::max)
+}
+
+/// How much larger an error may look in the world than among an object's own axes, as a share of distances: 1 where these
+/// stay at right angles, so that errors act axis by axis; under a shear the condition of the matrix.
+fn shear(placement: &Placement) -> f64 {
+    let linear = placement.model().matrix3;
+    if Trs::of(placement.model()).is_some() {
+        return 1.0;
+    }
+    let size = |matrix: DMat3| DVec3::from([0, 1, 2].map(|i| matrix.col(i).length())).length();
+    size(linear) * size(placement.inverse_linear())
 }
 
 fn triangles(rays: &SceneRays, u: f64) -> f64 {
@@ -186,7 +199,10 @@ fn triangles(rays: &SceneRays, u: f64) -> f64 {
         let off = 14.0 * furthest(from, &corners) + 2.0 * from.length();
         u * off / nearest(from, &corners) / case.px
     });
-    each.fold(0.0, f64::max)
+    let sheared = rays
+        .objects()
+        .map(|(_, object, _)| shear(&object.placement));
+    each.fold(0.0, f64::max) * sheared.fold(1.0, f64::max)
 }
 
 /// The distance from a point to the furthest corner.

@@ -57,7 +57,7 @@ fn without_an_adapter_it_says_what_works() {
         text.contains("\ndrawing: no graphics driver found"),
         "{text}"
     );
-    assert!(text.contains("render (by rays)"), "{text}");
+    assert!(text.contains("render (by rays, without --views)"), "{text}");
     assert!(!text.contains("which draws"), "{text}");
     let stderr = String::from_utf8(output.stderr).expect("text");
     assert_eq!(stderr.lines().count(), 1, "{stderr}");
