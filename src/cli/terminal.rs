@@ -7,32 +7,18 @@ use std::io::Write;
 /// Starts logging to stderr: warnings always, progress with `verbose`, and only errors from other crates. `RUST_LOG`
 /// adds to this. If the process already has a logger, it is kept.
 pub(super) fn start_log(verbose: bool) {
-    let ours = if verbose {
-        LevelFilter::Info
+    let (ours, retold) = if verbose {
+        (LevelFilter::Info, LevelFilter::Error)
     } else {
-        LevelFilter::Warn
+        (LevelFilter::Warn, LevelFilter::Off)
     };
     let _ = env_logger::Builder::new()
         .filter_level(LevelFilter::Error)
         .filter_module("sightline", ours)
         // Without a driver, errors say so in one line; Vulkan's loader takes several, with addresses in them.
-        .filter_module(
-            "wgpu_hal::vulkan::instance",
-            if verbose {
-                LevelFilter::Error
-            } else {
-                LevelFilter::Off
-            },
-        )
+        .filter_module("wgpu_hal::vulkan::instance", retold)
         // The window says in its own words that no dialog can be shown.
-        .filter_module(
-            "rfd",
-            if verbose {
-                LevelFilter::Error
-            } else {
-                LevelFilter::Off
-            },
-        )
+        .filter_module("rfd", retold)
         .parse_default_env()
         .format(|out, record| {
             let kind = if record.level() == Level::Warn {

@@ -242,10 +242,11 @@ fn picks_with_rounded_numbers_stay_within_what_is_said() {
             has_budget(&rays).expect("it is near enough");
             let said = said_px(&rays, &view);
             assert!(said < 5.0, "{lens}: {said} px");
+            let positions = beside_borders(scene, &view, said);
             let all = [EACH.to_vec()].into_iter();
             for rounded in EACH.map(|one| vec![one]).into_iter().chain(all) {
                 let other = scene_rounded(scene, &rounded);
-                for px in beside_borders(scene, &view, said) {
+                for &px in &positions {
                     let exact = found(scene, &view, *view.ray(px));
                     let with_rounded = found(&other, &view, ray_rounded(&view, px, &rounded));
                     if with_rounded == exact {

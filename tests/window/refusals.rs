@@ -1,0 +1,44 @@
+//! Where no window can be, one line says why and what works without.
+
+use super::{SIGHTLINE, Screen};
+use std::process::Command;
+
+#[test]
+fn without_a_display_it_says_what_to_do() {
+    let output = Command::new(SIGHTLINE)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .env_remove("WAYLAND_SOCKET")
+        .output()
+        .expect("the binary runs");
+    let message = String::from_utf8(output.stderr).expect("UTF-8");
+    assert_eq!(output.status.code(), Some(5), "{message}");
+    assert!(message.contains("sightline render"), "{message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
+}
+
+/// With a display and no driver, one line says what to install, and what works without.
+#[test]
+fn without_a_driver_it_refuses() {
+    let screen = Screen::new(640, 480);
+    let output = Command::new(SIGHTLINE)
+        .env("DISPLAY", &screen.display)
+        .env("VK_DRIVER_FILES", "/nowhere.json")
+        .env("VK_ICD_FILENAMES", "/nowhere.json")
+        .env_remove("WAYLAND_DISPLAY")
+        .env_remove("WAYLAND_SOCKET")
+        .env_remove("RUST_LOG")
+        .output()
+        .expect("the binary runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(4), "{said}");
+    assert_eq!(said.lines().count(), 1, "{said}");
+    assert!(
+        said.contains("apt-get install mesa-vulkan-drivers"),
+        "{said}"
+    );
+    assert!(
+        said.contains("sightline render SCENE --by raycast -o picture.png"),
+        "{said}"
+    );
+}
