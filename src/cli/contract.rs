@@ -57,10 +57,6 @@ of each of \"hits\":
                    edge that two triangles share; null where there is no next
   exact            whether exact arithmetic decided what is hit up to here, or
                    which of two hits is nearer, because f64 could not
-  differs_px       pixels from the position to the nearest centre of a pixel,
-                   its own too, that shows another object, another triangle or
-                   the background; null where there is none within 8, and in a
-                   window while its trees are being built
   file, line, face, vertices, corners
                    of a mesh: its OBJ file, read again; the line that its face
                    stands in and its number among the f lines, both from 1; the

@@ -47,15 +47,13 @@
 //!
 //! [`Pick`] says where the hit lies and how sure it is. `t` is the exact parameter rounded once (and kept below far);
 //! `gap`, the difference to the next hit, is rounded once, too. `exact` says whether exact arithmetic had to decide;
-//! this does not depend on whether a tree is built. `edge_px` and `differs_px` say how many pixels away the nearest
-//! edge and the nearest other answer are.
+//! this does not depend on whether a tree is built. `edge_px` says how many pixels away the nearest edge is.
 //!
 //! The order of picks is exact however close two surfaces lie; a drawing's is not. Where surfaces lie so close to the
 //! nearest one that drawing may show any of them, the answer names them ([`InOnePlace`], found by
 //! [`verify::in_one_place`](crate::verify::in_one_place)).
 
 mod beam;
-mod differs;
 mod edge;
 mod ellipsoid;
 pub mod measure;
@@ -154,10 +152,8 @@ pub fn pick(scene: &Scene, view: &View, px: DVec2) -> Option<Pick> {
     let exact = next.is_some_and(|next| next.overlaps(&hit))
         || is_tied(scene, &ray, view.sides, &hit)
         || is_in_doubt(scene, &ray, hit.limit());
-    let is_alone = next.is_none_or(|next| !next.overlaps(&hit));
-    let differs_px = differs::differs_px(scene, view, px, &hit, is_alone);
     let at = record::At { scene, view, px };
-    Some(Pick::of(&at, &hit, next.as_ref(), exact, differs_px))
+    Some(Pick::of(&at, &hit, next.as_ref(), exact))
 }
 
 /// Records take some hundredths of a millisecond each: with this many, threads are quicker.
@@ -167,18 +163,13 @@ const WORTH_THREADS: usize = 64;
 pub fn pick_all(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
     let ray = view.ray(px);
     let hits = all(scene, ray, view.sides);
-    let Some(first) = hits.first() else {
-        return Vec::new();
-    };
-    let is_alone = hits.get(1).is_none_or(|next| !next.overlaps(first));
-    let differs_px = differs::differs_px(scene, view, px, first, is_alone);
     let tied = tied(&hits);
     // Once a hit is in doubt, all later hits are.
     let sure = hits.partition_point(|hit| !is_in_doubt(scene, &ray, hit.limit()));
     let at = record::At { scene, view, px };
     let pick = |i: usize| {
         let exact = tied[i] || i >= sure;
-        Pick::of(&at, &hits[i], hits.get(i + 1), exact, differs_px)
+        Pick::of(&at, &hits[i], hits.get(i + 1), exact)
     };
     if hits.len() < WORTH_THREADS {
         (0..hits.len()).map(pick).collect()

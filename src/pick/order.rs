@@ -1,6 +1,6 @@
 //! Which of two hits comes first: ties are decided here, in exact arithmetic.
 
-use super::{Primitive, SceneHit};
+use super::SceneHit;
 use crate::{
     geometry::{
         Corners, Mesh, Parameter, Square, Surface, WorldRay, are_in_one_plane, compare_surfaces,
@@ -86,28 +86,6 @@ pub(super) fn is_same_t(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
         (None, None) => are_alike(scene, a.object, b.object) && a.hit.front == b.hit.front,
         _ => false,
     }
-}
-
-/// Whether an object, or one triangle of it (number, and corners about the mesh's origin), comes no earlier than a hit
-/// on every ray that meets both. That is so where it is not earlier in order and is the same surface, coincides with it
-/// or is coplanar with it.
-pub(super) fn comes_later(
-    scene: &Scene,
-    hit: &SceneHit,
-    object: usize,
-    triangle: Option<(u32, [DVec3; 3])>,
-) -> bool {
-    let primitive = Primitive {
-        object,
-        triangle: triangle.map(|(number, _)| number),
-    };
-    let other = || flat(scene, object, triangle.map(|(_, corners)| corners));
-    hit.primitive() <= primitive
-        && match (flat_of_hit(scene, hit), other()) {
-            (Some(here), Some(other)) => are_in_one_plane(&here, &other),
-            (None, None) => are_alike(scene, hit.object, object),
-            _ => false,
-        }
 }
 
 /// Whether two objects, neither a mesh, are the same shape under the same placement.

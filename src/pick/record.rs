@@ -48,10 +48,6 @@ pub struct Pick {
     /// Whether exact arithmetic had to decide: `f64` left open whether a surface up to here is hit, or whether this one
     /// or another is nearer.
     pub exact: bool,
-    /// Distance in pixels, up to 8, from the position to the nearest pixel centre where the picture shows another
-    /// object, another triangle or the background; the position's own pixel counts, too. `None` when there is none, or
-    /// while trees are being built. The same for all surfaces at a position.
-    pub differs_px: Option<f64>,
     /// What the mesh's file says about the triangle, once it was read again.
     #[serde(flatten)]
     pub in_file: InFile,
@@ -96,13 +92,7 @@ impl Pick {
     }
 
     /// The record of a hit on the ray through a position; `next` is the hit behind it.
-    pub(super) fn of(
-        at: &At,
-        found: &SceneHit,
-        next: Option<&SceneHit>,
-        exact: bool,
-        differs_px: Option<f64>,
-    ) -> Self {
+    pub(super) fn of(at: &At, found: &SceneHit, next: Option<&SceneHit>, exact: bool) -> Self {
         let At { scene, view, px } = *at;
         let SceneHit { object: index, hit } = *found;
         let object = &scene.objects()[index];
@@ -137,7 +127,6 @@ impl Pick {
             edge_px: edge::edge_px(object, view, px, &hit),
             gap: next.map(|next| order::gap(scene, &ray, (found, &at), next)),
             exact,
-            differs_px,
             in_file: InFile::default(),
         }
     }

@@ -127,8 +127,7 @@ pub fn some_shape(random: &mut Random) -> Shape {
     }
 }
 
-/// Hides some of the objects, and adds a hidden mesh that has no tree yet. Until all trees are built, records omit
-/// `differs_px`, which would ask up to 196 rays each.
+/// Hides some of the objects, and adds a hidden mesh that has no tree yet.
 pub fn scene(random: &mut Random, mut objects: Vec<Object>) -> Scene {
     if objects.len() > 2 {
         for object in &mut objects {

@@ -108,24 +108,18 @@ impl Case<'_> {
         format!("at {px:?} of {:?}", self.view)
     }
 
-    /// Compares again with trees, and records against those from `before`: all but `differs_px` must be equal.
+    /// Compares again with trees, and records against those from `before`: they must be equal.
     pub fn recheck(&self, px: DVec2, before: Option<Vec<Pick>>, tally: &mut Tally) {
         let mut again = Tally::default();
         let records = self.check(px, before.is_some(), &mut again);
-        let plain = |records: Vec<Pick>| -> Vec<_> {
-            let each = records.into_iter();
-            each.map(|record| Pick {
-                differs_px: None,
-                ..record
-            })
-            .collect()
-        };
         let mut mistakes = Mistakes::default();
-        if let Some(before) = before.map(plain)
-            && let now = plain(records)
-            && before != now
+        if let Some(before) = before
+            && before != records
         {
-            let differ = before.iter().zip(&now).find(|(before, now)| before != now);
+            let differ = before
+                .iter()
+                .zip(&records)
+                .find(|(before, now)| before != now);
             mistakes.add("another record with a tree", format!("{differ:?}"));
         }
         if again.wrong == 0 {

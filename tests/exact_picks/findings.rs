@@ -3,13 +3,10 @@
 use super::{
     Sample, ask,
     blocks::{Layout, one_mesh},
-    compare::Case,
-    program,
     tally::Tally,
 };
 use crate::common::{box_triangles, orthographic, perspective, view};
-use crate::exact::truth::World;
-use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3, EulerRot, dvec2, dvec3};
+use glam::{DAffine3, DMat3, DQuat, DVec3, EulerRot, dvec2, dvec3};
 use sightline::{
     camera::View,
     geometry::Placement,
@@ -259,71 +256,4 @@ fn plain_shapes_from_far_away() {
     let view = view([6e7, 4.8e7, 1e8], [0.0; 3], lens, [64, 48]);
     let pixels = every_pixel(objects, view);
     assert!(pixels.hits > 500, "{pixels:?}");
-}
-
-/// A dot smaller than a pixel covers a pixel's centre. From nearby, `differs_px` is the distance to that centre.
-#[test]
-fn the_nearest_pixel_with_another_answer() {
-    let dot = DAffine3::from_scale_rotation_translation(
-        DVec3::splat(0.005),
-        DQuat::IDENTITY,
-        dvec3(0.005, -0.005, 0.5),
-    );
-    let scene = Scene::new(vec![
-        object(Shape::Square, scaled(100.0)),
-        object(Shape::Square, dot),
-    ]);
-    let lens = orthographic(1.0, 0.1, 20.0);
-    let view = view([0.0, 0.0, 5.0], [0.0, 0.0, 4.0], lens, [100, 100]);
-    scene.build_trees();
-    let world = World::of(&scene);
-    let case = Case {
-        scene: &scene,
-        view: &view,
-        world: &world,
-    };
-    let mut found = [0; 2];
-    for px in [
-        (50.02, 50.5),
-        (50.5, 50.5),
-        (50.9, 50.1),
-        (52.3, 49.9),
-        (45.2, 45.7),
-        (42.51, 50.5),
-        (42.49, 50.5),
-        (58.5, 50.5),
-        (20.0, 20.0),
-        (0.1, 99.9),
-    ] {
-        let px = DVec2::from(px);
-        let truth = case.nearest_change(px);
-        let said = program::record(&scene, &view, px).and_then(|record| record.differs_px);
-        match (said, truth) {
-            (Some(said), Some(truth)) => assert!(
-                (said - truth).abs() <= 1e-14 * truth,
-                "{said} for {truth} at {px}"
-            ),
-            _ => assert_eq!(said, truth, "at {px}"),
-        }
-        found[usize::from(truth.is_some())] += 1;
-    }
-    assert_eq!(found, [3, 7]);
-}
-
-impl Case<'_> {
-    /// The distance to the nearest pixel's centre whose first surface is not that at `px`. Centres up to 8 pixels away
-    /// and within the picture count.
-    fn nearest_change(&self, px: DVec2) -> Option<f64> {
-        let first = |px: DVec2| self.truth(px).first().map(|hit| (hit.object, hit.triangle));
-        let here = first(px);
-        let steps = || (-9..=9).map(f64::from);
-        let centres = steps().flat_map(|y| steps().map(move |x| px.floor() + dvec2(x, y) + 0.5));
-        let near = centres.filter(|centre| {
-            self.view.viewport.contains(*centre)
-                && centre.distance(px) <= 8.0
-                && first(*centre) != here
-        });
-        near.map(|centre| centre.distance(px))
-            .min_by(f64::total_cmp)
-    }
 }

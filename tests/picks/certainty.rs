@@ -1,124 +1,12 @@
-//! A pick's `differs_px` and `exact` are right, checked against all pixels and on cases that `f64` cannot decide. For
-//! `edge_px` see `edges`.
+//! A pick's `exact` is right, on cases that `f64` cannot decide. For `edge_px` see `edges`.
 
-use crate::common::{Random, mesh, orthographic, perspective, scene_of, view};
-use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3, dvec2};
+use crate::common::{mesh, orthographic, perspective, scene_of, view};
+use glam::{DAffine3, DVec2, DVec3, dvec2};
 use sightline::{
-    camera::View,
-    geometry::{Cuboid, Placement, Sides},
-    image::{Id, Image},
-    pick::{self, Pick},
+    geometry::Placement,
+    pick,
     scene::{Object, Scene, Shape},
 };
-
-/// Quads, spheres and squares of many sizes, some touching, in a picture of 80 x 60.
-fn crowded() -> (Scene, View) {
-    let mut random = Random::new(51);
-    let mut objects = Vec::new();
-    for i in 0..9 {
-        let size = 10_f64.powf(random.within(-1.0, 0.6));
-        let model = DAffine3 {
-            matrix3: DMat3::from_diagonal(DVec3::splat(size)),
-            translation: random.point(2.0),
-        };
-        let corners = [
-            [-0.5, -0.5, 0.0],
-            [0.5, -0.5, 0.0],
-            [0.5, 0.5, 0.1],
-            [-0.5, 0.5, -0.1],
-        ];
-        let quad = Shape::Mesh {
-            mesh: mesh(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]], DVec3::ZERO),
-            part: 0,
-        };
-        let shape = [quad, Shape::Sphere, Shape::Square][i % 3].clone();
-        objects.push(Object::new("", shape, Placement::new(model).unwrap()));
-    }
-    let view = view(
-        [0.0, 0.0, 6.0],
-        [0.0; 3],
-        perspective(50.0, 0.5, 50.0),
-        [80, 60],
-    );
-    (Scene::new(objects), view)
-}
-
-/// The distance to the nearest pixel with another id, where that is at most eight.
-fn differs_px(ids: &Image<Id>, px: (u32, u32)) -> Option<f64> {
-    let here = ids.at(px.0, px.1);
-    let center = |(x, y): (u32, u32)| dvec2(x.into(), y.into());
-    let others = ids.positions().filter(|&(x, y)| ids.at(x, y) != here);
-    let nearest = others.map(|other| center(px).distance(center(other)));
-    nearest.reduce(f64::min).filter(|px| *px <= 8.0)
-}
-
-#[test]
-fn differs_px_is_the_way_to_the_nearest_pixel_that_shows_something_else() {
-    let (scene, view) = crowded();
-    let (ids, _) = pick::raycast(&scene, &view);
-    let (mut near, mut none) = (0, 0);
-    for (x, y) in ids.positions() {
-        let center = dvec2(x.into(), y.into());
-        let Some(pick) = pick::pick(&scene, &view, center + 0.5) else {
-            continue;
-        };
-        let truth = differs_px(&ids, (x, y));
-        assert_eq!(pick.differs_px, truth, "at {center}");
-        match pick.differs_px {
-            Some(px) if px < 8.0 => near += 1,
-            Some(_) => {}
-            None => none += 1,
-        }
-        if x % 4 != 0 {
-            continue;
-        }
-        for pick in pick::pick_all(&scene, &view, center + 0.5) {
-            assert_eq!(pick.differs_px, truth, "one number for all");
-        }
-    }
-    assert!(near > 500 && none > 20, "{near} near, {none} far");
-}
-
-/// The near plane cuts the tip off a solid that faces the eye; the hole lies in the middle of what shows.
-#[test]
-fn differs_px_finds_what_the_near_plane_cuts_out_of_a_solid() {
-    let mut random = Random::new(52);
-    let mut far = 0;
-    for case in 0..8 {
-        let rotation = DQuat::from_axis_angle(random.direction(), random.within(0.0, 3.0));
-        let center = random.point(20.0);
-        let model = DAffine3::from_scale_rotation_translation(DVec3::splat(3.0), rotation, center);
-        let eye = center + 4.0 * random.direction();
-        let camera = |near| perspective(50.0, near, 100.0);
-        let framed = |near| view(eye.into(), center.into(), camera(near), [80, 60]);
-        let (shape, nearest) = if case % 2 == 0 {
-            (Shape::Sphere, 2.5)
-        } else {
-            let corners = Cuboid::bounds()
-                .corners()
-                .map(|p| model.transform_point3(p));
-            let depths = corners.map(|p| framed(0.1).camera.forward().dot(p - eye));
-            (
-                Shape::Cube,
-                depths.into_iter().fold(f64::INFINITY, f64::min),
-            )
-        };
-        let scene = scene_of(shape, model);
-        scene.build_trees();
-        let mut view = framed(nearest + 0.02);
-        view.sides = Sides::Front;
-        let (ids, _) = pick::raycast(&scene, &view);
-        let shown = ids.positions().filter(|&(x, y)| ids.at(x, y).object == 1);
-        for (x, y) in shown {
-            let center = dvec2(x.into(), y.into());
-            let truth = differs_px(&ids, (x, y));
-            let pick = pick::pick(&scene, &view, center + 0.5).expect("it shows");
-            assert_eq!(pick.differs_px, truth, "case {case} at {center}");
-            far += i32::from(truth.is_some_and(|px| px >= 4.0));
-        }
-    }
-    assert!(far > 1000, "only {far}");
-}
 
 #[test]
 fn exact_says_when_f64_cannot_decide() {
@@ -216,20 +104,7 @@ fn a_pick_does_not_wait_for_a_tree() {
     let px = dvec2(30.5, 20.5);
     let before = pick::pick(&scene, &view, px).expect("a hit");
     assert!(!scene.trees_are_built());
-    assert_eq!(before.differs_px, None, "it would take a tree to say");
     scene.build_trees();
     let after = pick::pick(&scene, &view, px).expect("a hit");
-    assert!(
-        after.differs_px.is_some_and(|px| px < 4.0),
-        "{:?}",
-        after.differs_px
-    );
-    assert_eq!(
-        before,
-        Pick {
-            differs_px: None,
-            ..after
-        },
-        "all else is the same"
-    );
+    assert_eq!(before, after);
 }

@@ -151,7 +151,7 @@ fn the_panels_say_what_is_so() {
     let (mut window, _folder) = row(1.0);
     click(&mut window, MIDDLE);
     click_on(&mut window, "Model matrix");
-    for row in ["nearest edge", "next change", "next surface"] {
+    for row in ["nearest edge", "next surface"] {
         control(&window, row);
     }
     for (scale, said) in [

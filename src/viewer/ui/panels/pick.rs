@@ -132,15 +132,11 @@ fn spaces(hit: &Pick, digits: Digits) -> [Row; 4] {
 }
 
 /// How sure the pick is.
-fn certainty(hit: &Pick, digits: Digits) -> [Row; 4] {
+fn certainty(hit: &Pick, digits: Digits) -> [Row; 3] {
     let edge = hit.edge_px.map(|px| format!("{px:.3} px away"));
     let edge = edge.unwrap_or_else(|| "none in view".into());
     let hint = "how far the clicked position is from the outline of the surface that was hit, in pixels of the picture";
     let edge = ("nearest edge", edge, hint);
-    let differs = hit.differs_px.map(|px| format!("{px:.1} px away"));
-    let differs = differs.unwrap_or_else(|| "none within 8 px".into());
-    let hint = "the nearest pixel where a click would pick something else";
-    let differs = ("next change", differs, hint);
     let gap = match hit.gap {
         None => "none".to_owned(),
         Some(0.0) => "in the same place".to_owned(),
@@ -150,7 +146,7 @@ fn certainty(hit: &Pick, digits: Digits) -> [Row; 4] {
     let gap = ("next surface", gap, hint);
     let exact = ["f64 with error bound", "exact arithmetic"][usize::from(hit.exact)];
     let hint = "whether 64-bit floating-point numbers were enough to be certain, or whether exact arithmetic, which rounds nothing, had to decide";
-    [edge, differs, gap, ("decided by", exact.into(), hint)]
+    [edge, gap, ("decided by", exact.into(), hint)]
 }
 
 /// Says so if the pick was made in another view than the one on screen.
