@@ -13,7 +13,7 @@ use sightline::{
     },
     glam::{DVec2, DVec3},
     image::{Id, Image},
-    pick::{self, Pick, SceneHit, Whereabouts, measure::ExactPoint, snap::Snap},
+    pick::{self, Pick, SceneHit, Whereabouts, snap::Snap},
     scene::{NoSection, NoSuchObject, Object, Scene, SceneKey, Shape},
 };
 use std::{error::Error, fmt::Debug, sync::Arc};
@@ -44,7 +44,6 @@ const _: () = {
     is_shared::<Pick>();
     is_shared::<SceneHit>();
     is_shared::<Snap>();
-    is_shared::<ExactPoint>();
     is_shared::<Image<Id>>();
     is_error::<CameraError>();
     is_error::<MeshError>();

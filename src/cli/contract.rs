@@ -88,11 +88,11 @@ The lines of --snap R, one for each --at, with px:
                    of the face in the file; file_error, why that does not say;
                    length, of the edge; area, of the face that it is on
   distance         from the position before
-  object_area      of the object
+  object_area      of the object; null for an ellipsoid
   file_error       where snap is null: why edges that are near did not count
-  Each measure is value and error: how far value is from the exact one at most,
-  for coordinates as the file writes them. The nearest visible vertex is taken,
-  else the nearest visible point of an edge, else the pick; edges that only
+  Vertices are measured as the file writes them, an object's area as its mesh
+  is stored. The nearest visible vertex is taken, else the nearest visible point
+  of an edge, else the pick; edges that only
   split a polygon into triangles do not count, nor do any of a file that does
   not say which those are. Of several that are exactly as near, the one with the
   least depth is taken, then the first object, then the first triangle. The area

@@ -6,13 +6,12 @@ use crate::{
     json,
     pick::{
         self, PickLine, PickLines,
-        measure::{ExactPoint, Measured},
         snap::{Snap, SnapLine, object_area},
     },
     scene::{Detail, FilesAgain, Progress, Scene},
     verify,
 };
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use std::{
     collections::HashMap,
     io::{BufRead, BufReader, BufWriter, Read, StdoutLock, Write},
@@ -148,9 +147,9 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
 /// What measuring keeps from one position to the next.
 #[derive(Default)]
 struct Measures {
-    from: Option<ExactPoint>,
+    from: Option<DVec3>,
     /// The area of each object, by its index.
-    areas: HashMap<usize, Measured>,
+    areas: HashMap<usize, Option<f64>>,
 }
 
 impl Measures {
@@ -161,9 +160,8 @@ impl Measures {
         snap: Option<Snap>,
         file_error: Option<String>,
     ) -> SnapLine {
-        let exact = snap.as_ref().map(|snap| snap.exact.clone());
-        let before = std::mem::replace(&mut self.from, exact);
-        let ends = before.as_ref().zip(self.from.as_ref());
+        let from = snap.as_ref().map(|snap| snap.measured_from);
+        let before = std::mem::replace(&mut self.from, from);
         let area_of = |snap: &Snap| {
             let index = snap.id - 1;
             let area = || object_area(&scene.objects()[index]);
@@ -171,8 +169,8 @@ impl Measures {
         };
         SnapLine {
             px,
-            distance: ends.map(|(from, to)| from.distance(to)),
-            object_area: snap.as_ref().map(area_of),
+            distance: before.zip(self.from).map(|(from, to)| from.distance(to)),
+            object_area: snap.as_ref().and_then(area_of),
             snap,
             file_error,
         }

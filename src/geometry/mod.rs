@@ -63,8 +63,8 @@ pub(crate) use crease_normals::{CornersByVertex, corners_by_vertex};
 pub use cuboid::Cuboid;
 pub(crate) use exact::dyadic;
 pub(crate) use exact::{
-    Corners, Parameter, Surface, are_in_one_plane, area, compare_surfaces, compare_to_point,
-    is_between, is_point_within, keeps, overlap_at,
+    Corners, Parameter, Surface, are_in_one_plane, compare_surfaces, compare_to_point, is_between,
+    is_point_within, keeps, overlap_at,
 };
 pub use hit::{Hit, OnTriangle, Sides, TriangleHit};
 pub(crate) use interval::HALF_OF_THE_DIGITS;

@@ -55,8 +55,6 @@
 
 mod beam;
 mod edge;
-mod ellipsoid;
-pub mod measure;
 mod narrowed;
 mod nearest;
 mod one_place;

@@ -28,20 +28,11 @@ fn folder() -> Folder {
 const LOOK: &str =
     "--size 200x100 --eye 447005.1,5411004.2,10 --target 447005.1,5411004.2,0 --ortho 10";
 
-fn value(measure: &Value) -> (f64, f64) {
-    let number = |name: &str| {
-        measure[name]
-            .as_f64()
-            .unwrap_or_else(|| panic!("{measure}"))
-    };
-    (number("value"), number("error"))
-}
-
 #[track_caller]
 fn is(measure: &Value, expected: f64, most: f64) {
-    let (value, error) = value(measure);
+    let off = measure.as_f64().map(|value| (value - expected).abs());
     assert!(
-        (value - expected).abs() <= error && error <= most,
+        off.is_some_and(|off| off <= most),
         "{measure}, not {expected}"
     );
 }
@@ -78,23 +69,23 @@ fn positions_are_led_to_vertices_edges_and_faces() {
         (numbers(&lines[1]), &lines[1]["snap"]["object"]),
         (vec![3], &json!("Wall"))
     );
-    // From vertex 1 to vertex 3, by the decimals in the file, not by the stored numbers.
-    is(&lines[1]["distance"], 116.0_f64.sqrt(), 2e-15);
+    // From vertex 1 to vertex 3, by the numbers in the file, which are kept as `f32` about an origin; `f64` holds them to 1e-9.
+    is(&lines[1]["distance"], 116.0_f64.sqrt(), 2e-9);
     assert_eq!(numbers(&lines[2]), [1, 2]);
-    is(&lines[2]["snap"]["length"], 10.0, 2e-15);
+    is(&lines[2]["snap"]["length"], 10.0, 2e-9);
     let px = &lines[2]["snap"]["px"];
     assert!(
         (px[0].as_f64().unwrap() - 100.0).abs() < 1e-6
             && (px[1].as_f64().unwrap() - 90.0).abs() < 1e-6
     );
-    is(&lines[3]["snap"]["area"], 40.0, 1e-14);
+    is(&lines[3]["snap"]["area"], 40.0, 2e-8);
     // The object's vertices are stored as f32 about an origin nearby.
     is(&lines[3]["object_area"], 40.0, 1e-4);
     // The diagonal of the wall is none of its edges.
     assert_eq!(lines[4]["snap"]["object"], "Wall");
     assert_eq!(lines[5]["snap"]["object"], "Roof");
-    is(&lines[5]["snap"]["length"], 65.0_f64.sqrt(), 2e-15);
-    is(&lines[5]["snap"]["area"], 28.0, 1e-14);
+    is(&lines[5]["snap"]["length"], 65.0_f64.sqrt(), 2e-9);
+    is(&lines[5]["snap"]["area"], 28.0, 2e-8);
 }
 
 #[test]
@@ -149,6 +140,31 @@ fn cubes_and_squares_have_corners_and_edges() {
     // From a corner to the middle of the edge beside it.
     is(&lines[1]["distance"], 0.5, 1e-15);
     assert_eq!(lines[2]["snap"]["vertices"], Value::Null);
+}
+
+/// A ball keeps an area by formula however it is turned and however large it is; an ellipsoid has none.
+#[test]
+fn balls_have_an_area_and_ellipsoids_have_none() {
+    let folder = Folder::new();
+    let balls = "
+[[object]]
+shape = \"sphere\"
+scale = 3
+rotation = [10, 20, 30]
+
+[[object]]
+shape = \"sphere\"
+scale = [1, 1, 1.001]
+position = [4, 0, 0]
+";
+    std::fs::write(folder.path("balls.toml"), balls).unwrap();
+    let look = "--size 200x100 --eye 2,0,10 --target 2,0,0 --ortho 10";
+    let lines = folder.json(&format!(
+        "pick balls.toml {look} --snap 0 --at 80,50 120,50"
+    ));
+    is(&lines[0]["object_area"], 9.0 * std::f64::consts::PI, 1e-13);
+    assert_eq!(lines[1]["snap"]["id"], 2);
+    assert_eq!(lines[1]["object_area"], Value::Null);
 }
 
 /// A ring as one polygon: its outline goes to the hole and back by one way, and names the vertices there twice.
@@ -219,7 +235,7 @@ fn the_edge_of_a_hole_in_a_real_file_is_where_the_file_has_it() {
             (&json!("edge"), [json!(32), json!(35)])
         );
         let length = 0.134_768_981_965_435_94;
-        is(&snap["length"], length, 2e-17);
+        is(&snap["length"], length, 2e-15);
         // As z and y in the plane of the ring: 375 pixels a unit, and the vertices as the file has them.
         let [z, y] = [2.35 + (300.0 - x) / 375.0, 2.4 + (300.0 - y) / 375.0];
         let aside = (z - 3.0375) * (2.534_12 - 2.4) - (y - 2.4) * (3.024_29 - 3.0375);
@@ -250,21 +266,6 @@ fn a_spike_adds_nothing_to_the_area() {
     }
 }
 
-/// Two positions are a thousandth of a pixel apart. The expected distance of their nearest points is by exact
-/// arithmetic, with nothing rounded in between.
-#[test]
-fn distances_of_points_of_edges_are_within_their_bound() {
-    let folder = Folder::new();
-    let cube = "[[object]]\nshape = \"cube\"\nrotation = [10, 20, 30]\n";
-    std::fs::write(folder.path("cube.toml"), cube).unwrap();
-    let view = "--size 100x100 --eye 3,2,4 --target 0,0,0 --fov 30";
-    let lines = folder.json(&format!(
-        "pick cube.toml {view} --snap 3 --at 61.2,49.7 61.201,49.7"
-    ));
-    assert_eq!(lines[1]["snap"]["to"], "edge");
-    is(&lines[1]["distance"], 1.173_904_477_583_621e-5, 1e-20);
-}
-
 /// A position equally far from two edges, to the last bit, snaps to the first, however the foot's share is rounded.
 #[test]
 fn of_edges_as_near_the_first_is_taken() {
@@ -274,10 +275,10 @@ fn of_edges_as_near_the_first_is_taken() {
     let view = "--size 200x200 --eye 1,0.5,5 --target 1,0.5,0 --ortho 4";
     let at = "60,76 75,76 90,76 100,76";
     let lines = folder.json(&format!("pick beside.obj {view} --snap 4 --at {at}"));
-    let told = lines.iter().map(|line| {
+    for (line, x) in lines.iter().zip([0.2, 0.5, 0.8, 1.0]) {
         let snap = &line["snap"];
-        json!([snap["to"], snap["face"], snap["point_world"]])
-    });
-    let expected = [0.2, 0.5, 0.8, 1.0].map(|x| json!(["edge", 1, [x, 1.0, 0.0]]));
-    assert_eq!(told.collect::<Vec<_>>(), expected);
+        assert_eq!([&snap["to"], &snap["face"]], [&json!("edge"), &json!(1)]);
+        is(&snap["point_world"][0], x, 1e-12);
+        is(&snap["point_world"][1], 1.0, 1e-12);
+    }
 }

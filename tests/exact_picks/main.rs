@@ -20,14 +20,12 @@ mod common;
 mod compare;
 #[path = "../common/sections.rs"]
 mod cuts;
-mod ellipsoid;
 #[path = "../common/exact/mod.rs"]
 mod exact;
 mod families;
 mod findings;
 mod instructions;
 mod lattice;
-mod measure;
 mod narrowed;
 mod program;
 mod rays;

@@ -8,8 +8,7 @@ pub(crate) use super::{
     exact_line::factors,
     integer::{Decided, Integer, Ring},
     number::{Number, Vector},
-    point::{moved_by, placed, point},
-    root::divided,
+    point::{placed, point},
 };
 use super::{
     super::{Placement, line::Line, local_ray::Exactly},

@@ -40,11 +40,6 @@ impl Enclosure {
         Self { value, error }
     }
 
-    /// The number as one `f64`, and the bound on its error.
-    pub fn rounded(&self) -> [f64; 2] {
-        [self.value.hi, MORE * (self.value.lo.abs() + self.error)]
-    }
-
     /// Whether one `f64` holds it exactly.
     fn is_short(&self) -> bool {
         self.value.lo == 0.0 && self.error == 0.0

@@ -12,7 +12,6 @@
 //! Integers have 128, 256, 512 or 1024 bits where that is enough, else any number. (Floating-point expansions, Shewchuk
 //! 1997, fail as soon as a product underflows.)
 
-mod area;
 mod big_number;
 mod coplanar;
 pub(crate) mod dyadic;
@@ -32,7 +31,6 @@ mod surface_order;
 mod touching;
 mod triangle;
 
-pub(crate) use area::area;
 pub(crate) use coplanar::{are_coplanar, are_in_one_plane};
 #[cfg(test)]
 pub(super) use exact_line::LocalLine;

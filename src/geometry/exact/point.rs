@@ -8,7 +8,6 @@ use super::{
     root::divided,
 };
 use glam::{DAffine3, DVec3};
-use num_bigint::BigInt;
 
 impl PlacedPoint {
     /// Where it is in the world, each coordinate rounded once.
@@ -73,16 +72,6 @@ pub(crate) fn placed<I: Ring>(point: &PlacedPoint) -> Vector<I> {
         return object;
     }
     turned_by(point.model.matrix3, &object).plus(&Vector::new(point.model.translation))
-}
-
-/// Where a placement puts a point of object space. Both points are given times `weight`.
-pub(crate) fn moved_by(
-    placement: &Placement,
-    point: &Vector<BigInt>,
-    weight: &Number<BigInt>,
-) -> Vector<BigInt> {
-    let translation = Vector::new(placement.model().translation);
-    turned(placement, point).plus(&translation.times(weight))
 }
 
 /// A vector of object space times the placement's linear part.

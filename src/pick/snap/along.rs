@@ -7,7 +7,6 @@ use crate::{
     pick::{
         SceneHit,
         edge::{Shown, determinant},
-        measure::ExactPoint,
         sight::hides,
     },
 };
@@ -44,16 +43,6 @@ impl Search<'_> {
             let sign = Dyadic::new(if whole.is_negative() { -1.0 } else { 1.0 });
             [part.times(&sign), whole.times(&sign)]
         })
-    }
-
-    /// The exact point of an edge that a position snaps to.
-    pub(super) fn exact(&self, edge: &Candidate) -> ExactPoint {
-        let at = |share: f64| edge.facet.point(self.scene, edge.corner, share);
-        match Self::is_foot(edge, &self.ends(&edge.facet, edge.corner).1) {
-            Some(share) => ExactPoint::between([&at(0.0), &at(1.0)], &share),
-            // An end of what is left, or where a hidden part ends.
-            None => ExactPoint::stored(&edge.point(self.scene), 0.0),
-        }
     }
 
     /// The candidate as the picture shows it, times a positive weight; and that weight.

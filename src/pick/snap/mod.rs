@@ -3,8 +3,7 @@
 //! Within a radius in pixels, the nearest *visible* vertex wins ([`sight`] decides, exactly). Failing that, the nearest
 //! visible point of an edge: the foot of the perpendicular in the picture, or an end of what near, far and section
 //! leave of the edge. The foot's fraction along the edge is rounded to `f64`. That point lies exactly on the stored
-//! edge, and [`sight`] decides whether it is seen; what is reported and measured is the exact foot. A surface may hide
-//! the point. It is then replaced by the nearest points along the edge, to either side, that this surface does not
+//! edge, and [`sight`] decides whether it is seen. A surface may hide the point. It is then replaced by the nearest points along the edge, to either side, that this surface does not
 //! hide. Where no edge shows, the position snaps to the pick.
 //!
 //! Corners and edges are those of the file's polygons. Edges added by triangulation do not count; if the file can no
@@ -13,16 +12,17 @@
 //! first triangle.
 
 mod along;
+mod area;
 mod facets;
 mod record;
 
+pub use area::object_area;
+pub use record::Snap;
 pub(crate) use record::SnapLine;
-pub use record::{Snap, object_area};
 
 use super::{
     SceneHit,
     edge::{PictureSpace, Shown},
-    measure::ExactPoint,
     sight::{Sight, sight},
 };
 use crate::{
@@ -52,8 +52,7 @@ pub enum SnapTo {
 /// Where a position snaps to.
 enum Snapped {
     Vertex(Candidate),
-    /// With the exact nearest point.
-    Edge(Candidate, ExactPoint),
+    Edge(Candidate),
     /// The pick, if any.
     Face,
 }
@@ -119,8 +118,7 @@ fn snapped(
             return Snapped::Vertex(vertex);
         }
         if let Some(edge) = search.edge(&facets, faces) {
-            let exact = search.exact(&edge);
-            return Snapped::Edge(edge, exact);
+            return Snapped::Edge(edge);
         }
     }
     Snapped::Face

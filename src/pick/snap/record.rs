@@ -1,17 +1,15 @@
 //! What is known about a snapped point, and its JSON.
 
 use super::{
-    super::{
-        Pick,
-        ellipsoid::sphere_area,
-        measure::{ExactPoint, Measured, mesh_area, polygon_area},
-    },
-    Candidate, Faces, SnapTo, Snapped, side_of, snapped,
+    super::Pick,
+    Candidate, Faces, SnapTo, Snapped,
+    area::{face_area, object_area, triangles_area},
+    side_of, snapped,
 };
 use crate::{
     camera::View,
-    geometry::{Cuboid, PlacedPoint, Placement, Square},
-    scene::{FaceInFile, Object, Scene, Shape, VertexInFile},
+    geometry::{Cuboid, Placement},
+    scene::{FaceInFile, Scene, Shape, VertexInFile},
 };
 use glam::{DVec2, DVec3};
 use serde::Serialize;
@@ -44,12 +42,12 @@ pub struct Snap {
     /// Why the file cannot tell, where it cannot.
     pub file_error: Option<String>,
     /// How long the edge is.
-    pub length: Option<Measured>,
+    pub length: Option<f64>,
     /// The area of its face; for a vertex or an edge, of the first face that has it.
-    pub area: Option<Measured>,
-    /// The point to measure from.
+    pub area: Option<f64>,
+    /// The point to measure from, in the world: a vertex as its file writes it, else [`Self::point_world`].
     #[serde(skip)]
-    pub exact: ExactPoint,
+    pub measured_from: DVec3,
 }
 
 /// A position and what it snaps to, as a line of JSON.
@@ -60,9 +58,9 @@ pub(crate) struct SnapLine {
     /// What is there; `None` for the background.
     pub snap: Option<Snap>,
     /// Distance from the previous position's point to this one's.
-    pub distance: Option<Measured>,
+    pub distance: Option<f64>,
     /// The area of the object; see [`object_area`].
-    pub object_area: Option<Measured>,
+    pub object_area: Option<f64>,
     /// Why edges were skipped; only where `snap` is `None`.
     pub file_error: Option<String>,
 }
@@ -80,8 +78,8 @@ impl Snap {
         faces: &mut Faces,
     ) -> Option<Self> {
         Some(match snapped(scene, view, (px, radius_px), faces) {
-            Snapped::Vertex(of) => Self::of_side(scene, view, &of, None, faces),
-            Snapped::Edge(of, exact) => Self::of_side(scene, view, &of, Some(exact), faces),
+            Snapped::Vertex(of) => Self::of_side(scene, view, &of, SnapTo::Vertex, faces),
+            Snapped::Edge(of) => Self::of_side(scene, view, &of, SnapTo::Edge, faces),
             Snapped::Face => {
                 let pick = super::super::pick(scene, view, px)?;
                 Self::of_pick(scene, px, &pick, faces)
@@ -93,18 +91,13 @@ impl Snap {
         scene: &Scene,
         view: &View,
         candidate: &Candidate,
-        of_edge: Option<ExactPoint>,
+        to: SnapTo,
         faces: &mut Faces,
     ) -> Self {
         let Candidate { facet, corner, .. } = *candidate;
         let object = &scene.objects()[facet.object];
         let placement = &object.placement;
-        let stored = |share: f64| ExactPoint::stored(&facet.point(scene, corner, share), 0.0);
-        let (to, exact) = match of_edge {
-            Some(exact) => (SnapTo::Edge, exact),
-            None => (SnapTo::Vertex, stored(candidate.share)),
-        };
-        let point_world = exact.world();
+        let point_world = candidate.point(scene).world();
         let triangle = facet.triangle;
         let (face, file_error) = asked(faces, facet.object, triangle);
         let of_file = face.as_ref().zip(triangle).and_then(|(face, triangle)| {
@@ -117,28 +110,25 @@ impl Snap {
             let vertex = |place: usize| face.vertices[place].clone();
             Some(places.into_iter().map(vertex).collect::<Vec<_>>())
         });
-        let written = |vertex: &VertexInFile| ExactPoint::written(placement, &vertex.written);
-        // A vertex is measured as the file writes it; a point of an edge is off by at most as much as its ends.
-        let ends: Option<Vec<_>> =
-            (of_file.as_deref()).and_then(|all| all.iter().map(written).collect());
-        let exact = match (to, ends.as_deref()) {
-            (SnapTo::Vertex, Some([vertex])) => vertex.clone(),
-            (SnapTo::Edge, Some([a, b])) => {
-                let moved = |end: &ExactPoint, share| {
-                    let by = end.distance(&stored(share));
-                    by.value + by.error
-                };
-                exact.within(moved(a, 0.0).max(moved(b, 1.0)))
-            }
-            _ => exact,
-        };
-        let length = (to == SnapTo::Edge).then(|| match ends.as_deref() {
-            Some([a, b]) => a.distance(b),
-            _ => stored(0.0).distance(&stored(1.0)),
+        let ends: Option<Vec<DVec3>> = of_file.as_deref().and_then(|all| {
+            let each = all.iter().map(|vertex| written_world(placement, vertex));
+            each.collect()
         });
+        let measured_from = match (to, ends.as_deref()) {
+            (SnapTo::Vertex, Some([vertex])) => *vertex,
+            _ => point_world,
+        };
+        let length = || {
+            if let Some([a, b]) = ends.as_deref() {
+                return a.distance(*b);
+            }
+            let [a, b] = facet.side(corner);
+            (placement.model().matrix3 * (b - a)).length()
+        };
+        let length = (to == SnapTo::Edge).then(length);
         let area = match &face {
-            Some(face) => area_of(face, scene, facet.object),
-            None => Some(area_of_corners(placement, facet.origin, facet.corners())),
+            Some(face) => area_of(face, placement),
+            None => Some(face_area(placement, facet.corners())),
         };
         Self {
             to,
@@ -154,32 +144,26 @@ impl Snap {
             file_error,
             length,
             area,
-            exact,
+            measured_from,
         }
     }
 
     fn of_pick(scene: &Scene, px: DVec2, pick: &Pick, faces: &mut Faces) -> Self {
         let index = pick.id - 1;
         let object = &scene.objects()[index];
+        let placement = &object.placement;
         let first = object.shape.first_triangle();
         let triangle = pick.triangle.map(|triangle| first + triangle);
         let (face, file_error) = asked(faces, index, triangle);
         let area = match (&face, &object.shape, pick.triangle) {
-            (Some(face), ..) => area_of(face, scene, index),
+            (Some(face), ..) => area_of(face, placement),
             (None, Shape::Mesh { mesh, .. }, Some(triangle)) => {
-                let triangle = first + triangle;
-                Some(mesh_area(mesh, &object.placement, triangle..triangle + 1))
+                Some(face_area(placement, &mesh.vertex_corners(first + triangle)))
             }
-            (None, Shape::Cube, _) => {
-                let corners = Cuboid::face(pick.normal_object);
-                Some(area_of_corners(&object.placement, DVec3::ZERO, &corners))
-            }
-            (None, Shape::Square | Shape::Sphere, _) => Some(object_area(object)),
+            (None, Shape::Cube, _) => Some(face_area(placement, &Cuboid::face(pick.normal_object))),
+            (None, Shape::Square | Shape::Sphere, _) => object_area(object),
             (None, Shape::Mesh { .. }, None) => None,
         };
-        // Three roundings of each coordinate, and how far storing the face moved it.
-        let rounding = 2.0 * f64::EPSILON * pick.point_world.length();
-        let moved = face.as_ref().map_or(0.0, |face| moved(face, scene, index));
         Self {
             to: SnapTo::Face,
             object: pick.object.clone(),
@@ -191,7 +175,7 @@ impl Snap {
             line: face.as_ref().map(|face| face.line),
             face: face.as_ref().map(|face| face.face),
             area,
-            exact: ExactPoint::about(pick.point_world, rounding + moved),
+            measured_from: pick.point_world,
             vertices: face.map(|face| face.vertices),
             file_error,
             length: None,
@@ -212,60 +196,19 @@ fn asked(
     }
 }
 
-/// The area of an object in the world. A mesh is measured as its file writes it; the error covers how far storing moved
-/// its corners.
-pub fn object_area(object: &Object) -> Measured {
-    let placement = &object.placement;
-    match &object.shape {
-        Shape::Mesh { mesh, .. } => {
-            let triangles = object.shape.triangles().unwrap_or_default();
-            mesh_area(mesh, placement, triangles)
-        }
-        Shape::Square => area_of_corners(placement, DVec3::ZERO, &Square::corners()),
-        Shape::Cube => {
-            let faces = DVec3::AXES.map(Cuboid::face);
-            // Each counts twice, with its opposite.
-            let corners: Vec<_> = faces.iter().chain(&faces).flatten().copied().collect();
-            area_of_corners(placement, DVec3::ZERO, &corners)
-        }
-        Shape::Sphere => sphere_area(placement),
-    }
+/// Where a placement puts a vertex as its file writes it; `None` where that is not three numbers.
+fn written_world(placement: &Placement, vertex: &VertexInFile) -> Option<DVec3> {
+    let numbers = vertex.written.split_whitespace().map(str::parse);
+    let numbers: Vec<f64> = numbers.collect::<Result<_, _>>().ok()?;
+    let object = DVec3::from_array(numbers.try_into().ok()?);
+    Some(placement.point_to_world(object))
 }
 
 /// The area of a face as its file writes it; `None` where a corner is not three numbers.
-fn area_of(face: &FaceInFile, scene: &Scene, object: usize) -> Option<Measured> {
-    let placement = &scene.objects()[object].placement;
-    let written = |vertex: &VertexInFile| ExactPoint::written(placement, &vertex.written);
+fn area_of(face: &FaceInFile, placement: &Placement) -> Option<f64> {
+    let written = |vertex: &VertexInFile| written_world(&Placement::IDENTITY, vertex);
     let corners: Vec<_> = face.vertices.iter().map(written).collect::<Option<_>>()?;
-    Some(polygon_area(&corners, &face.corners))
-}
-
-/// The area of one triangle, or of faces of four corners each.
-fn area_of_corners(placement: &Placement, origin: DVec3, corners: &[DVec3]) -> Measured {
-    let stored =
-        |corner: &DVec3| ExactPoint::stored(&PlacedPoint::vertex(placement, origin, *corner), 0.0);
-    let points: Vec<_> = corners.iter().map(stored).collect();
-    let count = u32::try_from(points.len()).unwrap_or(0);
-    let halves = |first: u32| [[first, first + 1, first + 2], [first, first + 2, first + 3]];
-    let all: Vec<_> = match count {
-        3 => vec![[0, 1, 2]],
-        _ => (0..count).step_by(4).flat_map(halves).collect(),
-    };
-    polygon_area(&points, &all)
-}
-
-/// The most by which storing moved a corner of a face.
-fn moved(face: &FaceInFile, scene: &Scene, object: usize) -> f64 {
-    let object = &scene.objects()[object];
-    let Shape::Mesh { mesh, .. } = &object.shape else {
-        return 0.0;
-    };
-    let by = face.vertices.iter().filter_map(|vertex| {
-        let written = ExactPoint::written(&object.placement, &vertex.written)?;
-        let origin = mesh.data().origin;
-        let stored = PlacedPoint::vertex(&object.placement, origin, vertex.position);
-        let by = written.distance(&ExactPoint::stored(&stored, 0.0));
-        Some(by.value + by.error)
-    });
-    by.fold(0.0, f64::max)
+    let triangles = face.corners.iter();
+    let triangles = triangles.map(|triangle| triangle.map(|at| corners[at as usize]));
+    Some(triangles_area(placement, triangles))
 }

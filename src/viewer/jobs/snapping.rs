@@ -3,17 +3,14 @@
 use super::job::Job;
 use crate::{
     camera::View,
-    pick::{
-        measure::Measured,
-        snap::{Snap, object_area},
-    },
+    pick::snap::{Snap, object_area},
     scene::{FilesAgain, MeshFile, Progress, Scene},
     viewer::model::Measuring,
 };
 use glam::DVec2;
 
-/// A click that is being snapped: the point, and the area of the object there; `None` if nothing is near.
-pub(in crate::viewer) type Snapping = Job<Option<(Snap, Measured)>>;
+/// A click that is being snapped: the point, and the area of the object there if it is known; `None` if nothing is near.
+pub(in crate::viewer) type Snapping = Job<Option<(Snap, Option<f64>)>>;
 
 /// Begins to snap a click at a position of a view; calls `wake` when done.
 pub(in crate::viewer) fn snap(

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     geometry::{Placement, shares::in_shares},
-    pick::{measure::Measured, snap::Snap},
+    pick::snap::Snap,
     scene::Loaded,
 };
 use glam::DAffine3;
@@ -154,12 +154,12 @@ impl State {
     }
 
     /// Takes the point that a click snapped to.
-    pub(in crate::viewer) fn take_snap(&mut self, snap: Snap, object_area: Measured) {
+    pub(in crate::viewer) fn take_snap(&mut self, snap: Snap, object_area: Option<f64>) {
         let points = &mut self.measuring.points;
         points.push(snap);
         let old = points.len().saturating_sub(2);
         points.drain(..old);
-        self.measuring.object_area = Some(object_area);
+        self.measuring.object_area = object_area;
     }
 
     /// Drops the points: they may have moved with the scene.

@@ -1,9 +1,6 @@
 //! The points that clicks snap to, and the list of measures.
 
-use crate::pick::{
-    measure::Measured,
-    snap::{Snap, SnapTo},
-};
+use crate::pick::snap::{Snap, SnapTo};
 use serde::Serialize;
 
 /// What is measured. All of it is in world units.
@@ -46,9 +43,8 @@ pub struct Entry {
     pub what: &'static str,
     /// The points, edge, face or object that was measured.
     pub of: String,
-    /// The value in world units, and how far it may be off.
-    #[serde(flatten)]
-    pub measured: Measured,
+    /// In world units.
+    pub value: f64,
     /// The scene has changed since: a file was read again, or something was moved.
     pub outdated: bool,
 }
@@ -71,8 +67,8 @@ pub struct Measuring {
     pub is_on: bool,
     /// The last two points, the older one first.
     pub points: Vec<Snap>,
-    /// The area of the last point's object; `None` without a point.
-    pub object_area: Option<Measured>,
+    /// The area of the last point's object; `None` without a point, and for an ellipsoid.
+    pub object_area: Option<f64>,
     /// What was measured, oldest first.
     pub list: Vec<Entry>,
 }
@@ -84,13 +80,13 @@ impl Measuring {
     /// The measure of the last points; `None` where they do not give it.
     pub fn entry(&self, what: What) -> Option<Entry> {
         let last = self.points.last()?;
-        let (of, measured) = match what {
+        let (of, value) = match what {
             What::Distance => {
                 let [from, to] = &self.points[..] else {
                     return None;
                 };
                 let of = format!("{} to {}", from.label(), to.label());
-                (of, from.exact.distance(&to.exact))
+                (of, from.measured_from.distance(to.measured_from))
             }
             What::Length => (last.label(), last.length?),
             What::FaceArea => (face_label(last), last.area?),
@@ -100,7 +96,7 @@ impl Measuring {
         Some(Entry {
             what,
             of,
-            measured,
+            value,
             outdated: false,
         })
     }
@@ -119,7 +115,7 @@ impl Measuring {
             What::FaceArea if !self.points.is_empty() => {
                 "a corner of that face is not three numbers in the file"
             }
-            // Every object has an area.
+            What::ObjectArea if !self.points.is_empty() => "an ellipsoid's area is not computed",
             What::Length | What::FaceArea | What::ObjectArea => "click what is to be measured",
         }
     }
@@ -137,12 +133,10 @@ impl Measuring {
     /// The list as text, a line each.
     pub fn text(&self) -> String {
         let line = |entry: &Entry| {
-            let Entry { what, of, .. } = entry;
-            let Measured { value, error } = entry.measured;
-            let text = format!(
-                "{what}\t{value}\t\u{b1} {error:.1e}\t{of}\t{}",
-                entry.remark()
-            );
+            let Entry {
+                what, of, value, ..
+            } = entry;
+            let text = format!("{what}\t{value}\t{of}\t{}", entry.remark());
             format!("{}\n", text.trim_end())
         };
         self.list.iter().map(line).collect()

@@ -3,7 +3,7 @@
 use super::{field::value_text, prelude::*};
 use crate::{
     json,
-    pick::{measure::Measured, snap::Snap},
+    pick::snap::Snap,
     viewer::model::{Entry, MeasureAction, Measuring, What},
 };
 
@@ -40,7 +40,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             let action = Action::Measure(MeasureAction::Remove(at));
             remove.asks("remove this line", action, commands);
             ui.add(Label::new(value_text(text(entry))).wrap())
-                .hint("in world units, with the most that it may be off");
+                .hint("in world units");
         });
     }
     // Where the side scrolls, its scroll bar covers the last line.
@@ -91,8 +91,9 @@ fn point(ui: &mut Ui, name: &str, point: Option<&Snap>) {
 }
 
 fn text(entry: &Entry) -> String {
-    let Entry { what, of, .. } = entry;
-    let Measured { value, error } = entry.measured;
+    let Entry {
+        what, of, value, ..
+    } = entry;
     let (mark, remark) = (if entry.outdated { "; " } else { "" }, entry.remark());
-    format!("{what} {value} \u{b1} {error:.1e}, {of}{mark}{remark}")
+    format!("{what} {value}, {of}{mark}{remark}")
 }
