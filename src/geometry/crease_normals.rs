@@ -1,6 +1,6 @@
 //! Computes shading normals for meshes that have none.
 
-use super::shares::{ALWAYS, GoOn, PIECE, in_pieces, share};
+use super::shares::in_pieces;
 use glam::{DVec3, Vec3};
 use std::{iter::repeat_n, ops::Range};
 
@@ -76,29 +76,17 @@ pub fn crease_normals(
     triangles: &[[u32; 3]],
     crease: f32,
 ) -> CornerNormals {
-    let Ok(normals) = crease_normals_while(positions, triangles, crease, ALWAYS);
-    normals
-}
-
-/// [`crease_normals`] for as long as `go_on` lets it.
-pub(super) fn crease_normals_while<E: Send>(
-    positions: &[[f32; 3]],
-    triangles: &[[u32; 3]],
-    crease: f32,
-    go_on: &GoOn<E>,
-) -> Result<CornerNormals, E> {
     // There are four passes through all triangles or vertices.
     let face = |corners: &[u32; 3]| face_normal(corners.map(|i| positions[i as usize]));
-    let of_faces = in_pieces(triangles.len(), 0.25, go_on, |piece| {
+    let of_faces = in_pieces(triangles.len(), |piece| {
         triangles[piece].iter().map(face).collect::<Vec<_>>()
-    })?;
+    });
     let mut faces = Vec::with_capacity(triangles.len());
     // Each piece is freed as soon as it is copied.
     for piece in of_faces {
         faces.extend(piece);
     }
-    let told = |done: usize, of: usize| go_on(0.25 * share(done, of));
-    let around = corners_by_vertex(positions.len(), triangles, told)?;
+    let around = corners_by_vertex(positions.len(), triangles);
     let fans = Fans {
         positions,
         triangles,
@@ -106,9 +94,7 @@ pub(super) fn crease_normals_while<E: Send>(
         around: &around,
         cos_crease: libm::cosf(crease),
     };
-    let shares = in_pieces(positions.len(), 0.25, go_on, |vertices| {
-        fans.normals(vertices)
-    })?;
+    let shares = in_pieces(positions.len(), |vertices| fans.normals(vertices));
     drop(faces);
     let is_by_vertex = shares.iter().all(|share| share.of_corners.is_none());
     let mut result = CornerNormals {
@@ -117,7 +103,6 @@ pub(super) fn crease_normals_while<E: Send>(
     };
     for share in shares {
         let corners = around.of(share.vertices.clone());
-        told(corners.len(), 3 * triangles.len())?;
         if !is_by_vertex {
             let offset = u32::try_from(result.normals.len()).unwrap_or(u32::MAX);
             let of_vertices = || {
@@ -133,7 +118,7 @@ pub(super) fn crease_normals_while<E: Send>(
         }
         result.normals.extend(share.normals);
     }
-    Ok(result)
+    result
 }
 
 /// What normals about vertices are computed from.
@@ -210,34 +195,22 @@ impl CornersByVertex {
     }
 }
 
-/// The corners of all triangles by vertex; those of one vertex are in order. `go_on` is told counts of work, done and
-/// in all.
-pub(crate) fn corners_by_vertex<E>(
-    vertices: usize,
-    triangles: &[[u32; 3]],
-    go_on: impl Fn(usize, usize) -> Result<(), E>,
-) -> Result<CornersByVertex, E> {
+/// The corners of all triangles by vertex; those of one vertex are in order.
+pub(crate) fn corners_by_vertex(vertices: usize, triangles: &[[u32; 3]]) -> CornersByVertex {
     let mut starts = vec![0_u32; vertices + 1];
-    for piece in triangles.chunks(PIECE) {
-        go_on(piece.len(), 2 * triangles.len())?;
-        for &vertex in piece.as_flattened() {
-            starts[vertex as usize + 1] += 1;
-        }
+    for &vertex in triangles.as_flattened() {
+        starts[vertex as usize + 1] += 1;
     }
     for i in 0..vertices {
         starts[i + 1] += starts[i];
     }
     let mut next = starts.clone();
     let mut corners = vec![0_u32; triangles.len() * 3];
-    let mut all = 0..;
-    for piece in triangles.chunks(PIECE) {
-        go_on(piece.len(), 2 * triangles.len())?;
-        for (&vertex, corner) in piece.as_flattened().iter().zip(&mut all) {
-            corners[next[vertex as usize] as usize] = corner;
-            next[vertex as usize] += 1;
-        }
+    for (&vertex, corner) in triangles.as_flattened().iter().zip(0..) {
+        corners[next[vertex as usize] as usize] = corner;
+        next[vertex as usize] += 1;
     }
-    Ok(CornersByVertex { starts, corners })
+    CornersByVertex { starts, corners }
 }
 
 fn split(corner: u32) -> (usize, usize) {

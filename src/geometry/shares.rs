@@ -1,7 +1,6 @@
 //! Shares work among all cores.
 
 use std::{
-    convert::Infallible,
     iter,
     num::NonZero,
     ops::Range,
@@ -9,13 +8,6 @@ use std::{
     sync::{Mutex, OnceLock, PoisonError},
     thread,
 };
-
-/// What long work calls now and then. It is told the share of the work that was done since the last call; all shares
-/// add up to 1. An error stops the work.
-pub(crate) type GoOn<'a, E> = dyn Fn(f64) -> Result<(), E> + Sync + 'a;
-
-/// Never stops the work.
-pub(crate) const ALWAYS: &GoOn<Infallible> = &|_| Ok(());
 
 /// The results of `work` on each item, in order; each free core takes the next item.
 pub(crate) fn on_all_cores<T, R: Send>(
@@ -42,31 +34,11 @@ pub(crate) fn on_all_cores<T, R: Send>(
     done.into_iter().map(|(_, result)| result).collect()
 }
 
-/// Items in one piece of work that can be stopped: a few milliseconds, if an item takes less than a tenth of a
-/// microsecond.
-pub(super) const PIECE: usize = 1 << 15;
-
-/// The results of `work` on the pieces of `0..count`, in order, on all cores, for as long as `go_on` lets it. `weight`
-/// is the share of all these pieces in the work that `go_on` knows.
-pub(crate) fn in_pieces<T: Send, E: Send>(
-    count: usize,
-    weight: f64,
-    go_on: &GoOn<E>,
-    work: impl Fn(Range<usize>) -> T + Sync,
-) -> Result<Vec<T>, E> {
+/// The results of `work` on pieces of `0..count`, in order; each free core takes the next piece.
+pub(crate) fn in_pieces<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+    const PIECE: usize = 1 << 15;
     let pieces = (0..count).step_by(PIECE);
-    let pieces = pieces.map(|first| first..(first + PIECE).min(count));
-    let done = on_all_cores(pieces, |piece| {
-        go_on(weight * share(piece.len(), count))?;
-        Ok(work(piece))
-    });
-    done.into_iter().collect()
-}
-
-/// A count as a share of another, which is not 0.
-#[expect(clippy::cast_precision_loss, reason = "a share")]
-pub(crate) fn share(done: usize, of: usize) -> f64 {
-    done as f64 / of as f64
+    on_all_cores(pieces.map(|first| first..(first + PIECE).min(count)), work)
 }
 
 /// The fewest items that are worth a thread.

@@ -91,7 +91,6 @@ impl Batch {
     pub fn seen_in(&self, space: &ViewSpace) -> Row {
         match &self.own {
             Own::Triangles(own) => Row::Triangles(own.seen_in(space, &self.placement)),
-            Own::Sphere { .. } if self.shown == 0 => Row::Sphere(shader_structs::Sphere::default()),
             Own::Sphere { object } => Row::Sphere(sphere(space, &self.placement, *object)),
         }
     }

@@ -10,99 +10,22 @@ use crate::scene::Scene;
 use glam::DVec3;
 use std::ops::Range;
 
-/// The order of batches.
-#[derive(Debug)]
-pub(super) struct Order {
-    /// Batches in drawing order. A run covers the same range of places as of batch indices.
-    batches: Vec<u32>,
-    /// The place of each batch in `batches`.
-    places: Vec<u32>,
-    /// The first batch of each run.
-    runs: Vec<u32>,
-}
-
-impl Order {
-    /// The order of a scene's batches.
-    pub fn new(scene: &Scene, batches: &[Batch]) -> Self {
-        let count = index(batches.len());
-        let mut runs = vec![0];
-        let is_of_one_kind = batches.windows(2).all(|pair| pair[0].kind == pair[1].kind);
-        for at in (1..count).filter(|_| !is_of_one_kind) {
-            let run = runs[runs.len() - 1]..at;
-            if touches(scene, batches, at, &run) {
-                runs.push(at);
-            }
-        }
-        let mut order = Self {
-            batches: (0..count).collect(),
-            places: (0..count).collect(),
-            runs,
-        };
-        for run in 0..order.runs.len() {
-            let run = order.run(run);
-            let run = run.start as usize..run.end as usize;
-            order.batches[run.clone()].sort_by_key(|batch| batches[*batch as usize].kind);
-            order.note(run);
-        }
-        order
+/// The batches of a scene in drawing order. A run covers the same range of places as of batch indices.
+pub(super) fn draw_order(scene: &Scene, batches: &[Batch]) -> Vec<u32> {
+    let count = index(batches.len());
+    let mut order: Vec<u32> = (0..count).collect();
+    if batches.windows(2).all(|pair| pair[0].kind == pair[1].kind) {
+        return order;
     }
-
-    /// The batches in a range of places.
-    pub fn of(&self, places: Range<usize>) -> &[u32] {
-        &self.batches[places]
-    }
-
-    /// How many there are.
-    pub fn len(&self) -> usize {
-        self.batches.len()
-    }
-
-    /// Where a batch is.
-    pub fn place(&self, batch: u32) -> usize {
-        self.places[batch as usize] as usize
-    }
-
-    /// Updates the order after a batch has moved, and perhaps changed kind. Returns the places that may have other
-    /// batches now.
-    pub fn moved(
-        &mut self,
-        scene: &Scene,
-        batches: &[Batch],
-        batch: u32,
-        is_of_same_kind: bool,
-    ) -> Range<usize> {
-        let run = self.runs.partition_point(|first| *first <= batch) - 1;
-        let all = self.run(run);
-        if is_of_same_kind && !touches(scene, batches, batch, &all) {
-            return 0..0;
-        }
-        // From now on the batch is a run by itself, between a run of the batches before it and one of those after it.
-        let places = all.start as usize..all.end as usize;
-        let (before, behind): (Vec<u32>, Vec<u32>) = (self.batches[places.clone()].iter())
-            .filter(|other| **other != batch)
-            .partition(|other| **other < batch);
-        let cuts = [batch, batch + 1].into_iter();
-        let cuts = cuts.filter(|cut| all.start < *cut && *cut < all.end);
-        self.runs.splice(run + 1..=run, cuts);
-        let parts = before.into_iter().chain([batch]).chain(behind);
-        for (place, part) in self.batches[places.clone()].iter_mut().zip(parts) {
-            *place = part;
-        }
-        self.note(places.clone());
-        places
-    }
-
-    fn run(&self, run: usize) -> Range<u32> {
-        let end = self.runs.get(run + 1).copied();
-        self.runs[run]..end.unwrap_or(index(self.batches.len()))
-    }
-
-    /// Records the places of the batches in a range.
-    fn note(&mut self, places: Range<usize>) {
-        for place in places {
-            self.places[self.batches[place] as usize] = index(place);
+    let mut first = 0;
+    for at in 1..=count {
+        if at == count || touches(scene, batches, at, &(first..at)) {
+            let run = &mut order[first as usize..at as usize];
+            run.sort_by_key(|batch| batches[*batch as usize].kind);
+            first = at;
         }
     }
+    order
 }
 
 /// Whether a batch touches one of another kind in a run. A gap below a thousandth of its size counts as touching. So

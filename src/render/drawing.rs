@@ -180,16 +180,15 @@ impl Renderer {
         }
         let seen = match drawing.selection {
             Some(_) => None,
-            None => Some(scene.seen_in(&view, drawing.steps.finished(), piece == Piece::WHOLE)),
+            None => Some(scene.seen_in(&view)),
         };
-        let (draws, are_known) = match (&seen, &drawing.selection) {
-            (Some(seen), _) => (seen.draws.as_slice(), seen.is_whole()),
-            (None, Some((_, alone))) => (alone.as_slice(), true),
-            (None, None) => (&[][..], true),
+        let draws = match (&seen, &drawing.selection) {
+            (Some(seen), _) => seen.draws.as_slice(),
+            (None, Some((_, alone))) => alone.as_slice(),
+            (None, None) => &[],
         };
         let parts = Parts {
             surfaces: draws,
-            are_known,
             edged: match wireframe {
                 Some(Wireframe::OfAll) => draws,
                 Some(Wireframe::Of(_)) => drawing.edged.as_slice(),
@@ -197,9 +196,7 @@ impl Renderer {
             },
             lines: if has_colours { drawing.lines.len() } else { 0 },
         };
-        let Some(step) = drawing.steps.take(&parts, piece) else {
-            return Ok(false);
-        };
+        let step = drawing.steps.take(&parts, piece);
         let is_first = begins && drawing.band == 0;
         let is_last = step.ends && drawing.band + 1 == drawing.bands;
         self.write_frame(&view);

@@ -4,10 +4,7 @@ use super::{
     abilities::{self, Numbers, Restraint},
     rasteriser::Rasteriser,
 };
-use crate::{
-    camera::Viewport,
-    geometry::shares::{GoOn, share},
-};
+use crate::camera::Viewport;
 use std::sync::{
     Arc, Mutex, PoisonError,
     atomic::{AtomicBool, AtomicU64, Ordering},
@@ -153,17 +150,6 @@ impl Gpu {
         usage: wgpu::BufferUsages,
         elements: &[T],
     ) -> Result<wgpu::Buffer, GpuError> {
-        self.buffer_while(what, usage, elements, &|_| Ok(()))
-    }
-
-    /// [`Gpu::buffer`], filled for as long as `go_on` lets it.
-    pub(super) fn buffer_while<T: bytemuck::Pod, E: From<GpuError>>(
-        &self,
-        what: &'static str,
-        usage: wgpu::BufferUsages,
-        elements: &[T],
-        go_on: &GoOn<E>,
-    ) -> Result<wgpu::Buffer, E> {
         let size = (elements.len().max(1) * size_of::<T>()) as u64;
         let limits = self.device.limits();
         let limit = if usage.contains(wgpu::BufferUsages::STORAGE) {
@@ -173,12 +159,12 @@ impl Gpu {
         };
         if size > limit {
             let adapter = self.info.name.clone();
-            return Err(E::from(GpuError::SceneTooLarge {
+            return Err(GpuError::SceneTooLarge {
                 adapter,
                 what,
                 bytes: size,
                 limit,
-            }));
+            });
         }
         let buffer = self.within_memory(|| {
             self.device.create_buffer(&wgpu::BufferDescriptor {
@@ -192,7 +178,6 @@ impl Gpu {
         let mut at = 0;
         let bytes = bytemuck::cast_slice::<T, u8>(elements);
         for piece in bytes.chunks(PIECE_BYTES) {
-            go_on(share(piece.len(), bytes.len()))?;
             if at > 0 {
                 self.alone(|| self.queue.submit([]));
             }

@@ -7,10 +7,7 @@ use super::{
 };
 use crate::{
     colour::Srgb,
-    geometry::{
-        Cuboid, Mesh, Square, face_normal,
-        shares::{GoOn, share},
-    },
+    geometry::{Cuboid, Mesh, Square, face_normal},
 };
 use glam::DVec3;
 use std::{borrow::Cow, collections::HashMap, ops::Range, sync::Arc};
@@ -33,30 +30,16 @@ struct Chunk {
     indices: Option<wgpu::Buffer>,
 }
 
-/// Triangles, or vertices, that are unified at a time: a millisecond or two.
-const PIECE: usize = 1 << 15;
-
 impl MeshBuffers {
-    /// Uploads a mesh for as long as `go_on` lets it.
-    pub fn upload<E: From<GpuError> + Send>(
-        gpu: &Gpu,
-        mesh: &Mesh,
-        go_on: &GoOn<E>,
-    ) -> Result<Self, E> {
-        // Each half takes about as long as the other.
-        let go_on_half = |share: f64| go_on(0.5 * share);
-        let (vertices, triangles) = unify(mesh, &go_on_half)?;
-        let buffers = Self::new(gpu, &vertices, &triangles, &go_on_half)?;
+    /// Uploads a mesh.
+    pub fn upload(gpu: &Gpu, mesh: &Mesh) -> Result<Self, GpuError> {
+        let (vertices, triangles) = unify(mesh);
+        let buffers = Self::new(gpu, &vertices, &triangles)?;
         gpu.note_triangles(triangles.len());
         Ok(buffers)
     }
 
-    fn new<E: From<GpuError>>(
-        gpu: &Gpu,
-        vertices: &[Vertex],
-        triangles: &[[u32; 3]],
-        go_on: &GoOn<E>,
-    ) -> Result<Self, E> {
+    fn new(gpu: &Gpu, vertices: &[Vertex], triangles: &[[u32; 3]]) -> Result<Self, GpuError> {
         let count = |triangles: usize| u32::try_from(triangles).unwrap_or(u32::MAX);
         let is_indexed = gpu.numbers != Numbers::Corners;
         let most = gpu.device.limits().max_buffer_size;
@@ -76,11 +59,8 @@ impl MeshBuffers {
                 own = (corners.map(|&i| vertices[i as usize]).collect(), vec![]);
                 (&*own.0, None)
             };
-            let go_on_half = |part: f64| go_on(0.5 * part * share(some.len(), triangles.len()));
-            let buffer =
-                |usage, vertices| gpu.buffer_while("vertices", usage, vertices, &go_on_half);
-            let vertices = buffer(BufferUsages::VERTEX, vertices)?;
-            let buffer = |all| gpu.buffer_while("triangles", BufferUsages::INDEX, all, &go_on_half);
+            let vertices = gpu.buffer("vertices", BufferUsages::VERTEX, vertices)?;
+            let buffer = |all| gpu.buffer("triangles", BufferUsages::INDEX, all);
             let first = at * triangles_of_chunk;
             Ok(Chunk {
                 triangles: count(first)..count(first + some.len()),
@@ -88,7 +68,7 @@ impl MeshBuffers {
                 indices: indices.map(buffer).transpose()?,
             })
         };
-        let chunks: Result<_, E> = if fits {
+        let chunks: Result<_, GpuError> = if fits {
             of_chunk((0, triangles)).map(|chunk| [chunk].into())
         } else {
             let chunks = triangles.chunks(triangles_of_chunk.max(1)).enumerate();
@@ -159,7 +139,7 @@ impl MeshBuffers {
             }));
             triangles.extend([[0, 1, 2], [0, 2, 3]].map(|corners| corners.map(|i| first + i)));
         }
-        Self::new(gpu, &vertices, &triangles, &|_| Ok(()))
+        Self::new(gpu, &vertices, &triangles)
     }
 }
 
@@ -182,30 +162,24 @@ fn renumbered(vertices: &[Vertex], triangles: &[[u32; 3]]) -> (Vec<Vertex>, Vec<
 type Indexed<'a> = (Vec<Vertex>, Cow<'a, [[u32; 3]]>);
 
 /// One vertex for each distinct (position, normal, part, colour) that a corner has, and the corners as indices into
-/// them; made for as long as `go_on` lets it.
-fn unify<'a, E: Send>(mesh: &'a Mesh, go_on: &GoOn<E>) -> Result<Indexed<'a>, E> {
+/// them.
+fn unify(mesh: &Mesh) -> Indexed<'_> {
     const NONE: u32 = u32::MAX;
-    let (data, shading) = (mesh.data(), mesh.normals_while(&|_| go_on(0.0))?);
+    let (data, shading) = (mesh.data(), mesh.normals());
     // In a smooth surface of one part and colour, such as a scan, each position is one vertex already.
     if let ([_], [run]) = (&*data.parts, &*data.colours)
         && data.vertex_colours.is_empty()
         && shading.is_by_vertex()
     {
         let colour = colour((run.colour, None));
-        let count = data.positions.len();
-        let mut vertices = Vec::with_capacity(count);
-        let pieces = data.positions.chunks(PIECE);
-        for (positions, normals) in pieces.zip(shading.normals.chunks(PIECE)) {
-            go_on(share(positions.len(), count))?;
-            let piece = positions.iter().zip(normals);
-            vertices.extend(piece.map(|(&position, &normal)| Vertex {
-                position,
-                normal,
-                part: 0,
-                colour,
-            }));
-        }
-        return Ok((vertices, Cow::Borrowed(&data.triangles)));
+        let each = data.positions.iter().zip(&shading.normals);
+        let vertices = each.map(|(&position, &normal)| Vertex {
+            position,
+            normal,
+            part: 0,
+            colour,
+        });
+        return (vertices.collect(), Cow::Borrowed(&data.triangles));
     }
     let shading_corners = shading.corners_of(&data.triangles);
     let mut linear = HashMap::new();
@@ -217,11 +191,7 @@ fn unify<'a, E: Send>(mesh: &'a Mesh, go_on: &GoOn<E>) -> Result<Indexed<'a>, E>
     let mut before: Vec<u32> = Vec::with_capacity(data.positions.len());
     let mut triangles = Vec::with_capacity(data.triangles.len());
     let (mut part, mut run) = (0, 0);
-    let count = data.triangles.len();
     for (index, corners) in (0..).zip(&data.triangles) {
-        if (index as usize).is_multiple_of(PIECE) {
-            go_on(share(PIECE.min(count - index as usize), count))?;
-        }
         while data.parts[part].triangles.end <= index {
             part += 1;
         }
@@ -259,7 +229,7 @@ fn unify<'a, E: Send>(mesh: &'a Mesh, go_on: &GoOn<E>) -> Result<Indexed<'a>, E>
             found
         }));
     }
-    Ok((vertices, Cow::Owned(triangles)))
+    (vertices, Cow::Owned(triangles))
 }
 
 /// A triangle's colour times a vertex's, as in [`Mesh::albedo`]: linear, in 65535ths, which are finer than the steps of

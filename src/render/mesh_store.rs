@@ -4,7 +4,7 @@ use super::{
     gpu::{Gpu, GpuError},
     mesh_buffers::MeshBuffers,
 };
-use crate::geometry::{Mesh, shares::GoOn};
+use crate::geometry::Mesh;
 use std::{
     collections::HashMap,
     sync::{Arc, Weak},
@@ -22,17 +22,12 @@ impl MeshStore {
         Arc::ptr_eq(&of.upgrade()?, mesh).then_some(buffers)
     }
 
-    /// The buffers of a mesh, uploaded if there are none, for as long as `go_on` lets it.
-    pub(super) fn buffers<E: From<GpuError> + Send>(
-        &mut self,
-        gpu: &Gpu,
-        mesh: &Arc<Mesh>,
-        go_on: &GoOn<E>,
-    ) -> Result<MeshBuffers, E> {
+    /// The buffers of a mesh, uploaded if there are none.
+    pub(super) fn buffers(&mut self, gpu: &Gpu, mesh: &Arc<Mesh>) -> Result<MeshBuffers, GpuError> {
         if let Some(buffers) = self.known(mesh) {
             return Ok(buffers.clone());
         }
-        let buffers = MeshBuffers::upload(gpu, mesh, go_on)?;
+        let buffers = MeshBuffers::upload(gpu, mesh)?;
         let entry = (Arc::downgrade(mesh), buffers.clone());
         Arc::make_mut(&mut self.0).insert(Arc::as_ptr(mesh).addr(), entry);
         Ok(buffers)

@@ -7,7 +7,7 @@ use super::{
     gpu::{Gpu, GpuError},
     mesh_buffers::MeshBuffers,
     mesh_store::MeshStore,
-    seen::{LITTLE, Seen, Tables, read},
+    seen::{Seen, Tables},
     shader_structs::ObjectState,
     slices::{Piece, work},
     transform::vertex_space,
@@ -17,44 +17,34 @@ use super::{
 use crate::{
     camera::View,
     colour::Srgb,
-    geometry::{
-        Aabb, Mesh,
-        shares::{GoOn, share},
-    },
-    scene::{Change, Object, Scene, Shape},
+    geometry::{Aabb, Mesh},
+    scene::{Object, Scene, SceneKey, Shape},
 };
 use std::{
     cell::{RefCell, RefMut},
     collections::HashMap,
-    fmt, mem,
+    fmt,
     ops::Range,
-    sync::{Arc, PoisonError, RwLock},
+    sync::Arc,
 };
 use wgpu::BufferUsages;
 
-/// If more objects than these change at once, all rows are composed again.
-const MANY: usize = 64;
-/// Changed objects that are taken over at once: a millisecond or two.
-const SHARE: usize = 1 << 14;
-
 /// A scene in graphics memory. What changes in the scene is drawn only after [`SceneBuffers::update`].
 pub struct SceneBuffers {
-    all: Arc<RwLock<ToDraw>>,
+    all: ToDraw,
     seen: RefCell<Seen>,
     /// The tables of what is seen of it.
     pub(super) tables: Tables,
     /// The work of drawing it once, with all of it in view.
     pub whole: Piece,
-    /// Whether it is small enough for a view's rows to be composed at once.
-    pub is_little: bool,
     /// [`ObjectState`] of each object.
     pub(super) objects: wgpu::Buffer,
     /// Where each object is drawn.
     places: Vec<Place>,
     /// What `objects` holds.
     states: Vec<ObjectState>,
-    /// How many of the scene's changes it has taken over.
-    changes: u64,
+    /// The scene as it was uploaded.
+    key: SceneKey,
     meshes: MeshStore,
 }
 
@@ -94,21 +84,6 @@ impl SceneBuffers {
         scene: &Scene,
         meshes: &mut MeshStore,
     ) -> Result<Self, GpuError> {
-        Self::upload_while(gpu, scene, meshes, &|_| Ok(()))
-    }
-
-    /// [`SceneBuffers::upload_beside`] for as long as `go_on` lets it.
-    pub(crate) fn upload_while<E: From<GpuError> + Send>(
-        gpu: &Gpu,
-        scene: &Scene,
-        meshes: &mut MeshStore,
-        go_on: &GoOn<E>,
-    ) -> Result<Self, E> {
-        let triangles_of = |mesh: &Mesh| mesh.data().triangles.len();
-        let of_scene = scene.meshes().iter();
-        let new = of_scene.filter(|mesh| meshes.known(mesh).is_none());
-        let objects = scene.objects().len();
-        let all = objects + new.map(|mesh| triangles_of(mesh)).sum::<usize>();
         let (cube, square) = (MeshBuffers::cube(gpu)?, MeshBuffers::square(gpu)?);
         let names_triangles = gpu.numbers != Numbers::Objects;
         let states: Vec<ObjectState> = scene.objects().iter().map(object_state).collect();
@@ -116,12 +91,7 @@ impl SceneBuffers {
         let mut batches = Vec::with_capacity(scene.batches().len());
         let mut places = Vec::with_capacity(states.len());
         let (mut rows, mut whole) = ([0, 0], Piece::default());
-        let mut told = 0;
         for batch in scene.batches() {
-            if batch.start == 0 || batch.start - told >= SHARE {
-                go_on(share(batch.start - told, all))?;
-                told = batch.start;
-            }
             let object = &scene.objects()[batch.start];
             // A mesh is known by its address, which is never as low as the numbers of the other shapes.
             let (address, triangles) = match &object.shape {
@@ -143,10 +113,7 @@ impl SceneBuffers {
                     Shape::Sphere => None,
                     Shape::Cube => Some(cube.clone()),
                     Shape::Square => Some(square.clone()),
-                    Shape::Mesh { mesh, .. } => {
-                        let part = share(triangles_of(mesh), all);
-                        Some(meshes.buffers(gpu, mesh, &|share| go_on(part * share))?)
-                    }
+                    Shape::Mesh { mesh, .. } => Some(meshes.buffers(gpu, mesh)?),
                 };
                 kinds.push(Kind {
                     buffers,
@@ -176,11 +143,10 @@ impl SceneBuffers {
             seen: RefCell::new(Seen::new(tables.clone())),
             tables,
             whole,
-            is_little: batches.len() <= LITTLE,
-            all: Arc::new(RwLock::new(ToDraw::new(scene, kinds, batches))),
+            all: ToDraw::new(scene, kinds, batches),
             places,
             states,
-            changes: scene.changes(),
+            key: scene.key(),
             meshes: meshes.clone(),
         })
     }
@@ -191,70 +157,16 @@ impl SceneBuffers {
     /// # Errors
     /// When it does not fit; the buffers are then as before.
     pub fn update(&mut self, gpu: &Gpu, scene: &Scene) -> Result<(), GpuError> {
-        while !self.update_some(gpu, scene)? {}
+        if !self.key.is_of(scene) {
+            *self = Self::upload_beside(gpu, scene, &mut self.meshes)?;
+        }
         Ok(())
     }
 
-    /// Takes over one share of the changes; see [`SceneBuffers::update`]. Returns whether it was the last: until then
-    /// pictures show some of the scene as it was.
-    ///
-    /// # Errors
-    /// As [`SceneBuffers::update`].
-    pub fn update_some(&mut self, gpu: &Gpu, scene: &Scene) -> Result<bool, GpuError> {
-        let Some(changed) = scene.changed_since(self.changes) else {
-            *self = Self::upload_beside(gpu, scene, &mut self.meshes)?;
-            return Ok(true);
-        };
-        let are_many = changed.len() > MANY;
-        if are_many {
-            self.seen.get_mut().forget();
-        }
-        self.take(gpu, scene, &changed[..changed.len().min(SHARE)], are_many);
-        Ok(self.changes == scene.changes())
-    }
-
-    /// Takes over changes of single objects.
-    fn take(&mut self, gpu: &Gpu, scene: &Scene, changed: &[Change], are_many: bool) {
-        let seen = self.seen.get_mut();
-        let mut all = self.all.write().unwrap_or_else(PoisonError::into_inner);
-        for change in changed {
-            let (object, visible) = (change.object, u32::from(change.visible));
-            let place = &mut self.places[object];
-            let number = place.batch;
-            let batch = &mut all.batches[number as usize];
-            let before = mem::replace(&mut self.states[object].visible, visible);
-            batch.shown = batch.shown.wrapping_add(visible).wrapping_sub(before);
-            let mut stays = batch.twins.is_none();
-            if change.moved {
-                place.bounds_world = scene.bounds_of(object);
-                let bounds = scene.bounds_of_batch(&scene.batches()[number as usize]);
-                let placement = scene.objects()[object].placement;
-                stays &= all.place(scene, number, placement, bounds);
-            }
-            if are_many {
-                continue;
-            }
-            if stays {
-                seen.renew(number, &all.batches[number as usize]);
-            } else {
-                seen.forget();
-            }
-        }
-        let objects = || changed.iter().map(|change| change.object);
-        if let (Some(first), Some(last)) = (objects().min(), objects().max()) {
-            let at = first * size_of::<ObjectState>();
-            let states = bytemuck::cast_slice(&self.states[first..=last]);
-            gpu.queue.write_buffer(&self.objects, at as u64, states);
-        }
-        self.changes += changed.len() as u64;
-    }
-
-    /// What a view shows of it, as far as that is composed. With `waits` it waits for all draws, else for more than the
-    /// `known` ones, if they come soon.
-    pub(super) fn seen_in(&self, view: &View, known: usize, waits: bool) -> RefMut<'_, Seen> {
+    /// What a view shows of it.
+    pub(super) fn seen_in(&self, view: &View) -> RefMut<'_, Seen> {
         let mut seen = self.seen.borrow_mut();
         seen.prepare(&self.all, view);
-        seen.take(known, waits);
         seen
     }
 
@@ -267,13 +179,12 @@ impl SceneBuffers {
     /// The draw of an object by itself, whose row is written here; `None` if it is hidden.
     pub(super) fn alone(&self, view: &View, object: usize) -> Option<Draw> {
         let place = self.shown(object)?;
-        let all = read(&self.all);
-        let batch = &all.batches[place.batch as usize];
+        let batch = &self.all.batches[place.batch as usize];
         let row = batch.seen_in(&ViewSpace::new(view));
         let row = self.tables.write_alone(&row);
         let kind = Kind {
             triangles: place.triangles.clone(),
-            ..all.kinds[batch.kind as usize].clone()
+            ..self.all.kinds[batch.kind as usize].clone()
         };
         Some(Draw {
             kind,

@@ -1,29 +1,15 @@
-//! What a view shows of a scene: the tables' rows, composed when a picture first needs them, and their draw calls. If
-//! there are many batches, a thread composes their rows, and drawing takes the rows that are ready.
+//! What a view shows of a scene: the tables' rows, composed when a picture first needs them, and their draw calls.
 
 use super::{
-    batches::{Batch, Row},
+    batches::Row,
     gpu::{Gpu, GpuError},
     shader_structs,
-    view_rows::{Composer, Draw, Share, ToDraw},
+    view_rows::{Draw, ToDraw},
 };
 use crate::camera::View;
 use bytemuck::{Pod, Zeroable};
-use std::{
-    mem::offset_of,
-    sync::{
-        Arc, Mutex, MutexGuard, PoisonError, RwLock, RwLockReadGuard,
-        mpsc::{Receiver, RecvTimeoutError, channel},
-    },
-    thread,
-    time::Duration,
-};
+use std::mem::offset_of;
 use wgpu::BufferUsages;
-
-/// The rows of up to this many batches are composed at once, which takes no longer than starting a thread.
-pub(super) const LITTLE: usize = 1024;
-/// How long the drawing of a piece waits for something to draw.
-const PATIENCE: Duration = Duration::from_millis(2);
 
 /// The tables that shaders read, each with an extra row for an object drawn by itself.
 #[derive(Clone, Debug)]
@@ -77,12 +63,6 @@ impl Tables {
         }
     }
 
-    fn write_share(&self, share: &Share) {
-        let [triangles, spheres] = share.before;
-        self.write_rows(&self.triangles, triangles, &share.triangles);
-        self.write_rows(&self.spheres, spheres, &share.spheres);
-    }
-
     fn write_rows<T: Pod>(&self, table: &wgpu::Buffer, first: u32, rows: &[T]) {
         if !rows.is_empty() {
             let at = u64::from(first) * size_of::<T>() as u64;
@@ -92,28 +72,11 @@ impl Tables {
     }
 }
 
-/// What the tables hold.
+/// What the tables hold: the rows of a view.
 pub(super) struct Seen {
     pub tables: Tables,
     view: Option<View>,
-    /// The draws composed so far.
     pub draws: Vec<Draw>,
-    state: State,
-    /// Counts the views. A thread that composes for an earlier view writes no more rows.
-    turn: Arc<Mutex<u64>>,
-}
-
-enum State {
-    Nothing,
-    UnderWay(Receiver<News>),
-    Whole(Box<Composer>),
-}
-
-enum News {
-    /// Draws whose rows are written.
-    Draws(Vec<Draw>),
-    /// All rows are written. The composer knows where.
-    Whole(Box<Composer>),
 }
 
 impl Seen {
@@ -123,112 +86,18 @@ impl Seen {
             tables,
             view: None,
             draws: Vec::new(),
-            state: State::Nothing,
-            turn: Arc::default(),
         }
     }
 
-    /// Whether there are no more draws to come.
-    pub fn is_whole(&self) -> bool {
-        matches!(self.state, State::Whole(_))
-    }
-
-    /// Composes the rows of a view, or begins to.
-    pub fn prepare(&mut self, all: &Arc<RwLock<ToDraw>>, view: &View) {
+    /// Writes the rows of a view, unless they are there.
+    pub fn prepare(&mut self, all: &ToDraw, view: &View) {
         if self.view == Some(*view) {
             return;
         }
-        self.forget();
-        self.view = Some(*view);
-        let ready = read(all);
-        if ready.batches.len() <= LITTLE {
-            let mut composer = Composer::new(view, &ready);
-            while let Some(share) = composer.next(&ready) {
-                self.tables.write_share(&share);
-                self.draws.extend(share.draws);
-            }
-            self.state = State::Whole(Box::new(composer));
-            return;
-        }
-        let (sender, news) = channel();
-        let (all, tables, view) = (Arc::clone(all), self.tables.clone(), *view);
-        let (turn, now) = (Arc::clone(&self.turn), *lock(&self.turn));
-        thread::spawn(move || {
-            let mut composer = Composer::new(&view, &read(&all));
-            loop {
-                let share = composer.next(&read(&all));
-                let Some(share) = share else { break };
-                let current = lock(&turn);
-                if *current != now {
-                    return;
-                }
-                tables.write_share(&share);
-                drop(current);
-                let _ = sender.send(News::Draws(share.draws));
-            }
-            // The receiver is gone when another view is wanted by now.
-            let _ = sender.send(News::Whole(Box::new(composer)));
-        });
-        self.state = State::UnderWay(news);
+        let rows = all.seen_in(view);
+        let tables = &self.tables;
+        tables.write_rows(&tables.triangles, 0, &rows.triangles);
+        tables.write_rows(&tables.spheres, 0, &rows.spheres);
+        (self.view, self.draws) = (Some(*view), rows.draws);
     }
-
-    /// Takes the draws composed so far. With `waits` it waits for all of them, else for more than the `known` ones, if
-    /// they come soon.
-    pub fn take(&mut self, known: usize, waits: bool) {
-        while let State::UnderWay(news) = &self.state {
-            let has_more = self.draws.len() > known;
-            let patience = if has_more { Duration::ZERO } else { PATIENCE };
-            let next = if waits {
-                news.recv().map_err(|_| RecvTimeoutError::Disconnected)
-            } else {
-                news.recv_timeout(patience)
-            };
-            match next {
-                Ok(News::Draws(draws)) => self.draws.extend(draws),
-                Ok(News::Whole(composer)) => self.state = State::Whole(composer),
-                Err(RecvTimeoutError::Timeout) => return,
-                Err(RecvTimeoutError::Disconnected) => return self.forget(),
-            }
-        }
-    }
-
-    /// Discards what the tables hold.
-    pub fn forget(&mut self) {
-        *lock(&self.turn) += 1;
-        self.view = None;
-        self.draws.clear();
-        self.state = State::Nothing;
-    }
-
-    /// The row of a batch; `None` if the view does not show it, or rows are still being composed.
-    pub fn row_of(&self, batch: u32) -> Option<u32> {
-        let State::Whole(composer) = &self.state else {
-            return None;
-        };
-        let row = composer.row_of.get(batch as usize).copied();
-        row.filter(|row| *row != u32::MAX)
-    }
-
-    /// Updates the row of a batch that changed, but not in its kind or its place in the order.
-    pub fn renew(&mut self, number: u32, batch: &Batch) {
-        let State::Whole(composer) = &self.state else {
-            return self.forget();
-        };
-        match self.row_of(number) {
-            Some(row) => self.tables.write(row, &batch.seen_in(&composer.space)),
-            None if batch.shown > 0 && composer.frustum.may_hold(&batch.bounds_world) => {
-                self.forget();
-            }
-            None => {}
-        }
-    }
-}
-
-/// A poisoned lock is safe to use: a panic under it leaves nothing half done.
-pub(super) fn read(all: &RwLock<ToDraw>) -> RwLockReadGuard<'_, ToDraw> {
-    all.read().unwrap_or_else(PoisonError::into_inner)
-}
-
-fn lock(turn: &Mutex<u64>) -> MutexGuard<'_, u64> {
-    turn.lock().unwrap_or_else(PoisonError::into_inner)
 }

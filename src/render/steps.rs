@@ -11,9 +11,7 @@ pub(super) const LINE: u64 = 2;
 
 /// What there is to draw.
 pub(super) struct Parts<'a> {
-    /// The surfaces, and whether the list is complete.
     pub surfaces: &'a [Draw],
-    pub are_known: bool,
     /// The draws whose edges are drawn.
     pub edged: &'a [Draw],
     /// How many lines.
@@ -47,20 +45,14 @@ impl Step {
 }
 
 impl Steps {
-    /// How many of the draws of surfaces are finished.
-    pub fn finished(&self) -> usize {
-        self.surfaces.draw
-    }
-
-    /// The next step. It fits into the piece, but is not empty if anything is left. `None` while the next surfaces are
-    /// not known.
-    pub fn take(&mut self, of: &Parts<'_>, mut left: Piece) -> Option<Step> {
+    /// The next step. It fits into the piece, but is not empty if anything is left.
+    pub fn take(&mut self, of: &Parts<'_>, mut left: Piece) -> Step {
         let mut step = Step {
             surfaces: self.surfaces.take(of.surfaces, &mut left, true),
             ..Step::default()
         };
-        if !(of.are_known && self.surfaces.is_at_end(of.surfaces)) {
-            return (!step.surfaces.is_empty()).then_some(step);
+        if !self.surfaces.is_at_end(of.surfaces) {
+            return step;
         }
         let is_first = step.surfaces.is_empty();
         step.edges = self.edges.take(of.edged, &mut left, is_first);
@@ -73,6 +65,6 @@ impl Steps {
             self.line = end;
             step.ends = end == of.lines;
         }
-        Some(step)
+        step
     }
 }

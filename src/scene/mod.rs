@@ -1,6 +1,5 @@
 //! The scene: objects in the world, each a shape with a model matrix.
 
-mod changes;
 mod extent;
 #[cfg(feature = "files")]
 mod files;
@@ -11,8 +10,6 @@ mod section;
 mod sums;
 mod tree;
 
-#[doc(hidden)] // public for tests
-pub use changes::Change;
 #[cfg(feature = "files")]
 pub use files::{
     Cancelled, DescriptionError, Detail, FileError, FilesAgain, LoadError, Loaded, MeshFile,
@@ -25,13 +22,8 @@ pub use in_file::{FaceInFile, InFile, VertexInFile};
 pub use object::{Object, Shape};
 pub use section::{FlatFaces, NoSection};
 
-use crate::geometry::{
-    Aabb, Mesh, Placement, Pyramid, WorldRay,
-    shares::{ALWAYS, GoOn, share},
-};
-use changes::Changes;
+use crate::geometry::{Aabb, Mesh, Placement, Pyramid, WorldRay};
 use std::{
-    borrow::Cow,
     collections::{BTreeSet, HashSet},
     ops::{ControlFlow, Range},
     sync::{Arc, Weak, atomic::AtomicBool},
@@ -48,9 +40,6 @@ pub struct NoSuchObject {
     /// How many objects there are.
     pub objects: usize,
 }
-
-/// Objects whose boxes are found at a time: a millisecond, unless they are large meshes that are turned.
-const PIECE: usize = 1 << 12;
 
 /// Identifies a scene and its clones until they are changed. Holds only a weak reference.
 #[doc(hidden)] // public for tests
@@ -86,41 +75,23 @@ pub struct Scene {
     batches: Arc<Vec<Range<usize>>>,
     meshes: Arc<Vec<Arc<Mesh>>>,
     tree: Arc<SceneTree>,
-    sums: Arc<Sums>,
-    changes: Changes,
+    sums: Sums,
 }
 
 impl Scene {
     /// A scene of these objects, in this order.
     pub fn new(objects: Vec<Object>) -> Self {
-        let Ok(scene) = Self::new_while(objects, ALWAYS);
-        scene
-    }
-
-    /// [`Scene::new`] for as long as `go_on` lets it.
-    pub(crate) fn new_while<E>(objects: Vec<Object>, go_on: &GoOn<E>) -> Result<Self, E> {
-        let mut bounds = Vec::with_capacity(objects.len());
-        for some in objects.chunks(PIECE) {
-            go_on(0.5 * share(some.len(), objects.len()))?;
-            bounds.extend(some.iter().map(Object::bounds_world));
-        }
-        let batches = batches(&objects);
-        go_on(0.0)?;
-        let meshes = meshes(&objects);
-        go_on(0.0)?;
-        let sums = Sums::of(&objects, &bounds);
+        let bounds: Vec<Aabb> = objects.iter().map(Object::bounds_world).collect();
         let mut scene = Self {
+            batches: Arc::new(batches(&objects)),
+            meshes: Arc::new(meshes(&objects)),
+            tree: Arc::default(),
+            sums: Sums::of(&objects, &bounds),
             objects: Arc::new(objects),
             bounds: Arc::new(bounds),
-            batches: Arc::new(batches),
-            meshes: Arc::new(meshes),
-            tree: Arc::default(),
-            sums: Arc::new(sums),
-            changes: Changes::default(),
         };
-        let tree = SceneTree::new_while(&scene, &|share| go_on(0.5 * share))?;
-        scene.tree = Arc::new(tree);
-        Ok(scene)
+        scene.tree = Arc::new(SceneTree::new(&scene));
+        scene
     }
 
     /// The key that identifies this scene until it is changed.
@@ -155,28 +126,30 @@ impl Scene {
 
     /// The world-space box about all objects, hidden ones too; empty when there are none.
     pub fn bounds(&self) -> Aabb {
-        self.sums.all.bounds
+        self.sums.bounds
     }
 
     /// The world-space box about all visible objects; empty when there are none.
     pub fn visible_bounds(&self) -> Aabb {
-        self.sums.all.visible_bounds
+        self.sums.visible_bounds
     }
 
     /// Whether a condition holds for the box about some visible object. It must hold for a box if it holds for one
-    /// inside that box. Also true when the search would take too long.
+    /// inside that box.
     pub(crate) fn any_visible(&self, holds: impl Fn(&Aabb) -> bool) -> bool {
-        self.sums.any_visible(&self.objects, &self.bounds, holds)
+        let mut each = self.objects.iter().zip(&*self.bounds);
+        holds(&self.sums.visible_bounds)
+            && each.any(|(object, bounds)| object.visible && holds(bounds))
     }
 
     /// How many objects are hidden.
     pub fn hidden_count(&self) -> usize {
-        self.sums.all.hidden
+        self.sums.hidden
     }
 
     /// Triangles of all meshes, hidden ones too.
     pub fn triangle_count(&self) -> usize {
-        self.sums.all.triangles
+        self.sums.triangles
     }
 
     /// Objects plus triangles. By this number callers recognise a large scene.
@@ -190,7 +163,7 @@ impl Scene {
     /// When there is no object of this index.
     pub fn set_visible(&mut self, object: usize, visible: bool) {
         Arc::make_mut(&mut self.objects)[object].visible = visible;
-        self.changed(object, false);
+        self.add_up();
     }
 
     /// Toggles the visibility of these objects.
@@ -198,15 +171,11 @@ impl Scene {
     /// # Panics
     /// When an index names no object.
     pub fn toggle(&mut self, objects: &[usize]) {
-        let mut objects = Cow::Borrowed(objects);
-        if !objects.is_sorted() {
-            objects.to_mut().sort_unstable();
-        }
         let all = Arc::make_mut(&mut self.objects);
-        let is_known = objects.last().is_none_or(|last| *last < all.len());
-        assert!(is_known, "an index names no object");
-        let log = self.changes.room_for(objects.len(), all.len());
-        Arc::make_mut(&mut self.sums).toggle(&objects, all, &self.bounds, log);
+        for object in objects {
+            all[*object].visible ^= true;
+        }
+        self.add_up();
     }
 
     /// Gives an object a new placement.
@@ -217,7 +186,7 @@ impl Scene {
         let before = self.joins(object);
         Arc::make_mut(&mut self.objects)[object].placement = placement;
         Arc::make_mut(&mut self.bounds)[object] = extent::bounds_world(&self.objects[object]);
-        self.changed(object, true);
+        self.add_up();
         if self.joins(object) == before {
             let batch = self.batch_number(object);
             let bounds = self.bounds_of_batch(&self.batches[batch]);
@@ -225,9 +194,7 @@ impl Scene {
             Arc::make_mut(&mut self.tree).renew(batch, first, bounds);
         } else {
             self.batches = Arc::new(batches(&self.objects));
-            let Ok(tree) = SceneTree::new_while(self, ALWAYS);
-            self.tree = Arc::new(tree);
-            self.changes.everything();
+            self.tree = Arc::new(SceneTree::new(self));
         }
     }
 
@@ -243,27 +210,8 @@ impl Scene {
         ]
     }
 
-    fn changed(&mut self, object: usize, moved: bool) {
-        Arc::make_mut(&mut self.sums).renew(object, &self.objects, &self.bounds);
-        let change = Change {
-            object,
-            moved,
-            visible: self.objects[object].visible,
-        };
-        self.changes.push(change, self.objects.len());
-    }
-
-    /// The number of changes so far, for [`Scene::changed_since`].
-    #[doc(hidden)] // public for tests
-    pub fn changes(&self) -> u64 {
-        self.changes.now()
-    }
-
-    /// The objects shown, hidden or moved since [`Scene::changes`] was `then`; an object may occur more than once.
-    /// `None` when the log does not reach back that far, or the batches have changed since.
-    #[doc(hidden)] // public for tests
-    pub fn changed_since(&self, then: u64) -> Option<&[Change]> {
-        self.changes.since(then)
+    fn add_up(&mut self) {
+        self.sums = Sums::of(&self.objects, &self.bounds);
     }
 
     /// The index of the object that people call `id`: ids run from 1.
@@ -279,7 +227,7 @@ impl Scene {
     /// Hides these objects. An index may occur more than once.
     ///
     /// # Panics
-    /// When an index names no object. No object is then hidden.
+    /// When an index names no object.
     pub fn hide(&mut self, objects: &[usize]) {
         let is_shown = |object: &usize| self.objects[*object].visible;
         let shown: BTreeSet<usize> = objects.iter().copied().filter(is_shown).collect();

@@ -18,19 +18,12 @@
 //! distance to the box. Boxes grow by twice that when they are tested.
 
 use super::{Object, Scene};
-use crate::geometry::{
-    Aabb, Pyramid, RayError, WorldRay,
-    binary::power_of_two,
-    entry,
-    shares::{GoOn, share},
-};
+use crate::geometry::{Aabb, Pyramid, RayError, WorldRay, binary::power_of_two, entry};
 use glam::{DMat3, DVec3};
 use std::ops::ControlFlow;
 
 /// Scenes of fewer batches have no tree: each batch is tested.
 const WORTH_A_TREE: usize = 8;
-/// A part of the tree over at most this many leaves is made at once, in about a millisecond.
-const FEW: usize = 1 << 12;
 /// The most nodes that a box query visits before it gives up.
 const MOST_ASKED: usize = 512;
 /// The size of the traversal stack: one node per level, and halving by count makes at most 64 levels.
@@ -67,8 +60,8 @@ enum Content {
 }
 
 impl SceneTree {
-    /// A tree over the batches of a scene, made for as long as `go_on` lets it; empty when there are few.
-    pub fn new_while<E>(scene: &Scene, go_on: &GoOn<E>) -> Result<Self, E> {
+    /// A tree over the batches of a scene; empty when there are few.
+    pub fn new(scene: &Scene) -> Self {
         let batches = scene.batches().iter().enumerate();
         let mut leaves: Vec<Node> = batches
             .filter_map(|(index, batch)| {
@@ -82,9 +75,9 @@ impl SceneTree {
             tree.nodes.reserve_exact(2 * count - 1);
             tree.above.reserve_exact(2 * count - 1);
             tree.places = vec![None; scene.batches().len()];
-            tree.grow_while(0, &mut leaves, &|done| go_on(share(done, count)))?;
+            tree.grow(0, &mut leaves);
         }
-        Ok(tree)
+        tree
     }
 
     /// Whether the scene has too few batches to be worth a tree.
@@ -109,25 +102,7 @@ impl SceneTree {
         }
     }
 
-    /// Makes the tree over some leaves. `go_on` is told how many leaves more are done.
-    fn grow_while<E>(
-        &mut self,
-        above: usize,
-        leaves: &mut [Node],
-        go_on: &dyn Fn(usize) -> Result<(), E>,
-    ) -> Result<(), E> {
-        if leaves.len() <= FEW {
-            go_on(leaves.len())?;
-            self.grow(above, leaves);
-            return Ok(());
-        }
-        go_on(0)?;
-        let (place, first, second) = self.split(above, leaves);
-        self.grow_while(place, first, go_on)?;
-        self.nodes[place].content = Content::Second(self.nodes.len());
-        self.grow_while(place, second, go_on)
-    }
-
+    /// Makes the tree over some leaves.
     fn grow(&mut self, above: usize, leaves: &mut [Node]) {
         if let [leaf] = leaves {
             if let Content::Batch(batch) = leaf.content {

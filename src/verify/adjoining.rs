@@ -1,7 +1,7 @@
 //! Finds the triangles of a mesh that share an edge with another one.
 
 use crate::geometry::{CornersByVertex, MeshData, corners_by_vertex};
-use std::{collections::HashMap, convert::Infallible};
+use std::collections::HashMap;
 
 /// A mesh's triangles by corner position. Corners at equal positions count as one, however often the mesh lists them:
 /// the vertex shader maps them alike.
@@ -24,8 +24,7 @@ impl Adjoining {
         let triangles = mesh.triangles.iter();
         let triangles = triangles.map(|corners| corners.map(|i| places[i as usize]));
         let triangles: Vec<[u32; 3]> = triangles.collect();
-        let Ok(corners) =
-            corners_by_vertex(places.len(), &triangles, |_, _| Ok::<_, Infallible>(()));
+        let corners = corners_by_vertex(places.len(), &triangles);
         Self { places, corners }
     }
 

@@ -115,7 +115,7 @@ fn what_lies_beside_the_picture_is_left_out_and_nothing_else() {
         );
         assert_eq!(report.count(verify::Class::Unexplained), 0, "{view:?}");
         seen += picked.pixels().iter().filter(|id| id.object > 0).count();
-        // The ids are the same when drawn in pieces, which use transforms as they are composed.
+        // The ids are the same when drawn in pieces.
         let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
         let mut drawing = Drawing::of_scene(1, &view, Vec::new());
         let piece = Piece::of_work(4000);
@@ -178,7 +178,7 @@ fn of_surfaces_in_one_place_the_lower_object_is_drawn_whatever_its_kind() {
     assert!(shown.len() > 150, "{}", shown.len());
 }
 
-/// One change after another: most write one row of the tables, some write all.
+/// One change after another.
 #[test]
 fn what_changes_among_many_is_drawn_as_if_it_had_always_been_so() {
     let gpu = gpu();
@@ -228,29 +228,4 @@ fn what_changes_among_many_is_drawn_as_if_it_had_always_been_so() {
         before = now;
     }
     assert!(changed > 30, "{changed}");
-}
-
-#[test]
-fn many_changes_are_taken_over_in_shares() {
-    let (gpu, mut random) = (gpu(), Random::new(7));
-    let cube = |_| object("one", Shape::Cube, model(&mut random), None);
-    let mut scene = Scene::new((0..40_000).map(cube).collect());
-    let view = view(
-        [22.0, 3.0, 6.0],
-        [4.0, 0.0, 0.0],
-        perspective(60.0, 0.5, 60.0),
-        [160, 100],
-    );
-    let mut buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
-    scene.toggle(&(1..40_000).collect::<Vec<_>>());
-    let mut shares = 1;
-    while !buffers.update_some(&gpu, &scene).expect("fits") {
-        shares += 1;
-    }
-    assert!(shares > 1);
-    let fresh = SceneBuffers::upload(&gpu, &scene).expect("fits");
-    assert_eq!(
-        differing(&ids(&gpu, &buffers, &view), &ids(&gpu, &fresh, &view)),
-        0
-    );
 }

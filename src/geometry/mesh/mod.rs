@@ -5,8 +5,8 @@ mod validity;
 
 use super::{
     Aabb, Bvh, CornerNormals, OnTriangle,
-    crease_normals::crease_normals_while,
-    shares::{ALWAYS, GoOn, in_pieces, in_shares},
+    crease_normals::crease_normals,
+    shares::{in_pieces, in_shares},
 };
 use crate::colour::Srgb;
 use glam::{DVec3, Vec3};
@@ -146,20 +146,9 @@ impl Mesh {
     /// # Errors
     /// When it is not a mesh; see [`MeshError`].
     pub fn new(data: MeshData) -> Result<Self, MeshError> {
-        let Ok(mesh) = Self::new_while(data, ALWAYS);
-        mesh
-    }
-
-    /// [`Mesh::new`] for as long as `go_on` lets it.
-    pub(crate) fn new_while<E: Send>(
-        data: MeshData,
-        go_on: &GoOn<E>,
-    ) -> Result<Result<Self, MeshError>, E> {
-        if let Err(error) = check(&data, go_on)? {
-            return Ok(Err(error));
-        }
-        let bounds = bounds_of_parts(&data, go_on)?.into();
-        Ok(Ok(Self::of(Arc::new(data), bounds, None)))
+        check(&data)?;
+        let bounds = bounds_of_parts(&data).into();
+        Ok(Self::of(Arc::new(data), bounds, None))
     }
 
     /// With nothing computed from its data yet but the boxes about its parts.
@@ -230,22 +219,14 @@ impl Mesh {
     /// The normals for shading. Those that the data lacks are computed on all cores when first asked for; lists and
     /// picks never ask.
     pub fn normals(&self) -> &CornerNormals {
-        let Ok(normals) = self.normals_while(ALWAYS);
-        normals
-    }
-
-    /// [`Mesh::normals`], computed for as long as `go_on` lets it. It is not asked if nothing has to be computed.
-    pub(crate) fn normals_while<E: Send>(&self, go_on: &GoOn<E>) -> Result<&CornerNormals, E> {
         let (triangles, given) = (&self.data.triangles, &self.data.normals);
         let Some(crease) = self.data.crease.filter(|_| !given.is_by_vertex()) else {
-            return Ok(given);
+            return given;
         };
-        if let Some(known) = self.normals.get() {
-            return Ok(known);
-        }
-        let computed = crease_normals_while(&self.data.positions, triangles, crease, go_on)?;
-        let complete = || given.completed_by(computed, triangles);
-        Ok(self.normals.get_or_init(complete))
+        self.normals.get_or_init(|| {
+            let computed = crease_normals(&self.data.positions, triangles, crease);
+            given.completed_by(computed, triangles)
+        })
     }
 
     /// The interpolated shading normal at a point of a triangle, in object space and of any length; `None` where
@@ -319,12 +300,9 @@ fn around(data: &MeshData, triangles: &[[u32; 3]]) -> Aabb {
     Aabb { min, max }
 }
 
-/// The share of the boxes in the work of [`Mesh::new_while`].
-const BOXES: f64 = 0.6;
-
 /// The box about the triangles of each part.
-fn bounds_of_parts<E: Send>(data: &MeshData, go_on: &GoOn<E>) -> Result<Vec<Aabb>, E> {
-    let of_pieces = in_pieces(data.triangles.len(), BOXES, go_on, |piece| {
+fn bounds_of_parts(data: &MeshData) -> Vec<Aabb> {
+    let of_pieces = in_pieces(data.triangles.len(), |piece| {
         let ends = |part: &Part| [part.triangles.start, part.triangles.end].map(|i| i as usize);
         let first = (data.parts).partition_point(|part| ends(part)[1] <= piece.start);
         let parts = data.parts[first..].iter().map(ends);
@@ -334,12 +312,12 @@ fn bounds_of_parts<E: Send>(data: &MeshData, go_on: &GoOn<E>) -> Result<Vec<Aabb
             around(data, &data.triangles[part])
         });
         (first, bounds.collect::<Vec<_>>())
-    })?;
+    });
     let mut all = vec![Aabb::EMPTY; data.parts.len()];
     for (first, bounds) in of_pieces {
         for (part, bounds) in all[first..].iter_mut().zip(bounds) {
             *part = part.union(bounds);
         }
     }
-    Ok(all)
+    all
 }

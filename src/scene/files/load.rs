@@ -78,7 +78,7 @@ pub fn load_with(
     let camera = camera.map(|(camera, own, from)| (of_all(camera, &own, objects.len()), from));
     let (camera, camera_from) = camera.unzip();
     Ok(Loaded {
-        scene: progress.in_shares(0, |go_on| Scene::new_while(objects, go_on))?,
+        scene: Scene::new(objects),
         camera: camera.unwrap_or_default(),
         camera_from,
         warnings,

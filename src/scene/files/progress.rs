@@ -1,6 +1,6 @@
 //! The progress of a load or an upload and its cancellation, shared by the working thread and the window's.
 
-use crate::geometry::shares::{GoOn, on_all_cores};
+use crate::geometry::shares::on_all_cores;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// Of steps that take less than a microsecond each, every 4096th reports.
@@ -75,32 +75,6 @@ impl Progress {
         } else {
             Ok(())
         }
-    }
-
-    /// Does work that reports its progress as a [`GoOn`] asks. All of it counts as `bytes`.
-    ///
-    /// # Errors
-    /// When the load was cancelled, or those of the work.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        clippy::cast_precision_loss,
-        reason = "a share of the bytes"
-    )]
-    pub(crate) fn in_shares<T, E: From<Cancelled>>(
-        &self,
-        bytes: u64,
-        work: impl FnOnce(&GoOn<Cancelled>) -> Result<T, E>,
-    ) -> Result<T, E> {
-        let told = AtomicU64::new(0);
-        let result = work(&|share| {
-            let more = (share * bytes as f64) as u64;
-            told.fetch_add(more, Ordering::Relaxed);
-            self.advance(more)
-        })?;
-        // What the rounding of the shares left.
-        self.advance(bytes.saturating_sub(told.into_inner()))?;
-        Ok(result)
     }
 
     /// Asks the load to stop at its next step.

@@ -2,7 +2,6 @@
 
 use super::job::Job;
 use crate::{
-    geometry::shares::GoOn,
     render::{Gpu, GpuError, MeshStore, SceneBuffers},
     scene::{Cancelled, Progress, Scene, SceneKey},
     viewer::model::Made,
@@ -27,13 +26,13 @@ impl Making {
         }
     }
 
-    fn make<E>(self, go_on: &GoOn<E>) -> Result<(Scene, Option<Made>), E> {
+    fn make(self) -> (Scene, Option<Made>) {
         let made = match self {
-            Self::Scene(scene) => return Ok((scene, None)),
-            Self::With(scene, added) => Made::with_while(&scene, &added, go_on)?,
+            Self::Scene(scene) => return (scene, None),
+            Self::With(scene, added) => Made::with(&scene, &added),
             Self::Again(scene, now) => Made::again(&scene, now),
         };
-        Ok((made.scene.clone(), Some(made)))
+        (made.scene.clone(), Some(made))
     }
 }
 
@@ -58,22 +57,13 @@ pub(in crate::viewer) struct Uploaded {
 
 impl Uploaded {
     /// Uploads a scene, but not the meshes that are there already.
-    pub fn new(gpu: &Gpu, scene: &Scene, meshes: MeshStore) -> Result<Self, GpuError> {
-        Self::new_while(gpu, (scene, None), meshes, &|_| Ok(()))
-    }
-
-    fn new_while<E: From<GpuError> + Send>(
-        gpu: &Gpu,
-        (scene, made): (&Scene, Option<Made>),
-        mut meshes: MeshStore,
-        go_on: &GoOn<E>,
-    ) -> Result<Self, E> {
-        let buffers = SceneBuffers::upload_while(gpu, scene, &mut meshes, go_on)?;
+    pub fn new(gpu: &Gpu, scene: &Scene, mut meshes: MeshStore) -> Result<Self, GpuError> {
+        let buffers = SceneBuffers::upload_beside(gpu, scene, &mut meshes)?;
         Ok(Self {
             key: scene.key(),
             buffers,
             meshes,
-            made,
+            made: None,
         })
     }
 }
@@ -124,82 +114,9 @@ fn upload(
     let work = making.size() as u64;
     let made_of = work / 8;
     progress.expect(work);
-    let (scene, made) =
-        progress.in_shares::<_, NotUploaded>(made_of, |go_on| Ok(making.make(go_on)?))?;
-    progress.in_shares(work - made_of, |go_on| {
-        Uploaded::new_while(gpu, (&scene, made), meshes, &|share| Ok(go_on(share)?))
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{
-        geometry::{ColourRun, Mesh, MeshData, Placement},
-        scene::{Object, Shape},
-    };
-    use std::sync::{Arc, atomic::Ordering::Relaxed};
-
-    /// Triangles of each mesh: in several pieces, and in several buffers' pieces.
-    const TRIANGLES: u32 = 400_000;
-
-    /// A ribbon, and the same in two colours.
-    #[expect(clippy::cast_precision_loss, reason = "an f32 holds these numbers")]
-    fn scene() -> Scene {
-        let count = TRIANGLES;
-        let place = |i: u32| [i as f32, (i % 2) as f32, 0.0];
-        let positions: Vec<_> = (0..count + 2).map(place).collect();
-        let triangles: Vec<_> = (0..count).map(|i| [i, i + 1, i + 2]).collect();
-        let one = MeshData {
-            crease: Some(4.0),
-            ..MeshData::of_triangles("one", positions, triangles)
-        };
-        let colour = None;
-        let half = |triangles| ColourRun { triangles, colour };
-        let two = MeshData {
-            colours: vec![half(0..count / 2), half(count / 2..count)],
-            ..one.clone()
-        };
-        let object = |data: MeshData| {
-            let mesh = Arc::new(Mesh::new(data).expect("a mesh"));
-            assert!(!mesh.normals().normals.is_empty());
-            Object::new("", Shape::Mesh { mesh, part: 0 }, Placement::IDENTITY)
-        };
-        let cube = Object::new("", Shape::Cube, Placement::IDENTITY);
-        let meshes = [one, two].map(object);
-        meshes.into_iter().chain(vec![cube; 40_000]).collect()
-    }
-
-    /// Each step of an upload reports progress after every piece. If a single report is told to stop, the upload ends:
-    /// none of them ignores the answer.
-    #[test]
-    fn every_step_of_an_upload_reports_and_can_be_the_last() {
-        let gpu = Gpu::headless().expect("an adapter");
-        let (scene, added) = (scene(), Scene::default());
-        let upload = |stopped_at: u64| {
-            let progress = Progress::default();
-            progress.stopped_at.store(stopped_at, Relaxed);
-            let making = Making::With(scene.clone(), added.clone());
-            let uploaded = upload(&gpu, making, MeshStore::default(), &progress);
-            (uploaded.map(drop), progress)
-        };
-        let (uploaded, progress) = upload(0);
-        uploaded.expect("it fits");
-        assert!((progress.fraction() - 1.0).abs() < f32::EPSILON);
-        assert_eq!(gpu.uploaded_triangles(), u64::from(2 * TRIANGLES));
-        let reports = progress.reports.into_inner();
-        let (triangles, objects) = (TRIANGLES as usize, scene.objects().len());
-        // Of making the scene, and of its rows.
-        let made = objects.div_ceil(1 << 12) + 2 + objects.div_ceil(1 << 12);
-        let rows = objects.div_ceil(1 << 14);
-        // Of each mesh in its vertices, and in the pieces of its two buffers.
-        let vertices = triangles.div_ceil(1 << 15);
-        let least = made + rows + 2 * (vertices + 2);
-        assert!(reports >= least as u64, "{reports} of {least}");
-        for last in 1..=reports {
-            let (stopped, _) = upload(last);
-            let is_cancelled = matches!(stopped, Err(NotUploaded::Cancelled(_)));
-            assert!(is_cancelled, "at {last} of {reports}");
-        }
-    }
+    let (scene, made) = making.make();
+    progress.advance(made_of)?;
+    let uploaded = Uploaded::new(gpu, &scene, meshes)?;
+    progress.advance(work - made_of)?;
+    Ok(Uploaded { made, ..uploaded })
 }

@@ -1,9 +1,6 @@
 //! Makes a scene from the one on show and from loaded files. For large scenes, a background job does this.
 
-use crate::{
-    geometry::shares::{ALWAYS, GoOn},
-    scene::{Object, Scene, SceneKey, Shape},
-};
+use crate::scene::{Object, Scene, SceneKey, Shape};
 use std::{collections::HashMap, sync::Arc};
 
 /// A scene that is made from another.
@@ -22,20 +19,14 @@ pub(in crate::viewer) struct Made {
 impl Made {
     /// A scene with the objects of `added` after its own.
     pub fn with(scene: &Scene, added: &Scene) -> Self {
-        let Ok(made) = Self::with_while(scene, added, ALWAYS);
-        made
-    }
-
-    /// [`Made::with`] for as long as `go_on` lets it.
-    pub fn with_while<E>(scene: &Scene, added: &Scene, go_on: &GoOn<E>) -> Result<Self, E> {
         let objects = scene.objects().iter().chain(added.objects());
-        Ok(Self {
+        Self {
             of: scene.key(),
-            scene: Scene::new_while(objects.cloned().collect(), go_on)?,
+            scene: objects.cloned().collect(),
             became: Vec::new(),
             is_same: false,
             hides_as_filed: false,
-        })
+        }
     }
 
     /// What the files of a scene hold now. Objects keep their visibility, and are matched by name: an object takes the

@@ -131,7 +131,7 @@ impl ScenePicture {
         if wanted.wireframe().is_some() {
             whole.work *= EDGES_COST;
         }
-        let at_once = most.holds(&whole) && scene.buffers.is_little;
+        let at_once = most.holds(&whole);
         if at_once {
             // No frame shows the old picture in between.
             self.spare

@@ -82,9 +82,7 @@ impl ScenesOnGpu {
             give_up(self.before.split_off(MOST_BEFORE.min(self.before.len())));
         }
         if let Some(scene) = self.now.as_mut().filter(|now| now.visibility != visibility) {
-            if !scene.buffers.update_some(gpu, subject.scene)? {
-                return Ok(None);
-            }
+            scene.buffers.update(gpu, subject.scene)?;
             scene.visibility = visibility;
             scene.key = subject.scene.key();
         }

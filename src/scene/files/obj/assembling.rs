@@ -77,7 +77,8 @@ pub(super) fn build(
     warnings.extend(materials.warnings);
 
     let data = all.mesh(vertices, names, &cuts, &materials.by_name, progress)?;
-    let mesh = progress.in_shares(count * bytes, |go_on| Mesh::new_while(data, go_on))?;
+    let mesh = Mesh::new(data);
+    progress.advance(count * bytes)?;
     let mesh = mesh.map_err(|source| ObjError::NoMesh {
         file: path.to_owned(),
         source,

@@ -274,7 +274,8 @@ fn read<R: BufRead + Send>(
         (error, _) => error,
     })?;
     if detail == Detail::Drawn {
-        progress.in_shares(bytes, |go_on| built.mesh.normals_while(go_on))?;
+        built.mesh.normals();
+        progress.advance(bytes)?;
     }
     log::info!(
         "read {} in {read:.1?}, built in {:.1?}",
