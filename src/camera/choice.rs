@@ -2,7 +2,7 @@
 
 use super::{
     Camera, CameraError, DepthMapping, Lens, Orbit, Projection, SectionChoice, UpAxis, Viewport,
-    fit_near_far, unit,
+    fit_near_far, in_range, unit,
 };
 use crate::geometry::Aabb;
 use glam::DVec3;
@@ -100,8 +100,8 @@ impl CameraChoice {
             depth: self.depth.unwrap_or_default(),
         };
         lens.check()?;
-        if self.look.is_some_and(|look| !look.is_finite()) {
-            return Err(CameraError::NotFinite("direction"));
+        if let Some(look) = self.look {
+            in_range(look, "direction")?;
         }
         check_size(bounds_world)?;
         let framing = Orbit::framing(bounds_world, up_axis, fov_y, viewport.aspect());

@@ -29,7 +29,6 @@ pub fn fit_near_far(
     let (z0, z1) = if bounds_world.is_empty() {
         (0.0, 2.0 * to_target)
     } else {
-        // NaN, of products that overflow, is passed over.
         let depths = (bounds_world.corners()).map(|corner| camera.to_view(corner).z);
         let least = depths.into_iter().fold(f64::INFINITY, f64::min);
         (least, depths.into_iter().fold(f64::NEG_INFINITY, f64::max))

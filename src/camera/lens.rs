@@ -1,6 +1,7 @@
 //! Perspective and orthographic projection, near and far planes, and the depth buffer's values.
 
 use super::CameraError;
+use crate::geometry::range;
 use glam::{DMat4, DVec2, DVec4};
 use serde::{Deserialize, Serialize};
 
@@ -57,27 +58,40 @@ impl Lens {
     /// Whether the lens is valid.
     ///
     /// # Errors
-    /// When the field of view lies outside (0, 180) degrees, the height is not positive, near is not positive in
-    /// perspective, or near does not lie before far.
+    /// When the field of view lies outside (0, 180) degrees, a number is beyond the range of numbers (of the field of
+    /// view, half its tangent; of the height, half of it), near is not positive in perspective, or near does not lie
+    /// before far.
     pub fn check(&self) -> Result<(), CameraError> {
         let Self { near, far, .. } = *self;
+        let has_size = |number: f64| (range::LEAST..=range::LARGEST).contains(&number);
+        let top = self.half_extent(1.0).y;
         match self.projection {
-            Projection::Perspective { fov_y } if !(fov_y > 0.0 && fov_y < std::f64::consts::PI) => {
+            Projection::Perspective { fov_y }
+                if !(fov_y > 0.0 && fov_y < std::f64::consts::PI && has_size(top)) =>
+            {
                 return Err(CameraError::FieldOfView(fov_y.to_degrees()));
             }
-            Projection::Perspective { .. } if !(near > 0.0) => {
-                return Err(CameraError::NearNotPositive(near));
-            }
-            // Half of the least number rounds to 0.
-            Projection::Orthographic { height } if !(0.5 * height > 0.0 && height.is_finite()) => {
+            Projection::Orthographic { height } if !has_size(top) => {
                 return Err(CameraError::Height(height));
             }
             _ => {}
         }
-        if !(near < far && near.is_finite() && far.is_finite()) {
+        for plane in [near, far] {
+            range::stored(plane).ok_or(CameraError::PlaneOutOfRange(plane))?;
+        }
+        if !self.is_orthographic() && !(near >= range::LEAST) {
+            return Err(CameraError::NearTooSmall(near));
+        }
+        if !(near < far) {
             return Err(CameraError::NearNotBeforeFar { near, far });
         }
         Ok(())
+    }
+
+    /// A valid lens whose planes are [`stored`](range::stored).
+    pub(super) fn stored(self) -> Self {
+        let [near, far] = [self.near, self.far].map(|plane| range::stored(plane).unwrap_or(plane));
+        Self { near, far, ..self }
     }
 
     /// Whether all lines of sight are parallel.
@@ -110,7 +124,6 @@ impl Lens {
             near: n, far: f, ..
         } = *self;
         let range = f - n;
-        // Divided first: a product of two large depths could overflow.
         let far_share = f / range;
         match (self.projection, self.depth) {
             (Projection::Perspective { .. }, DepthMapping::Standard) => (far_share, -far_share * n),
@@ -124,10 +137,8 @@ impl Lens {
     /// planes.
     pub fn ndc_depth(&self, depth: f64) -> f64 {
         let Self { near, far, .. } = *self;
-        // Halved, because the distance between the planes may overflow.
-        let range = 0.5 * far - 0.5 * near;
-        let [to_near, to_far] =
-            [(depth, near), (far, depth)].map(|(a, b)| (0.5 * a - 0.5 * b) / range);
+        let range = far - near;
+        let [to_near, to_far] = [depth - near, far - depth].map(|way| way / range);
         let [from_near, from_far] = match self.projection {
             Projection::Perspective { .. } => [far / depth * to_near, near / depth * to_far],
             Projection::Orthographic { .. } => [to_near, to_far],

@@ -19,7 +19,7 @@ pub use orbit::{Orbit, UpAxis};
 pub use section_choice::{SectionChoice, SectionWordError};
 pub use view::{View, Viewport, pixel_centre};
 
-use crate::geometry::{PixelGrid, WorldRay};
+use crate::geometry::{PixelGrid, WorldRay, range};
 use glam::{DMat3, DMat4, DVec2, DVec3};
 
 /// Where the eye stands, where it looks and through which lens. Always valid: axes are orthonormal, near lies
@@ -41,9 +41,9 @@ pub struct Camera {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CameraError {
-    /// Eye, target, direction or up has a NaN or an infinity.
-    #[error("the camera's {0} is not a finite vector")]
-    NotFinite(&'static str),
+    /// Eye, target, direction or up has a number beyond the range of numbers; see [`range`].
+    #[error("the camera's {0} has a number that is not one up to 1.29e33")]
+    OutOfRange(&'static str),
     /// There is no direction to look along.
     #[error(
         "the camera looks nowhere: its eye and target are the same point, or its direction is zero"
@@ -52,16 +52,19 @@ pub enum CameraError {
     /// Right is undefined.
     #[error("the camera's up vector is zero or points along the line of sight")]
     UpAlongForward,
-    /// Outside (0, 180) degrees.
-    #[error("the field of view must lie between 0 and 180 degrees, not {0}")]
+    /// Outside (0, 180) degrees, or so small that its tangent would be stored as 0.
+    #[error("the field of view must lie between 1e-31 and 180 degrees, not {0}")]
     FieldOfView(f64),
-    /// Not a positive number whose half is one, too.
-    #[error("the orthographic height must be a positive number above 5e-324, not {0}")]
+    /// Its half is not in the range of numbers.
+    #[error("the orthographic height must lie between 1.6e-33 and 2.5e33, not {0}")]
     Height(f64),
     /// Perspective shows nothing at or behind the eye.
-    #[error("near must be greater than 0 in perspective, not {0}")]
-    NearNotPositive(f64),
-    /// Near has to come first, and both have to be finite.
+    #[error("near must be at least 7.8e-34 in perspective, not {0}")]
+    NearTooSmall(f64),
+    /// Near or far is beyond the range of numbers.
+    #[error("near and far must be numbers up to 1.29e33, not {0}")]
+    PlaneOutOfRange(f64),
+    /// Near has to come first.
     #[error("near must be less than far, not {near} and {far}")]
     NearNotBeforeFar {
         /// Near plane's view depth.
@@ -70,7 +73,7 @@ pub enum CameraError {
         far: f64,
     },
     /// Too large or too small for any view.
-    #[error("the scene is {0:.0e} units across; views hold scenes of 1e-98 to 1e98")]
+    #[error("the scene is {0:.0e} units across; views hold scenes of 1e-25 to 5e30")]
     SceneSize(f64),
     /// A picture without pixels.
     #[error("the picture must be at least 1 pixel wide and high, not {0}x{1}")]
@@ -93,14 +96,12 @@ impl Camera {
     /// vector.
     ///
     /// # Errors
-    /// When a vector is not finite, eye and target coincide, up lies along the line of sight, or the lens is
-    /// not valid.
+    /// When a number is beyond the range of numbers, eye and target coincide, up lies along the line of sight, or the
+    /// lens is not valid.
     pub fn new(eye: DVec3, target: DVec3, up: DVec3, lens: Lens) -> Result<Self, CameraError> {
-        if !target.is_finite() {
-            return Err(CameraError::NotFinite("target"));
-        }
-        let direction = target - eye;
-        Self::looking(eye, direction, up, lens).map(|camera| Self { target, ..camera })
+        let (eye, target) = (in_range(eye, "eye")?, in_range(target, "target")?);
+        let along = target - eye;
+        Self::facing([eye, target], along, up, lens)
     }
 
     /// A camera at `eye` that looks along `direction`; its target lies at the direction's end.
@@ -113,12 +114,21 @@ impl Camera {
         up: DVec3,
         lens: Lens,
     ) -> Result<Self, CameraError> {
+        let eye = in_range(eye, "eye")?;
+        let direction = in_range(direction, "direction")?;
+        let target = in_range(eye + direction, "target")?;
+        Self::facing([eye, target], direction, up, lens)
+    }
+
+    /// A camera at an eye with a target, both stored, that looks along `direction`.
+    fn facing(
+        [eye, target]: [DVec3; 2],
+        direction: DVec3,
+        up: DVec3,
+        lens: Lens,
+    ) -> Result<Self, CameraError> {
         lens.check()?;
-        for (vector, name) in [(eye, "eye"), (direction, "direction"), (up, "up vector")] {
-            if !vector.is_finite() {
-                return Err(CameraError::NotFinite(name));
-            }
-        }
+        let up = in_range(up, "up vector")?;
         let forward = unit(direction).ok_or(CameraError::NoDirection)?;
         let right = unit(up).and_then(|up| {
             let right = forward.cross(up);
@@ -128,14 +138,15 @@ impl Camera {
         // If up is close to the line of sight, rounding error makes `right` oblique; this makes it perpendicular again.
         let right = right.map(|right| (right - right.dot(forward) * forward).normalize());
         let right = right.ok_or(CameraError::UpAlongForward)?;
+        let [right, up_axis, forward] = [right, right.cross(forward), forward].map(stored_axis);
         Ok(Self {
             eye,
-            target: eye + direction,
+            target,
             up_hint: up,
             right,
-            up: right.cross(forward),
+            up: up_axis,
             forward,
-            lens,
+            lens: lens.stored(),
             half_height: lens.half_extent(1.0).y,
         })
     }
@@ -148,7 +159,7 @@ impl Camera {
         lens.check()?;
         let half_height = lens.half_extent(1.0).y;
         Ok(Self {
-            lens,
+            lens: lens.stored(),
             half_height,
             ..self
         })
@@ -262,8 +273,16 @@ impl Camera {
     }
 }
 
-/// The unit vector along `v`, even where the square of its length would underflow or overflow.
+/// The unit vector along `v`; `None` where it has no length.
 fn unit(v: DVec3) -> Option<DVec3> {
-    let size = v.abs().max_element();
-    (size > 0.0).then(|| (v / size).normalize())
+    (v != DVec3::ZERO).then(|| v.normalize())
+}
+
+fn in_range(vector: DVec3, name: &'static str) -> Result<DVec3, CameraError> {
+    range::stored_vector(vector).ok_or(CameraError::OutOfRange(name))
+}
+
+/// An axis of length 1 whose least components are 0.
+fn stored_axis(axis: DVec3) -> DVec3 {
+    range::stored_vector(axis).unwrap_or(axis)
 }

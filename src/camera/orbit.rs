@@ -53,9 +53,8 @@ impl Orbit {
     const FRAMING: DVec3 = DVec3::new(1.0, 0.8, 1.6);
     /// The margin around a framed scene, as a factor.
     const MARGIN: f64 = 1.08;
-    /// The least and greatest zoom distance, in world units. Beyond them, products of three lengths underflow or
-    /// overflow.
-    pub(super) const DISTANCES: (f64, f64) = (1e-100, 1e100);
+    /// The least and greatest zoom distance, in world units. Near, far and eye then stay within the range of numbers.
+    pub(super) const DISTANCES: (f64, f64) = (1e-27, 5e32);
 
     /// The view of a camera. Its own up becomes the orbit's axis, unless the camera is upright for `up_axis`.
     pub fn of_camera(camera: &Camera, up_axis: UpAxis) -> Self {

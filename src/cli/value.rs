@@ -2,6 +2,7 @@
 
 use crate::{
     camera::Viewport,
+    geometry::range,
     viewer::model::{Stage, Views},
 };
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
@@ -11,21 +12,20 @@ use std::path::PathBuf;
 /// The most pixels that a side may have. More is surely a typing error.
 const LARGEST_SIDE: u32 = 16_384;
 
-/// A finite number.
+/// A number in range.
 pub(super) fn number(text: &str) -> Result<f64, String> {
     let value: f64 = text.trim().parse().map_err(|_| "expected a number")?;
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err("expected a finite number".to_owned())
-    }
+    let is_in_range = range::stored(value).is_some();
+    is_in_range
+        .then_some(value)
+        .ok_or_else(|| "expected a number up to 1.29e33".to_owned())
 }
 
-/// `N` finite numbers between commas.
+/// `N` numbers between commas.
 fn numbers<const N: usize>(text: &str, form: &str) -> Result<[f64; N], String> {
     let values: Result<Vec<f64>, _> = text.split(',').map(number).collect();
     let values = values.ok().and_then(|values| values.try_into().ok());
-    values.ok_or_else(|| format!("expected {form}: finite numbers with commas"))
+    values.ok_or_else(|| format!("expected {form}: numbers up to 1.29e33 with commas"))
 }
 
 /// `x,y,z`

@@ -1,6 +1,5 @@
 //! Axis-aligned bounding boxes.
 
-use super::binary::power_of_two_below;
 use glam::DVec3;
 
 /// An axis-aligned bounding box. Unions start from [`Aabb::EMPTY`], which holds nothing.
@@ -70,19 +69,12 @@ impl Aabb {
 
     /// The middle. Meaningless when empty.
     pub fn center(&self) -> DVec3 {
-        0.5 * self.min + 0.5 * self.max
+        0.5 * (self.min + self.max)
     }
 
     /// Half the diagonal: the radius of the circumscribed sphere. Zero for a point.
     pub fn radius(&self) -> f64 {
-        let half = 0.5 * self.max - 0.5 * self.min;
-        let largest = half.max_element();
-        if !largest.is_finite() {
-            return half.length();
-        }
-        // Scaled, so that squares neither vanish nor overflow.
-        let unit = power_of_two_below(largest);
-        unit * (half / unit).length()
+        (0.5 * (self.max - self.min)).length()
     }
 
     /// Decimal places to write coordinates with: down to a millionth of the radius, about the precision of vertices. 6

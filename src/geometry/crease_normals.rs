@@ -54,11 +54,7 @@ impl CornerNormals {
 /// The outward unit normal of a counter-clockwise triangle; zero when it has no area.
 pub fn face_normal(corners: [[f32; 3]; 3]) -> Vec3 {
     let [a, b, c] = corners.map(|p| DVec3::from_array(p.map(f64::from)));
-    let normal = (b - a).cross(c - a);
-    // Scaled first: the square of a very small area would underflow.
-    (normal / normal.abs().max_element())
-        .normalize_or_zero()
-        .as_vec3()
+    (b - a).cross(c - a).normalize_or_zero().as_vec3()
 }
 
 /// Normals that are smooth within a surface and break where two faces that share an edge meet at more than `crease`

@@ -25,8 +25,6 @@ impl Cuboid {
     }
 }
 
-/// Components between this and its reciprocal have reciprocals that keep all digits.
-const LEAST: f64 = power_of_two(-1000);
 /// The largest relative error of a component that the filter accepts.
 const SMALL: f64 = power_of_two(-20);
 /// The entry into a slab that bounds nothing.
@@ -51,8 +49,7 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
         let (o_error, d_error) = (ray.error.origin[axis], ray.error.direction[axis]);
         let inverse = 1.0 / d;
         let per_value = 5.0 * U + 1.01 * d_error * inverse.abs();
-        // With slack for underflow.
-        let constant = 1.01 * o_error * inverse.abs() + f64::MIN_POSITIVE;
+        let constant = 1.01 * o_error * inverse.abs();
         let at = |way: f64| {
             let value = way * inverse;
             Approximate::new(value, value.abs() * per_value + constant)
@@ -72,9 +69,7 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
 /// Whether the bounds on a slab's entry and exit hold; false for NaN.
 #[inline]
 fn is_bounded_across(d: f64, d_error: f64, [enter, leave]: [Approximate; 2]) -> bool {
-    (LEAST..=1.0 / LEAST).contains(&d.abs())
-        && d_error <= SMALL * d.abs()
-        && enter.error + leave.error < f64::INFINITY
+    d_error <= SMALL * d.abs() && enter.error + leave.error < f64::INFINITY
 }
 
 /// The hits of a ray that is parallel, or nearly so, to some slabs. Such a slab bounds nothing if the ray stays inside
@@ -99,8 +94,8 @@ fn along_slabs(
     for axis in along() {
         let (o, d) = (ray.ray.origin[axis].abs(), direction[axis].abs());
         let moved = longest * (d + error.direction[axis]);
-        // With slack for the roundings here, and for underflow.
-        let off = 1.01 * (error.origin[axis] + moved) + f64::MIN_POSITIVE;
+        // With slack for the roundings here.
+        let off = 1.01 * (error.origin[axis] + moved);
         if o - off > Cuboid::HALF_SIDE {
             return Ok([None, None]);
         }

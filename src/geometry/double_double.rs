@@ -6,7 +6,7 @@
 //! quad-double arithmetic", 2007).
 
 use super::{
-    binary::{power_of_two, power_of_two_below},
+    binary::power_of_two,
     vector::{Ring, V3},
 };
 use glam::{DMat3, DVec3};
@@ -154,14 +154,12 @@ impl<N: Number> From<DVec3> for V3<N> {
 pub(crate) struct Rows<N>(pub [V3<N>; 3]);
 
 impl<N: Number> Rows<N> {
-    /// The inverse of an invertible matrix of any scale: its columns are scaled to about 1 first, which is exact.
+    /// The inverse of an invertible matrix.
     pub fn inverse_of(matrix: DMat3) -> Self {
-        let columns = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
-        let scales = columns.map(|column| power_of_two_below(column.abs().max_element()).recip());
-        let [x, y, z] = [0, 1, 2].map(|i| V3::<N>::from(columns[i] * scales[i]));
+        let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(V3::<N>::from);
         let across = [y.cross(z), z.cross(x), x.cross(y)];
-        let determinant = x.dot(across[0]);
-        Self([0, 1, 2].map(|i| across[i] * (N::from(scales[i]) / determinant)))
+        let per_determinant = N::from(1.0) / x.dot(across[0]);
+        Self(across.map(|row| row * per_determinant))
     }
 
     pub fn times(&self, v: V3<N>) -> V3<N> {

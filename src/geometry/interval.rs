@@ -41,19 +41,17 @@ impl Approximate {
     /// If numerator and denominator `d` err by `e_n` and `e_d`, the quotient `q` errs by
     /// `(e_n + |q| e_d) / (|d| - e_d)`. It is in doubt where `e_d` is more than `2^-20` of `d`, or where `q` or its
     /// bound is not finite. Dividing by `|d|` instead changes the bound by less than `2^-19` of it. An allowance of
-    /// four roundings of the quotient covers its own and those of `low` and `high`. The least normal number is slack
-    /// for underflow.
+    /// four roundings of the quotient covers its own and those of `low` and `high`.
     #[inline]
     pub fn over(self, denominator: Self) -> Result<Self, InDoubt> {
         const SMALL: f64 = power_of_two(-20);
         let size = denominator.value.abs();
-        // The bounds do not hold for a subnormal denominator: it has fewer digits.
-        if !(denominator.error <= SMALL * size && size >= f64::MIN_POSITIVE) {
+        if !(denominator.error <= SMALL * size) {
             return Err(InDoubt);
         }
         let value = self.value / denominator.value;
-        let error = (self.error + value.abs() * denominator.error + f64::MIN_POSITIVE) / size;
-        let error = (1.0 + 2.0 * SMALL) * error + 4.0 * U * value.abs() + f64::MIN_POSITIVE;
+        let error = (self.error + value.abs() * denominator.error) / size;
+        let error = (1.0 + 2.0 * SMALL) * error + 4.0 * U * value.abs();
         (error.is_finite())
             .then_some(Self { value, error })
             .ok_or(InDoubt)

@@ -60,9 +60,7 @@ impl Placement {
         };
         let of = |vector: DVec3, error: DVec3| {
             let rounded = self.error * vector.abs().max_element();
-            // With slack for underflow.
-            let slack = DVec3::splat(f64::MIN_POSITIVE);
-            self.row_sums * (1.01 * (rounded + error.max_element() + f64::MIN_POSITIVE)) + slack
+            self.row_sums * (1.01 * (rounded + error.max_element()))
         };
         let error = RayError {
             origin: of(from_translation, error.origin),
@@ -139,6 +137,7 @@ impl<'a> From<&'a Ray> for LocalRay<'a> {
             origin: DVec3::ZERO,
             direction: DVec3::ZERO,
         };
+        let ray = ray.in_range();
         Self {
             ray,
             error: NONE,

@@ -38,6 +38,7 @@ mod placement;
 mod pyramid;
 #[cfg(test)]
 pub(crate) mod random;
+pub mod range;
 mod ray;
 mod rounded_line;
 mod section;

@@ -1,16 +1,7 @@
 //! The rays through a picture's pixels, rounded, with bounds on their errors.
 
-use super::{PixelGrid, Ray, RayError, Section, U, WorldRay, binary::power_of_two, line::Line};
+use super::{PixelGrid, Ray, RayError, Section, U, WorldRay, line::Line};
 use glam::{DVec2, DVec3};
-
-/// Two factors between this and its reciprocal make a product that neither underflows nor overflows, nor does `U` times
-/// it.
-const MODERATE: f64 = power_of_two(450);
-
-/// Whether a factor is 0, or moderate enough for relative bounds on products of two. False for NaN.
-fn is_moderate(factor: f64) -> bool {
-    factor == 0.0 || (1.0 / MODERATE..=MODERATE).contains(&factor.abs())
-}
 
 impl PixelGrid {
     /// The ray through a position in pixels, with the interval of view depth that counts. The direction is not
@@ -27,19 +18,13 @@ impl PixelGrid {
     #[inline]
     pub fn rays(&self, interval: [f64; 2]) -> PixelRays {
         let per_half_px = self.per_half_px::<f64>();
-        let are_moderate = |v: DVec3| is_moderate(v.x) && is_moderate(v.y) && is_moderate(v.z);
         let [right, up] = [self.right, self.up].map(|axis| per_half_px * axis);
-        // A step that underflowed would look like 0.
-        let is_bounded = is_moderate(per_half_px)
-            && per_half_px != 0.0
-            && ([self.right, self.up, right, up].into_iter()).all(are_moderate);
         PixelRays {
             grid: *self,
             interval,
             section: None,
             right,
             up,
-            is_bounded,
         }
     }
 }
@@ -54,8 +39,6 @@ pub struct PixelRays {
     right: DVec3,
     /// For half a pixel upwards: `(h / H) U`.
     up: DVec3,
-    /// Whether the steps are moderate enough for the bounds to hold.
-    is_bounded: bool,
 }
 
 impl PixelRays {
@@ -81,8 +64,7 @@ impl PixelRays {
         let size = a.abs() + b.abs();
         let rounded_base = DVec3::select(size.cmpgt(DVec3::ZERO), U * moved.abs(), DVec3::ZERO);
         let [right, up] = self.grid.half_pixels::<f64>(px);
-        // Half pixels are 0 or at least 2^-53: their products underflow no more than the steps do.
-        let error = if self.is_bounded && right.is_finite() && up.is_finite() {
+        let error = if right.is_finite() && up.is_finite() {
             7.0 * U * size + rounded_base
         } else {
             DVec3::INFINITY

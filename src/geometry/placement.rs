@@ -1,10 +1,6 @@
 //! Model matrices: where a shape stands in the world.
 
-use super::{
-    Ray, U,
-    binary::{power_of_two, power_of_two_below},
-    exact,
-};
+use super::{Ray, U, exact, range};
 use glam::{DAffine3, DMat3, DVec3};
 use std::f64::consts::FRAC_PI_2;
 
@@ -27,12 +23,12 @@ pub struct Placement {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlacementError {
-    /// It flattens space, or its inverse does not fit into `f64`.
+    /// It flattens space: it has no inverse, or one with an entry beyond the range of numbers.
     #[error("the model matrix has no inverse (is a scale zero?)")]
     Singular,
-    /// An entry is NaN or infinite.
-    #[error("the model matrix has an entry that is not a finite number")]
-    NotFinite,
+    /// An entry is beyond the range of numbers; see [`range`].
+    #[error("the model matrix has an entry that is not a number up to 1.29e33")]
+    OutOfRange,
 }
 
 /// An inverse with a larger error, relative to its row sums, is replaced by one from exact arithmetic. Rotations with
@@ -57,15 +53,17 @@ impl Placement {
         is_identity: true,
     };
 
-    /// Takes the matrix from object to world space.
+    /// Takes the matrix from object to world space. Its entries are [`stored`](range::stored).
     ///
     /// # Errors
-    /// When an entry is not finite, the matrix is singular (as exact arithmetic says), or its inverse does not fit into
-    /// `f64`.
+    /// When an entry is beyond the range of numbers, the matrix is singular (as exact arithmetic says), or an entry of
+    /// its inverse is beyond that range.
     pub fn new(model: DAffine3) -> Result<Self, PlacementError> {
-        if !model.is_finite() {
-            return Err(PlacementError::NotFinite);
+        let entries = model.to_cols_array().map(range::stored);
+        if entries.contains(&None) {
+            return Err(PlacementError::OutOfRange);
         }
+        let model = DAffine3::from_cols_array(&entries.map(Option::unwrap_or_default));
         if model == DAffine3::IDENTITY {
             return Ok(Self::IDENTITY);
         }
@@ -77,7 +75,8 @@ impl Placement {
                 (inverse, U, exact::mirrors(linear))
             }
         };
-        if !inverse_linear.is_finite() {
+        let is_in_range = |entry: f64| entry.abs() <= range::LARGEST;
+        if !inverse_linear.to_cols_array().into_iter().all(is_in_range) {
             return Err(PlacementError::Singular);
         }
         Ok(Self {
@@ -139,28 +138,11 @@ impl Placement {
     }
 
     /// The outward unit normal in world space, from an outward normal in object space. The inverse transpose keeps it
-    /// outward under mirroring. Zero stays zero.
+    /// outward under mirroring.
     #[inline]
     pub fn normal_to_world(&self, normal_object: DVec3) -> DVec3 {
-        /// Squares from this to its reciprocal have all their digits.
-        const LEAST: u64 = power_of_two(-500).to_bits();
-        const RANGE: u64 = power_of_two(500).to_bits() - LEAST;
         let normal = self.inverse_linear.transpose() * normal_object;
-        let squared = normal.length_squared();
-        // By the bits, which grow with the number: one comparison, false for NaN.
-        if squared.to_bits().wrapping_sub(LEAST) < RANGE {
-            normal * squared.sqrt().recip()
-        } else {
-            self.scaled_normal_to_world(&normal_object)
-        }
-    }
-
-    /// [`Placement::normal_to_world`], scaled first: the inverse of a very small model times a large normal overflows.
-    #[cold]
-    fn scaled_normal_to_world(&self, normal_object: &DVec3) -> DVec3 {
-        let unit = *normal_object / normal_object.abs().max_element();
-        let normal = self.inverse_linear.transpose() * unit;
-        (normal / normal.abs().max_element()).normalize_or_zero()
+        normal * normal.length_squared().sqrt().recip()
     }
 }
 
@@ -172,42 +154,20 @@ impl Placement {
 /// by its row's sum times the largest entry of `E`, and a product takes three of them. `E` is itself rounded, by three
 /// products and three sums.
 fn rounded_inverse(matrix: DMat3) -> Option<(DMat3, f64, bool)> {
-    // Columns, then rows are scaled to about 1 by powers of two, which rounds nothing. The determinant of a tiny or
-    // huge model then neither vanishes nor overflows, and that of a flat one keeps its digits.
-    let columns = scales(matrix);
-    let unit = matrix * columns;
-    let rows = scales(unit.transpose());
-    let unit = rows * unit;
     // Checked before dividing by it: glam's inverse asserts.
-    let determinant = unit.determinant();
-    if !(determinant.is_finite() && determinant != 0.0) {
+    let determinant = matrix.determinant();
+    if determinant == 0.0 {
         return None;
     }
-    let inverse = columns * unit.inverse() * rows;
+    let inverse = matrix.inverse();
     let larger = |a: f64, b: f64| if b.abs() <= a { a } else { b.abs() };
     let largest = |m: DMat3| m.to_cols_array().into_iter().fold(0.0, larger);
     let residual = largest(matrix * inverse - DMat3::IDENTITY);
     let error = residual + 4.0 * U * largest(matrix.abs() * inverse.abs());
-    // Rows of a sum below 1e-280 could underflow.
-    let is_bounded =
-        inverse.is_finite() && 3.0 * error < 0.5 && row_sums(inverse).min_element() > 1e-280;
-    is_bounded.then(|| {
+    (3.0 * error < 0.5).then(|| {
         let error = 3.0 * error / (1.0 - 3.0 * error);
         (inverse, error, determinant < 0.0)
     })
-}
-
-/// What scales each column to about 1; NaN for a column of zeros.
-fn scales(matrix: DMat3) -> DMat3 {
-    let sizes = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|axis| axis.abs().max_element());
-    let scale = sizes.map(|size| {
-        if size > 0.0 {
-            1.0 / power_of_two_below(size)
-        } else {
-            f64::NAN
-        }
-    });
-    DMat3::from_diagonal(DVec3::from(scale))
 }
 
 fn row_sums(matrix: DMat3) -> DVec3 {

@@ -1,10 +1,12 @@
 //! Rays in any space, and bounds on how far their rounded numbers are off.
 
+use super::range;
 use glam::DVec3;
 
 /// A half-line with an interval of its parameter. Its numbers are taken as exact.
 ///
-/// In any space, with lengths in that space's units.
+/// In any space, with lengths in that space's units. Origin and direction are in the range of numbers ([`range`]): a
+/// shape is missed by a ray with a number that is not, smaller ones too. [`Ray::stored`] makes those 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// Where `t = 0` lies.
@@ -26,6 +28,34 @@ impl Ray {
             direction,
             t_min,
             t_max,
+        }
+    }
+
+    /// A ray that hits nothing.
+    pub(super) const NOWHERE: Self = Self {
+        origin: DVec3::ZERO,
+        direction: DVec3::Z,
+        t_min: f64::INFINITY,
+        t_max: f64::NEG_INFINITY,
+    };
+
+    /// The ray whose numbers are [`stored`](range::stored); `None` where one is too large.
+    pub fn stored(self) -> Option<Self> {
+        Some(Self {
+            origin: range::stored_vector(self.origin)?,
+            direction: range::stored_vector(self.direction)?,
+            ..self
+        })
+    }
+
+    /// Itself, or [`Ray::NOWHERE`] if a number is not in range.
+    #[inline]
+    pub(super) fn in_range(&self) -> &Self {
+        let is_stored = |v: DVec3| range::stored_vector(v) == Some(v);
+        if is_stored(self.origin) && is_stored(self.direction) {
+            self
+        } else {
+            &Self::NOWHERE
         }
     }
 

@@ -2,7 +2,6 @@
 
 use super::{
     Ray, RayError, ThroughPoint, U, WorldRay,
-    binary::power_of_two,
     exact::{self, Rounded},
     line::Line,
 };
@@ -25,11 +24,7 @@ impl ThroughPoint {
     }
 }
 
-/// How far three roundings may move a number; infinite for numbers too small for a relative bound.
+/// How far three roundings may move a number.
 fn error_of(rounded: f64) -> f64 {
-    if rounded == 0.0 || rounded.abs() >= power_of_two(-900) {
-        4.0 * U * rounded.abs()
-    } else {
-        f64::INFINITY
-    }
+    4.0 * U * rounded.abs()
 }

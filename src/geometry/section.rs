@@ -3,6 +3,7 @@
 use super::{
     Placement, Ray, RayError, U, exact,
     interval::{Approximate, InDoubt},
+    range,
 };
 use glam::DVec3;
 
@@ -27,9 +28,9 @@ pub struct Section {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SectionError {
-    /// The numbers make no plane.
-    #[error("a section's numbers must be finite")]
-    NotFinite,
+    /// A number is beyond the range of numbers; see [`range`].
+    #[error("a section's numbers must be numbers up to 1.29e33")]
+    OutOfRange,
     /// A normal of 0 has no direction.
     #[error("a section's normal must not be 0,0,0")]
     NoNormal,
@@ -39,17 +40,15 @@ pub enum SectionError {
 }
 
 impl Section {
-    /// The section with normal n, of any length, and offset c.
+    /// The section with normal n, of any length, and offset c. Both are [`stored`](range::stored).
     ///
     /// # Errors
-    /// When a number is not finite, or n is 0.
+    /// When a number is beyond the range of numbers, or n is 0.
     pub fn new(normal: DVec3, offset: f64) -> Result<Self, SectionError> {
-        if !(normal.is_finite() && offset.is_finite()) {
-            Err(SectionError::NotFinite)
-        } else if normal == DVec3::ZERO {
-            Err(SectionError::NoNormal)
-        } else {
-            Ok(Self { normal, offset })
+        let stored = range::stored_vector(normal).zip(range::stored(offset));
+        match stored.ok_or(SectionError::OutOfRange)? {
+            (DVec3::ZERO, _) => Err(SectionError::NoNormal),
+            (normal, offset) => Ok(Self { normal, offset }),
         }
     }
 
@@ -66,11 +65,12 @@ impl Section {
     /// are kept as far as `f64` can tell.
     ///
     /// # Errors
-    /// When a number is not finite, or the points lie on one line.
+    /// When a number is beyond the range of numbers, or the points lie on one line.
     pub fn through_points(points: [DVec3; 3]) -> Result<Self, SectionError> {
-        if !points.iter().all(|point| point.is_finite()) {
-            return Err(SectionError::NotFinite);
-        }
+        let [Some(a), Some(b), Some(c)] = points.map(range::stored_vector) else {
+            return Err(SectionError::OutOfRange);
+        };
+        let points = [a, b, c];
         let normal = exact::normal_of(points).ok_or(SectionError::OneLine)?;
         let normal = normal.normalize() + DVec3::ZERO;
         let offsets = points.into_iter().map(|point| -normal.dot(point));
@@ -153,13 +153,13 @@ pub(crate) struct SectionOnRay {
 
 impl SectionOnRay {
     /// Bounds: three products and their sum with c round by less than `5 U` of the terms' sizes. The ray's errors are
-    /// weighted by n. The least normal number is slack for underflow.
+    /// weighted by n.
     pub(super) fn new(section: Section, ray: &Ray, error: &RayError) -> Self {
         let Section { normal, offset } = section;
         let along = |v: DVec3, error: DVec3, constant: f64| {
             let terms = normal * v;
             let rounding = 6.0 * U * (terms.abs().element_sum() + constant.abs());
-            let error = 1.01 * normal.abs().dot(error) + rounding + f64::MIN_POSITIVE;
+            let error = 1.01 * normal.abs().dot(error) + rounding;
             Approximate::new(terms.element_sum() + constant, error)
         };
         Self {
@@ -181,8 +181,7 @@ impl SectionOnRay {
         let error = at_origin.error
             + (t.abs() + t_error) * per_t.error
             + t_error * per_t.value.abs()
-            + 3.0 * U * (at_origin.value.abs() + way.abs())
-            + f64::MIN_POSITIVE;
+            + 3.0 * U * (at_origin.value.abs() + way.abs());
         let error = 1.01 * error;
         if side > error {
             Ok(true)

@@ -17,9 +17,6 @@ impl Aabb {
     /// grown by twice that.
     pub(crate) fn may_hit_before(&self, ray: &VertexRay, inverse: DVec3, end: f64) -> bool {
         const WIDEN: f64 = 6.0 * f64::EPSILON;
-        if !ray.is_bounded() {
-            return true;
-        }
         let [of_origin, of_direction] = ray.errors;
         let mut ways = [ray.to(self.min), ray.to(self.max)];
         if of_origin + of_direction > 0.0 {

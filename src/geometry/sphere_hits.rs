@@ -1,9 +1,7 @@
 //! Where rays enter and leave the sphere: in `f64` where that is certain, else exactly.
 
 use super::{
-    Hit, LocalRay, Sphere, U,
-    binary::power_of_two,
-    exact,
+    Hit, LocalRay, Sphere, U, exact,
     interval::{Approximate, InDoubt},
 };
 
@@ -36,8 +34,6 @@ impl Sphere {
 /// by less than `g / root`. Each sum is taken with a little more than that, for its own roundings.
 #[inline]
 fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
-    /// Squares of larger directions have all their digits.
-    const LEAST: f64 = power_of_two(-900);
     let (o, d) = (ray.ray.origin, ray.ray.direction);
     let [p, f] = ray.errors;
     let (o_abs, d_abs) = (o.abs(), d.abs());
@@ -52,13 +48,10 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     let discriminant_error = r2 * squared_error
         + 5.0 * U * (moment_squared + r2 * squared)
         + (2.1 * moment.abs().element_sum() + 3.1 * moment_error) * moment_error;
-    // NaN, and squares that lack digits, are in doubt.
-    if !(squared > LEAST) {
-        return Err(InDoubt);
-    }
     if discriminant < -discriminant_error {
         return Ok([None, None]);
     }
+    // NaN is in doubt.
     if !(discriminant > discriminant_error) {
         return Err(InDoubt);
     }

@@ -40,9 +40,7 @@ fn filter(ray: &LocalRay) -> Result<Option<Hit>, InDoubt> {
         let (a, b) = (o[axis] * d.z, o.z * d[axis]);
         let through = (o[axis].abs() + p[axis]) * f.z + p[axis] * d.z.abs();
         let across = (o.z.abs() + p.z) * f[axis] + p.z * d[axis].abs();
-        // With slack for underflow.
-        let error =
-            4.0 * U * (a.abs() + b.abs()) + 1.01 * (through + across) + f.z + f64::MIN_POSITIVE;
+        let error = 4.0 * U * (a.abs() + b.abs()) + 1.01 * (through + across) + f.z;
         let point = (a - b).abs();
         [point - (rim + error), point - (rim - error)]
     };

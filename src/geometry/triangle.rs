@@ -17,10 +17,6 @@ use super::{
 use glam::DVec3;
 use std::cmp::Ordering;
 
-/// `2^-600`: slack for underflow. An underflow loses at most `2^-1075` times a factor below `2^402` (two lengths, or a
-/// direction). The slack is small: two edges of an `f32` triangle times a direction of `2^-200` exceed it.
-const LOST: f64 = power_of_two(-600);
-
 /// A ray-triangle test, for corners of `f32` components. Picks take it as a parameter, so that methods can be compared.
 /// `None` outside the ray's interval.
 pub type TriangleTest = fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>;
@@ -77,12 +73,14 @@ pub(super) fn reaches_plane(ray: &VertexRay, corners: [DVec3; 3], limit: f64) ->
 /// three components rounds twice and errs by `(16 U m + 2 o) s |d|_1`, where `|d|_1` is the sum of the components'
 /// sizes. An error `f` of each component of `d` adds `6 (m + o) s f`. Using 20 for 16 and 7 for 6 more than covers
 /// terms in `U^2` and the rounding of the bound itself. (A static filter in the sense of Shewchuk 1997.) The bound
-/// grows with the distance times the size, not with the distance squared.
+/// grows with the distance times the size, not with the distance squared. Numbers have a range
+/// ([`range`](super::range)): where an edge has a length, the bound is above `2^-600`, and what underflow loses is far
+/// below that.
 #[inline(always)]
 fn volume_bound(ray: &VertexRay, m: f64, s: f64) -> f64 {
     let [o, f] = ray.errors;
     let per_length = 20.0 * U * ray.taxicab + 7.0 * f;
-    s * (per_length * (m + o) + 2.0 * ray.taxicab * o) + LOST
+    s * (per_length * (m + o) + 2.0 * ray.taxicab * o)
 }
 
 /// Times the largest corner, this exceeds any edge.
@@ -170,9 +168,7 @@ fn filter(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, I
 /// of two numbers that err by `e_n` and `e_d` errs by `(e_n + |t| e_d) / (|N . d| - e_d)`. Where `e_d` is at most
 /// [`HALF_OF_THE_DIGITS`] of `N . d`, dividing by `|N . d|` instead changes that by as small a share; otherwise no bound
 /// is returned. 16 instead of 14, 20 instead of 18 and 7 instead of 6 absorb this share and second-order terms. Twelve
-/// more roundings of `t` absorb those of the quotient, of the bound, and of `t` plus or minus it. Nothing here
-/// underflows: edges are of `f32`, `N . d` is the sum of three volumes that are each above [`LOST`], and `a` is no
-/// smaller than `U` times the largest corner, or the volumes would have been in doubt.
+/// more roundings of `t` absorb those of the quotient, of the bound, and of `t` plus or minus it.
 #[inline(always)]
 fn parameter(ray: &VertexRay, [_, ca, ab]: [DVec3; 3], a: DVec3) -> (f64, f64) {
     let normal = ca.cross(ab);
@@ -182,7 +178,7 @@ fn parameter(ray: &VertexRay, [_, ca, ab]: [DVec3; 3], a: DVec3) -> (f64, f64) {
     let [o, f] = ray.errors;
     let numerator_error = (20.0 * U * (a.abs().element_sum() + 3.0 * o) + 7.0 * o) * (s * s);
     let denominator_error = (16.0 * U * ray.taxicab + 7.0 * f) * (s * s);
-    // This division need not wait for `t`. NaN, from an overflow, is no bound.
+    // This division need not wait for `t`.
     let inverse = 1.0 / denominator.abs();
     let t_error = if denominator_error <= HALF_OF_THE_DIGITS * denominator.abs() {
         (numerator_error + t.abs() * denominator_error) * inverse + 12.0 * U * t.abs()

@@ -1,12 +1,7 @@
 //! A ray as the triangles of a mesh see it.
 
-use super::{Corners, LocalRay, Ray, U, binary::power_of_two, local_ray::Exactly};
+use super::{Corners, LocalRay, Ray, U, local_ray::Exactly};
 use glam::DVec3;
-
-/// `2^200`. Origins up to this, directions up to [`LARGE_DIRECTION`] and `f32` vertices make no product that overflows.
-const LARGE: f64 = power_of_two(200);
-/// Rays in the space of small objects have large directions: a world of `1e-100` is seen by about `2^332`.
-const LARGE_DIRECTION: f64 = power_of_two(400);
 
 /// A ray in the space of a mesh's vertices, with no digit lost on the way from object space.
 ///
@@ -20,8 +15,7 @@ pub struct VertexRay<'a> {
     pub tail: DVec3,
     /// `|tail| / U`: the length whose rounding may be as large as `tail`.
     pub(super) tail_as_length: f64,
-    /// The sum of the direction's absolute components; infinite where products could overflow, so that rounding bounds
-    /// do not hold.
+    /// The sum of the direction's absolute components.
     pub(super) taxicab: f64,
     /// How far a component of origin and tail, and of the direction, may be from the exact ray's.
     pub(super) errors: [f64; 2],
@@ -46,19 +40,16 @@ impl<'a> VertexRay<'a> {
 
     /// An exact ray, as vertices about (0, 0, 0) see it.
     pub fn exact(ray: Ray) -> Self {
-        Self::of(ray, DVec3::ZERO)
+        Self::of(*ray.in_range(), DVec3::ZERO)
     }
 
     #[inline]
     fn of(ray: Ray, tail: DVec3) -> Self {
-        let taxicab = ray.direction.abs().element_sum();
-        // False for NaN.
-        let is_moderate = ray.origin.abs().element_sum() <= LARGE && taxicab <= LARGE_DIRECTION;
         Self {
             ray,
             tail,
             tail_as_length: tail.abs().max_element() / U,
-            taxicab: if is_moderate { taxicab } else { f64::INFINITY },
+            taxicab: ray.direction.abs().element_sum(),
             errors: [0.0; 2],
             object: None,
         }
@@ -76,14 +67,6 @@ impl<'a> VertexRay<'a> {
             Some((ray, _)) => ray.exactly(),
             None => Exactly::given(&self.ray),
         }
-    }
-
-    /// Whether relative rounding bounds hold: each number is 0 or between `2^-200` and `2^200` in size. A difference to
-    /// an `f32` is then 0 or above `2^-306`, and its products and quotients stay within `f64`.
-    pub(crate) fn is_bounded(&self) -> bool {
-        let numbers = [self.ray.origin, self.tail, self.ray.direction].map(|v| v.abs().to_array());
-        let is_bounded = |&size: &f64| size == 0.0 || (1.0 / LARGE..=LARGE).contains(&size);
-        numbers.as_flattened().iter().all(is_bounded)
     }
 
     /// From the ray's origin to a vertex (of `f32` components), each component to within `2 U` of itself.

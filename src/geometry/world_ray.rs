@@ -6,7 +6,8 @@ use std::ops::Deref;
 /// A world-space ray as picks take it: its rounded numbers, bounds on their errors, and the exact numbers behind them.
 /// Decisions are about the exact ray; reading it as a [`Ray`] gives the rounded one.
 ///
-/// A [`Ray`] that is converted into one is exact as it stands.
+/// A [`Ray`] that is converted into one is exact as it is [`stored`](Ray::stored); with a number that is too large it
+/// hits nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorldRay<'a> {
     ray: Ray,
@@ -53,6 +54,7 @@ impl Deref for WorldRay<'_> {
 
 impl From<Ray> for WorldRay<'_> {
     fn from(ray: Ray) -> Self {
+        let ray = ray.stored().unwrap_or(Ray::NOWHERE);
         Self::of_line(ray, RayError::default(), Line::given(&ray))
     }
 }

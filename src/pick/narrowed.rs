@@ -12,5 +12,5 @@ const REACH_PX: f64 = 1.0;
 /// scene. `None` where the rays are too inexact to tell apart, as from very far away.
 pub fn narrowed(scene: &Scene, view: &View, px: DVec2) -> Option<Scene> {
     let corners = CornerRays::about(view, px, REACH_PX);
-    scene.narrowed(&view.ray(px), |placement| corners.pyramid(placement))
+    scene.narrowed(|placement| corners.pyramid(placement))
 }

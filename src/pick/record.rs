@@ -115,29 +115,19 @@ impl Pick {
             triangle: found.triangle_of_object(scene),
             front: hit.front,
             t,
-            distance: length(view.offset_from_eye(px, t)),
+            distance: view.offset_from_eye(px, t).length(),
             depth: t,
             ndc: ndc_xy.extend(view.camera.lens().ndc_depth(t)),
             point_world: (at.point_object(&Placement::IDENTITY)).unwrap_or_else(|| ray.at(t)),
             normal_world: placement.normal_to_world(normal) + DVec3::ZERO,
             point_object,
             // Adding 0 turns -0 into 0.
-            normal_object: (normal / normal.abs().max_element()).normalize() + DVec3::ZERO,
+            normal_object: normal.normalize() + DVec3::ZERO,
             barycentric: hit.on_triangle.map(barycentric),
             edge_px: edge::edge_px(object, view, px, &hit),
             gap: next.map(|next| order::gap(scene, &ray, (found, &at), next)),
             exact,
             in_file: InFile::default(),
         }
-    }
-}
-
-/// The length of a vector, also where its square would underflow or overflow.
-fn length(v: DVec3) -> f64 {
-    let size = v.abs().max_element();
-    if size > 0.0 {
-        size * (v / size).length()
-    } else {
-        size
     }
 }

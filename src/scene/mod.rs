@@ -254,11 +254,9 @@ impl Scene {
     /// returns the new end of the ray's interval. The skipped batches have no hit in that interval.
     #[doc(hidden)] // public for tests
     pub fn visit_batches(&self, ray: &WorldRay, mut visit: impl FnMut(&Range<usize>) -> f64) {
-        // The box test needs finite error bounds, and a finite reciprocal of each nonzero direction component.
+        // The box test needs finite error bounds.
         let error = ray.error();
-        let has_reciprocal = |d: f64| d == 0.0 || (1.0 / d).is_finite();
-        let is_known = (error.origin + error.direction).is_finite()
-            && ray.direction.to_array().into_iter().all(has_reciprocal);
+        let is_known = (error.origin + error.direction).is_finite();
         if self.tree.is_empty() || !is_known {
             for batch in self.batches.iter() {
                 visit(batch);

@@ -1,32 +1,26 @@
 //! A scene reduced to the triangles that rays about one position may hit.
 
 use super::{Object, Scene, Shape};
-use crate::geometry::{LocalRay, Mesh, Placement, Pyramid, VertexRay, WorldRay};
-use glam::DVec3;
+use crate::geometry::{Mesh, Placement, Pyramid};
 use std::{collections::HashMap, ops::ControlFlow, sync::Arc};
 
 impl Scene {
-    /// This scene with its meshes narrowed to the few triangles that rays within a pyramid about `ray` may hit.
-    /// `pyramid_in` gives the pyramid in the object space of a placement. `None` where there is no pyramid, or no error
-    /// bound on the ray. Rays outside the pyramid may miss triangles that they would hit in the whole scene.
+    /// This scene with its meshes narrowed to the few triangles that rays within a pyramid may hit. `pyramid_in` gives
+    /// the pyramid in the object space of a placement. `None` where there is no pyramid. Rays outside of it may miss
+    /// triangles that they would hit in the whole scene.
     pub(crate) fn narrowed(
         &self,
-        ray: &WorldRay,
         pyramid_in: impl Fn(&Placement) -> Option<Pyramid>,
     ) -> Option<Self> {
-        let is_bounded = |placement: &Placement, origin: &DVec3| {
-            let placed = placement.local_ray(ray);
-            VertexRay::new(&LocalRay::from(&placed), origin).is_bounded()
-        };
         let mut pyramids: HashMap<*const Mesh, Vec<Pyramid>> = HashMap::new();
-        let mut is_complete = is_bounded(&Placement::IDENTITY, &DVec3::ZERO);
+        let mut is_complete = true;
         self.visit_batches_within(&pyramid_in(&Placement::IDENTITY)?, |batch| {
             let Object {
                 shape, placement, ..
             } = &self.objects[batch.start];
             if let Shape::Mesh { mesh, .. } = shape {
                 let pyramid = pyramid_in(placement);
-                is_complete &= pyramid.is_some() && is_bounded(placement, &mesh.data().origin);
+                is_complete &= pyramid.is_some();
                 let of_mesh = pyramids.entry(Arc::as_ptr(mesh)).or_default();
                 of_mesh.extend(pyramid);
             }

@@ -152,10 +152,7 @@ impl SceneTree {
         let mut open = vec![0];
         while let Some(place) = open.pop() {
             let node: &Node = &self.nodes[place];
-            // An infinite box has corners at infinity, which the pyramid cannot test.
-            let corners = node.bounds.corners();
-            let is_endless = !node.bounds.min.is_finite();
-            if !is_endless && !pyramid.may_hold(&corners) {
+            if !pyramid.may_hold(&node.bounds.corners()) {
                 continue;
             }
             match node.content {
@@ -279,16 +276,9 @@ fn leaf(batch: usize, object: &Object, bounds: Aabb) -> Option<Node> {
     let room = ROOM * k * k;
     let largest = [bounds.min, bounds.max, model.translation].map(|v| v.abs().max_element());
     let grown = room * (largest[0].max(largest[1]) + largest[2]);
-    // Where the slack overflows, the box is all of space and rejects no ray.
-    let everything = !grown.is_finite();
-    let (min, max) = if everything {
-        (DVec3::NEG_INFINITY, DVec3::INFINITY)
-    } else {
-        (bounds.min - grown, bounds.max + grown)
-    };
     Some(Node {
-        bounds: Aabb { min, max },
-        room: if everything { 0.0 } else { room },
+        bounds: bounds.grown(DVec3::splat(grown)),
+        room,
         content: Content::Batch(batch),
     })
 }

@@ -279,13 +279,6 @@ fn stored_depths_lie_within_their_bounds() {
     }
 }
 
-/// A near plane so close that reversed depth loses most of what it stores.
-#[test]
-fn stored_depths_that_underflow_lie_within_their_bounds() {
-    let [reversed, _] = stored(3.0 * f64::from(f32::MIN_POSITIVE));
-    reversed.reach(0.1);
-}
-
 /// A section's test on a triangle whose corners the grid moves, with q interpolated between them as moved. It decides
 /// as the exact test does, except within the bound; a face in the plane is kept whole.
 #[test]

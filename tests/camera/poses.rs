@@ -14,8 +14,7 @@ fn a_direction_will_do_in_place_of_a_target() {
         looking,
         Camera::new(eye, eye + along, DVec3::Y, lens).unwrap()
     );
-    // Squares of these lengths overflow or vanish.
-    for size in [1e-200, 1e200] {
+    for size in [1e-32, 1e32] {
         let camera = Camera::looking(DVec3::ZERO, size * along, size * DVec3::Y, lens).unwrap();
         assert_near(camera.forward(), along.normalize(), 1e-15);
     }
@@ -65,19 +64,19 @@ fn what_is_no_camera_is_refused() {
         camera(origin, 7.0 * slanted, slanted),
         Err(CameraError::UpAlongForward)
     );
-    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.3e33] {
         let bad = dvec3(0.0, bad, 1.0);
-        assert_eq!(camera(bad, x, y), Err(CameraError::NotFinite("eye")));
+        assert_eq!(camera(bad, x, y), Err(CameraError::OutOfRange("eye")));
         assert_eq!(
             camera(origin, bad, y),
-            Err(CameraError::NotFinite("target"))
+            Err(CameraError::OutOfRange("target"))
         );
         assert_eq!(
             camera(origin, x, bad),
-            Err(CameraError::NotFinite("up vector"))
+            Err(CameraError::OutOfRange("up vector"))
         );
         let looking = Camera::looking(origin, bad, y, lens);
-        assert_eq!(looking, Err(CameraError::NotFinite("direction")));
+        assert_eq!(looking, Err(CameraError::OutOfRange("direction")));
     }
     assert_eq!(Viewport::new(0, 5), Err(CameraError::EmptyViewport(0, 5)));
     assert_eq!(Viewport::new(5, 0), Err(CameraError::EmptyViewport(5, 0)));
@@ -85,34 +84,42 @@ fn what_is_no_camera_is_refused() {
 
 #[test]
 fn what_is_no_lens_is_refused() {
-    for fov in [0.0, -1.0, 180.0, 360.0, f64::NAN, f64::INFINITY] {
+    for fov in [0.0, -1.0, 5e-32, 180.0, 360.0, f64::NAN, f64::INFINITY] {
         let check = perspective(fov, 0.1, 10.0).check();
         assert!(
             matches!(check, Err(CameraError::FieldOfView(_))),
             "{fov}: {check:?}"
         );
     }
-    for height in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+    for height in [0.0, -1.0, 1e-33, 3e33, f64::NAN, f64::INFINITY] {
         let check = orthographic(height, 0.1, 10.0).check();
         assert!(
             matches!(check, Err(CameraError::Height(_))),
             "{height}: {check:?}"
         );
     }
-    for near in [0.0, -1.0, f64::NAN, f64::NEG_INFINITY] {
+    for near in [0.0, -1.0, 7e-34] {
         let check = perspective(45.0, near, 10.0).check();
         assert!(
-            matches!(check, Err(CameraError::NearNotPositive(_))),
+            matches!(check, Err(CameraError::NearTooSmall(_))),
             "{near}: {check:?}"
         );
     }
-    let unordered = [
-        (1.0, 1.0),
-        (2.0, 1.0),
-        (1.0, f64::NAN),
-        (1.0, f64::INFINITY),
-    ];
-    for (near, far) in unordered {
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.3e33] {
+        for lens in [
+            perspective(45.0, bad, 10.0),
+            perspective(45.0, 1.0, bad),
+            orthographic(2.0, bad, 10.0),
+            orthographic(2.0, 1.0, bad),
+        ] {
+            let check = lens.check();
+            assert!(
+                matches!(check, Err(CameraError::PlaneOutOfRange(_))),
+                "{bad}: {check:?}"
+            );
+        }
+    }
+    for (near, far) in [(1.0, 1.0), (2.0, 1.0)] {
         for lens in [perspective(45.0, near, far), orthographic(2.0, near, far)] {
             let check = lens.check();
             assert!(
@@ -121,7 +128,5 @@ fn what_is_no_lens_is_refused() {
             );
         }
     }
-    assert!(orthographic(2.0, f64::NAN, 1.0).check().is_err());
-    assert!(orthographic(2.0, f64::NEG_INFINITY, 1.0).check().is_err());
     assert_eq!(orthographic(2.0, -5.0, -1.0).check(), Ok(()));
 }

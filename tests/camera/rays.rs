@@ -122,8 +122,8 @@ fn extreme_lenses_never_give_nan() {
         for (near, far) in [
             (1e-30, 1e30),
             (1e-5, 1e8),
-            (1e199, 1e200),
-            (1e-200, 1e-199),
+            (1e32, 1e33),
+            (1e-33, 1e-32),
             (1.0, 1.0 + 1e-15),
         ] {
             for lens in [

@@ -1,10 +1,10 @@
 //! Attacks on the core found picks that were wrong or slow, or misjudged their certainty. All of these are right now.
 
-use super::common::{self, mesh, orthographic};
+use super::common::{self, orthographic};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 use sightline::{
     camera::View,
-    geometry::{PixelGrid, Placement, Ray, Sides},
+    geometry::{PixelGrid, Placement, Sides},
     pick,
     scene::{Object, Scene, Shape},
 };
@@ -123,75 +123,4 @@ fn what_lies_behind_makes_no_pick_exact() {
             assert_eq!((found.id, found.exact), (1, false), "{with} others");
         }
     }
-}
-
-/// The eye's coordinate across the cube overflows, so `f64` knows nothing about that axis. It was once left out.
-#[test]
-fn a_cube_so_thin_that_coordinates_overflow_is_missed() {
-    let sheared = DMat3::from_cols(
-        DVec3::new(1.0, 1.0, 0.0),
-        DVec3::new(0.0, 1e-305, 0.0),
-        DVec3::Z,
-    );
-    let placement = Placement::new(DAffine3::from_mat3(sheared)).expect("invertible");
-    let scene = Scene::new(vec![Object::new("it", Shape::Cube, placement)]);
-    // The cube lies at y = x. One ray passes beside it, one through it.
-    for (beside, is_hit) in [(0.2, false), (-0.1, true)] {
-        let ray = Ray {
-            origin: DVec3::new(-1e4, -1e4 + beside, 0.1),
-            direction: DVec3::new(1.0, 1.0 + 1e-5, 1e-5),
-            t_min: 0.0,
-            t_max: 1e5,
-        };
-        let hit = pick::closest(&scene, ray, Sides::Both);
-        assert_eq!(hit.is_some(), is_hit, "{beside}: {hit:?}");
-    }
-}
-
-/// `f64` overflows on the way to this matrix's inverse, although the inverse has no entry above 3e305.
-#[test]
-#[expect(clippy::unreadable_literal, reason = "found by a search")]
-fn a_matrix_whose_inverse_is_large_is_taken() {
-    let linear = DMat3::from_cols(
-        DVec3::new(
-            -4.467328400915484e-306,
-            560.5249320358366,
-            426.9842444285323,
-        ),
-        DVec3::new(
-            -8.915012335602082e-306,
-            -693.1212875332449,
-            348.1101392723756,
-        ),
-        DVec3::new(
-            1.0752221997592481e-305,
-            220.76943278710837,
-            -879.9836802808982,
-        ),
-    );
-    let placement = Placement::new(DAffine3::from_mat3(linear)).expect("invertible");
-    let largest = placement.inverse_linear().x_axis.abs().max_element();
-    assert!((1e305..3e305).contains(&largest), "{largest}");
-}
-
-/// The first triangle's `t` is so small that it rounds to that of the second, which is 0.
-#[test]
-fn a_t_that_underflows_is_behind_0() {
-    let least = f32::from_bits(1);
-    let positions = [least, 0.0]
-        .into_iter()
-        .flat_map(|z| [[-1.0, -1.0, z], [1.0, -1.0, z], [0.0, 1.0, z]]);
-    let mesh = mesh(positions.collect(), vec![[0, 1, 2], [3, 4, 5]], DVec3::ZERO);
-    let ray = Ray {
-        origin: DVec3::ZERO,
-        direction: DVec3::Z * 1e300,
-        t_min: 0.0,
-        t_max: 1.0,
-    };
-    let hits = mesh.all(&ray, Sides::Both, |_| true);
-    let triangles: Vec<_> = (hits.iter())
-        .filter_map(|hit| hit.on_triangle)
-        .map(|at| at.triangle)
-        .collect();
-    assert_eq!(triangles, [1, 0], "{hits:?}");
 }

@@ -110,25 +110,18 @@ pub fn far_eyes(random: &mut Random) -> Sample {
     sample(random, scene, view, POSITIONS)
 }
 
-/// Models of size 1e-30 to 1e30, by their coordinates, by their placements or by both.
+/// Models of size 1e-26 to 1e28, as large and small as the range of numbers lets an eye see whole: by their coordinates,
+/// by their placements or by both.
 pub fn sizes(random: &mut Random) -> Sample {
-    let size = power(random, -30.0..30.0);
-    of_size(random, size)
-}
-
-/// Models of size 1e-100 to 1e100.
-pub fn beyond_sizes(random: &mut Random) -> Sample {
-    let size = power(random, -100.0..100.0);
-    of_size(random, size)
-}
-
-fn of_size(random: &mut Random, size: f64) -> Sample {
+    let exponent = random.within(-26.0, 28.0);
+    let size = 10_f64.powf(exponent);
     let count = 1 + random.below(12);
     let mut objects = Vec::new();
     for _ in 0..count {
         let centre = size * random.point(1.2);
         let (shape, scale) = if chance(random, 2) {
-            let factor = power(random, -30.0..30.0);
+            let factors = (exponent - 31.0).max(-30.0)..(exponent + 31.0).min(30.0);
+            let factor = power(random, factors);
             (some_mesh(random, factor), size / factor)
         } else {
             let shape = [Shape::Sphere, Shape::Cube, Shape::Square][random.below(3)].clone();

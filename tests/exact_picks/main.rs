@@ -144,7 +144,6 @@ families! {
     condition, 3, families::condition, AtLeast { hits: 550, hairs: 50, walks: 55, narrowed: 40, ..AtLeast::default() };
     far_eyes, 4, families::far_eyes, AtLeast { hits: 550, hairs: 10, walks: 100, narrowed: 80, ..AtLeast::default() };
     sizes, 5, families::sizes, AtLeast { hits: 550, walks: 115, narrowed: 200, ..AtLeast::default() };
-    beyond_sizes, 14, families::beyond_sizes, AtLeast { hits: 550, walks: 110, narrowed: 80, ..AtLeast::default() };
     narrow_gaps, 6, families::narrow_gaps, AtLeast { hits: 550, hairs: 300, narrowed: 200, ..AtLeast::default() };
     borders, 7, borders::borders, AtLeast { hits: 600, steps: 300, walks: 100, narrowed: 150, ..AtLeast::default() };
     planes_nearly, 8, borders::planes_nearly, AtLeast { hits: 550, hairs: 900, walks: 95, narrowed: 130, ..AtLeast::default() };

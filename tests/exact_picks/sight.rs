@@ -162,13 +162,12 @@ fn run(seed: u64, make: Make) -> [usize; 3] {
 
 #[test]
 fn what_is_seen_and_what_hides_it_is_what_exact_arithmetic_says() {
-    let families: [(&str, Make); 9] = [
+    let families: [(&str, Make); 8] = [
         ("ordinary", families::ordinary),
         ("culled", families::culled),
         ("condition", families::condition),
         ("far_eyes", families::far_eyes),
         ("sizes", families::sizes),
-        ("beyond_sizes", families::beyond_sizes),
         ("borders", borders::borders),
         ("exact_borders", lattice::exact_borders),
         ("ties", ties::ties),

@@ -208,8 +208,8 @@ fn what_is_chosen_is_what_the_camera_has() {
 
     for look in [
         dvec3(0.0, -0.2, -4.0),
-        dvec3(1e-200, 0.0, 1e-200),
-        dvec3(1e200, 1e200, 0.0),
+        dvec3(1e-30, 0.0, 1e-30),
+        dvec3(1e30, 1e30, 0.0),
     ] {
         let along = resolve(CameraChoice {
             eye: Some(eye),
@@ -270,7 +270,7 @@ fn an_empty_scene_has_a_camera_too() {
 /// The target of a tiny scene's camera may round to its eye. Near and far are positive nevertheless.
 #[test]
 fn a_tiny_scene_may_lie_behind_an_eye_that_is_far_from_it() {
-    for size in [1e-16, 1e-17, 1e-50, 1e-97] {
+    for size in [1e-16, 1e-17, 1e-25] {
         let half = DVec3::splat(0.5 * size);
         let bounds = Aabb {
             min: -half,
@@ -331,7 +331,7 @@ fn choices_that_cannot_be_say_why() {
             look: Some(nan),
             ..none
         }),
-        CameraError::NotFinite("direction")
+        CameraError::OutOfRange("direction")
     );
     assert_eq!(
         resolve(CameraChoice {
@@ -345,7 +345,7 @@ fn choices_that_cannot_be_say_why() {
             eye: Some(nan),
             ..none
         }),
-        CameraError::NotFinite("eye")
+        CameraError::OutOfRange("eye")
     );
     let eye = Some(DVec3::ONE);
     assert_eq!(

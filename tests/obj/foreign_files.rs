@@ -1,8 +1,13 @@
 //! Files made by other programs load with the counts that another reader found. Hostile files get their known verdict.
 
 use super::{bounds, common::real_files};
-use sightline::scene::{Progress, obj::load};
-use std::{fmt::Write, fs, path::Path};
+use sightline::{
+    camera::{CameraChoice, View, Viewport},
+    geometry::{Placement, Sides},
+    pick,
+    scene::{Object, Progress, Scene, Shape, obj::load},
+};
+use std::{fmt::Write, fs, path::Path, sync::Arc};
 
 /// The rows of a table with a header, as text.
 fn table(path: &Path) -> Vec<Vec<String>> {
@@ -60,6 +65,55 @@ fn models_hold_what_they_should() {
                 "{name}: {found} is not {expected}"
             );
         }
+    }
+}
+
+/// Files whose coordinates are the smallest, the largest and the farthest apart that we know of are read whole, framed
+/// whole and picked.
+#[test]
+fn what_is_large_or_small_is_read_whole() {
+    let Some(shared) = real_files() else {
+        return;
+    };
+    for (name, triangles) in [
+        ("models/rabbit.obj", 1252),
+        ("models/spot.obj", 5856),
+        ("models/teapot_tiny.obj", 6320),
+        ("models/teapot_huge.obj", 6320),
+        ("models/teapot.obj", 6320),
+        ("hostile/huge_extent.obj", 12),
+    ] {
+        let file = load(&shared.join(name), &Progress::default()).expect(name);
+        assert_eq!(file.mesh.data().triangles.len(), triangles, "{name}");
+        let said = file.warnings.iter().map(ToString::to_string);
+        let left_out: Vec<_> = said.filter(|said| said.contains("left out")).collect();
+        assert!(left_out.is_empty(), "{name}: {left_out:?}");
+        let parts = 0..file.mesh.data().parts.len();
+        let object = |part| {
+            let mesh = Arc::clone(&file.mesh);
+            Object::new(name, Shape::Mesh { mesh, part }, Placement::IDENTITY)
+        };
+        let scene: Scene = parts.map(object).collect();
+        let viewport = Viewport::new(64, 48).expect("a size");
+        let camera = CameraChoice::default().resolve(&scene.bounds(), viewport);
+        let camera = camera.expect(name);
+        for corner in scene.bounds().corners() {
+            let shown = camera.project(viewport, corner).expect("before the eye");
+            assert!(
+                viewport.contains(shown.px),
+                "{name}: {corner} at {}",
+                shown.px
+            );
+        }
+        let view = View {
+            camera,
+            viewport,
+            sides: Sides::Both,
+            section: None,
+        };
+        let ids = pick::ids(&scene, &view);
+        let hits = ids.pixels().iter().filter(|id| id.object > 0).count();
+        assert!(hits > 300, "{name}: {hits}");
     }
 }
 

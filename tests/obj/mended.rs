@@ -64,9 +64,10 @@ fn vertices_that_cannot_be_read_keep_their_numbers() {
         ("0 one 0", "a vertex needs three numbers"),
         ("0 1", "a vertex needs three numbers"),
         ("", "a vertex needs three numbers"),
-        ("0 nan 0", "a coordinate is not a finite number"),
-        ("-inf 0 0", "a coordinate is not a finite number"),
-        ("0 0 1e400", "a coordinate is not a finite number"),
+        ("0 nan 0", "a coordinate is not a number up to 1.29e33"),
+        ("-inf 0 0", "a coordinate is not a number up to 1.29e33"),
+        ("0 0 -1.3e33", "a coordinate is not a number up to 1.29e33"),
+        ("0 0 1e400", "a coordinate is not a number up to 1.29e33"),
     ] {
         let told = format!("some.obj:1: {what}");
         let faces = "f 5 4 3 2\nf 6 7 8 9\nf 2 3 7 6\nf 3 4 8 7\nf 4 5 9 8\nf 5 2 6 9\n";
@@ -101,7 +102,7 @@ fn each_kind_of_bad_line_is_told_once() {
         folder.warnings(&file),
         [
             "some.obj:15: a vertex needs three numbers (more such lines: 999)",
-            "some.obj:16: a coordinate is not a finite number (more such lines: 999)",
+            "some.obj:16: a coordinate is not a number up to 1.29e33 (more such lines: 999)",
             "some.obj:17: a normal needs three numbers; it is computed (more such lines: 999)",
             "some.obj:18: a corner of a face is written as 1, 1/2, 1//3 or 1/2/3; it is left out \
              (more such lines: 999)",

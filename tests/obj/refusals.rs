@@ -105,13 +105,6 @@ fn an_archive_is_said_to_be_one_and_not_read_as_what_is_in_it() {
 }
 
 #[test]
-fn coordinates_too_far_apart_are_refused() {
-    let far = CUBE.replacen("v 0 0 0", "v -1e39 0 0", 1);
-    let message = "some.obj: its coordinates lie too far apart to show (1e39 units)";
-    assert_eq!(refusal(far.as_bytes()), message);
-}
-
-#[test]
 fn what_is_no_file_is_refused() {
     let folder = Folder::new(&[]);
     let missing = folder.load("no.obj").expect_err("it is not there");

@@ -119,7 +119,7 @@ fn cut(random: &mut Random, shape: &Shape) -> Option<Case> {
 
 /// A tiny near distance, and an eye close to the object or inside it.
 fn tiny_near(random: &mut Random, shape: &Shape) -> Option<Case> {
-    let near = 10_f64.powf(random.within(-300.0, -1.0));
+    let near = 10_f64.powf(random.within(-33.0, -1.0));
     let eye = random.within(0.05, 0.8) * random.direction();
     let fov = random.within(20.0, 120.0);
     let view = looking(random, eye, perspective(fov, near, 1e12));
@@ -253,7 +253,7 @@ fn past_the_eye(random: &mut Random, shape: &Shape) -> Option<Case> {
     if !matches!(shape, Shape::Mesh { .. }) {
         return None;
     }
-    let near = 10_f64.powf(random.within(-300.0, -1.0));
+    let near = 10_f64.powf(random.within(-33.0, -1.0));
     let corners = vec![[0.0, 0.0, -1.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
     let mesh = mesh(corners, vec![[0, 1, 2]], DVec3::ZERO);
     let shape = &Shape::Mesh { mesh, part: 0 };

@@ -280,11 +280,11 @@ fn a_solid_that_is_opened_shows_its_back() {
 fn three_points_span_a_plane_or_lie_on_a_line_exactly() {
     let of = |text: &str| text.parse::<SectionChoice>();
     for (points, normal) in [
-        ("points:0,0,0/1,0,0/2,1e-300,0", DVec3::Z),
-        ("points:0,0,0/1e-300,0,0/0,1e-300,0", DVec3::Z),
-        ("points:0,0,0/5e-324,0,0/0,0,5e-324", DVec3::NEG_Y),
-        ("points:1e9,0,0/1e9,1,0/1e9,3,5e-324", DVec3::X),
-        ("points:-1e300,0,0/1e300,0,0/0,1,0", DVec3::Z),
+        ("points:0,0,0/1,0,0/2,1e-33,0", DVec3::Z),
+        ("points:0,0,0/1e-33,0,0/0,1e-33,0", DVec3::Z),
+        ("points:0,0,0/8e-34,0,0/0,0,8e-34", DVec3::NEG_Y),
+        ("points:1e9,0,0/1e9,1,0/1e9,3,8e-34", DVec3::X),
+        ("points:-1e33,0,0/1e33,0,0/0,1,0", DVec3::Z),
     ] {
         let Ok(SectionChoice::Plane(section)) = of(points) else {
             panic!("{points}: {:?}", of(points));
@@ -294,7 +294,8 @@ fn three_points_span_a_plane_or_lie_on_a_line_exactly() {
     for points in [
         "points:0,0,0/1,1,1/2,2,2",
         "points:0.1,0.1,0.1/0.2,0.2,0.2/0.7,0.7,0.7",
-        "points:1e-300,0,0/3e-300,0,0/1e-300,0,0",
+        "points:1e-33,0,0/3e-33,0,0/1e-33,0,0",
+        "points:0,0,0/1,0,0/2,7e-34,0",
         "points:5,6,7/5,6,7/8,9,1",
     ] {
         let error = of(points).expect_err(points).to_string();

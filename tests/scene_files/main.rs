@@ -223,15 +223,19 @@ fn errors_say_where_and_what() {
             "target and look",
         ),
         ("[camera]\nfov = 40\northo = 3\n", 1, "fov and ortho"),
-        ("[camera]\nnear = nan\n", 1, "finite"),
-        ("[camera]\neye = [0, inf, 0]\n", 1, "finite"),
+        ("[camera]\nnear = nan\n", 1, "up to 1.29e33"),
+        ("[camera]\neye = [0, inf, 0]\n", 1, "up to 1.29e33"),
         (&format!("{cube}scale = [1, 0, 1]\n"), 1, "no inverse"),
         (
             &format!("{cube}{cube}name = \"Flat\"\nscale = 0\n"),
             3,
             "Flat",
         ),
-        (&format!("{cube}position = [nan, 0, 0]\n"), 1, "finite"),
+        (
+            &format!("{cube}position = [nan, 0, 0]\n"),
+            1,
+            "up to 1.29e33",
+        ),
         (
             &format!("{cube}matrix = [[1,0,0,0],[0,1,0,0],[0,0,1,0]]\nscale = 2\n"),
             1,
@@ -254,7 +258,7 @@ fn errors_say_where_and_what() {
         (
             &format!("{cube}matrix = [[1,0,0,0],[0,1,0,0],[0,0,inf,0]]\n"),
             1,
-            "finite",
+            "up to 1.29e33",
         ),
         (&format!("{cube}colour = \"red\"\n"), 3, "#rrggbb"),
         (&format!("{cube}colour = \"#ff00é\"\n"), 3, "#rrggbb"),

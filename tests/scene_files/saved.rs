@@ -74,10 +74,10 @@ fn what_is_saved_reads_back_to_the_bit() {
         object
     });
     let scene = Scene::new(objects.collect());
-    let section = Section::new(dvec3(0.1, -0.0, 1e-300), -1.0 / 3.0).unwrap();
+    let section = Section::new(dvec3(0.1, -0.0, 1e-33), -1.0 / 3.0).unwrap();
     let camera = CameraChoice {
         eye: Some(dvec3(0.1, 1.0 / 3.0, -1e-17)),
-        look: Some(dvec3(-0.0, 5e-324, 1e300)),
+        look: Some(dvec3(-0.0, 1e-33, 1e33)),
         up: Some(DVec3::Z),
         ortho: Some(2.0_f64.sqrt()),
         near: Some(-1e-7),

@@ -267,8 +267,9 @@ fn matrices_without_an_inverse_are_refused() {
         // Rank 2.
         rows([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]]),
         rows([[0.1, 0.3, 0.6], [0.2, 0.6, 1.2], [0.7, 0.8, 0.9]]),
-        // The inverse would be infinite.
-        DAffine3::from_scale(DVec3::splat(1e-310)),
+        // Its inverse is beyond the range of numbers; so small entries count as 0.
+        DAffine3::from_mat3(flat(1e-33, 1.0, 1.0) * DMat3::from_diagonal(dvec3(0.5, 1.0, 1.0))),
+        DAffine3::from_scale(DVec3::splat(1e-34)),
     ];
     for model in singular {
         assert_eq!(
@@ -277,14 +278,22 @@ fn matrices_without_an_inverse_are_refused() {
             "{model:?}"
         );
     }
-    for bad in [f64::NAN, f64::INFINITY] {
+    for bad in [f64::NAN, f64::INFINITY, -1.3e33] {
         let mut model = DAffine3::IDENTITY;
         model.translation.y = bad;
-        assert_eq!(Placement::new(model), Err(PlacementError::NotFinite));
+        assert_eq!(Placement::new(model), Err(PlacementError::OutOfRange));
         let mut model = DAffine3::IDENTITY;
         model.matrix3.y_axis.x = bad;
-        assert_eq!(Placement::new(model), Err(PlacementError::NotFinite));
+        assert_eq!(Placement::new(model), Err(PlacementError::OutOfRange));
     }
+    // Small entries are stored as 0.
+    let mut model = DAffine3::IDENTITY;
+    (model.translation.y, model.matrix3.y_axis.x) = (1.2e33, -7e-34);
+    let stored = Placement::new(model).expect("an inverse").model();
+    assert_eq!(
+        (stored.translation.y, stored.matrix3.y_axis.x),
+        (1.2e33, 0.0)
+    );
     // A matrix is accepted if only rounding keeps it from being singular.
     let nearly = rows([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.7, 0.8, 0.9]]);
     assert!(Placement::new(nearly).is_ok());

@@ -224,17 +224,17 @@ scale = [1, 1, SCALE]
         ),
         (
             flat,
-            "1e-38",
+            "1e-30",
             "--eye 0.1,0.3,3 --target 0,0,0 --fov 40 --size 64x48",
         ),
         (
             flat,
-            "1e-40",
+            "1e-32",
             "--eye 0.1,0.3,3 --target 0,0,0 --fov 40 --size 64x48",
         ),
         (
             flat,
-            "1e-100",
+            "1e-33",
             "--eye 0.1,0.3,3 --target 0,0,0 --fov 40 --size 64x48",
         ),
     ];

@@ -156,7 +156,7 @@ fn matrices_that_flatten() {
 /// Scenes of any size are framed, drawn and picked, or refused with one line.
 #[test]
 fn scenes_of_any_size() {
-    for exponent in [-95, -39, 39, 97] {
+    for exponent in [-24, -15, 15, 29] {
         let text = format!(
             "[[object]]\nshape = \"sphere\"\nscale = 1e{exponent}
             [[object]]\nshape = \"cube\"\nscale = 1e{exponent}\nposition = [1e{exponent}, 0, 0]\n"
@@ -164,14 +164,20 @@ fn scenes_of_any_size() {
         let (_folder, file) = scene(&text);
         Counts::of(run(Some(&file), "--size 96x64")).agree(1500);
     }
-    for exponent in [-300, -200, -101, 99, 150] {
+    for (exponent, code, said) in [
+        (-300, 3, "no inverse"),
+        (-30, 2, "units across"),
+        (-26, 2, "units across"),
+        (31, 2, "units across"),
+        (150, 3, "up to 1.29e33"),
+    ] {
         let text = format!("[[object]]\nshape = \"cube\"\nscale = 1e{exponent}\n");
         let (_folder, file) = scene(&text);
         let output = run(Some(&file), "--size 96x64");
         let stderr = String::from_utf8(output.stderr).expect("text");
-        assert_eq!(output.status.code(), Some(2), "1e{exponent}: {stderr}");
+        assert_eq!(output.status.code(), Some(code), "1e{exponent}: {stderr}");
         assert_eq!(stderr.lines().count(), 1, "{stderr}");
-        assert!(stderr.contains("units across"), "{stderr}");
+        assert!(stderr.contains(said), "{stderr}");
     }
 }
 
@@ -216,39 +222,27 @@ fn far_from_the_origin() {
     Counts::of(run(Some(&file), &view)).agree(3000);
 }
 
-/// What `f32` cannot represent is not drawn right, and verify says that it is beyond `f32`. At 1e-35 it is up to the
-/// driver whether any pixel goes wrong.
+/// The nearest near planes in the range of numbers. It is up to the driver whether any pixel goes wrong.
 #[test]
-fn a_near_plane_below_what_f32_can_hold() {
-    let may_be_held = Counts::of(run(None, "--size 160x120 --near 1e-35"));
-    assert_eq!(may_be_held.get("unexplained"), 0, "{}", may_be_held.line);
-    let lost = may_be_held.get("beyond_f32") > 0;
-    assert_eq!(
-        may_be_held.code,
-        Some(i32::from(lost)),
-        "{}",
-        may_be_held.line
-    );
-    for near in ["1e-36", "1e-300"] {
+fn a_near_plane_next_to_the_eye() {
+    for near in ["1e-33", "7.8e-34"] {
         let counts = Counts::of(run(None, &format!("--size 160x120 --near {near}")));
         assert_eq!(counts.get("unexplained"), 0, "{near}: {}", counts.line);
-        assert_eq!(counts.code, Some(1), "{near}: {}", counts.line);
         assert!(counts.get("picked") > 6000, "{near}: {}", counts.line);
-        assert!(counts.get("beyond_f32") > 0, "{near}: {}", counts.line);
-        assert!(
-            counts.stderr.contains("render --by raycast"),
-            "{}",
-            counts.stderr
+        let lost = counts.get("beyond_f32") > 0;
+        assert_eq!(
+            counts.code,
+            Some(i32::from(lost)),
+            "{near}: {}",
+            counts.line
         );
-        assert_eq!(counts.stderr.lines().count(), 1, "{}", counts.stderr);
     }
 }
 
-/// With planes at the limits of `f64`, some bounds do not exist. `f64` does not even hold the last distance between the
-/// planes.
+/// With planes at the limits of the range of numbers.
 #[test]
 fn planes_farther_off_than_f32_can_hold() {
-    for far in ["1e39", "1e150", "1e300", "1e308"] {
+    for far in ["1e33", "1.2e33"] {
         for depth in ["reversed", "standard"] {
             let planes = format!("--ortho 3 --near=-{far} --far {far} --depth {depth}");
             let view = format!("--size 160x120 --eye 1,2,6 --target 0,0,0 {planes}");
@@ -288,18 +282,18 @@ fn the_widest_lenses() {
     }
 }
 
-/// Vertices of 1e10 under a matrix of 5e-39, which a driver may flush to 0. Drawing holds such numbers with near and
+/// Vertices of 1e8 under a matrix of 1e-33, whose products a driver may flush to 0. Drawing holds such numbers with near and
 /// far planes that fit. With a distant far plane it may lose them, and verify says so.
 #[test]
 fn matrices_below_what_f32_holds() {
     let (folder, file) = scene(
-        "[[object]]\nshape = \"mesh\"\nfile = \"far.obj\"\nscale = 5e-39\nrotation = [20, 30, 0]\n",
+        "[[object]]\nshape = \"mesh\"\nfile = \"far.obj\"\nscale = 1e-33\nrotation = [20, 30, 0]\n",
     );
-    let corners = ["-1e10 -1e10 0", "1e10 -1e10 0", "0 1e10 0"].map(|at| format!("v {at}\n"));
+    let corners = ["-1e8 -1e8 0", "1e8 -1e8 0", "0 1e8 0"].map(|at| format!("v {at}\n"));
     let obj = corners.concat() + "f 1 2 3\n";
     std::fs::write(folder.path().join("far.obj"), obj).expect("a file");
-    let flags = "--eye 0,0,3e-28 --target 0,0,0 --fov 40 --size 64x48 --near 1e-30";
-    let held = Counts::of(run(Some(&file), &format!("{flags} --far 1e-27")));
+    let flags = "--eye 0,0,6e-25 --target 0,0,0 --fov 40 --size 64x48 --near 1e-27";
+    let held = Counts::of(run(Some(&file), &format!("{flags} --far 2e-24")));
     held.agree(150);
     let beyond = Counts::of(run(Some(&file), &format!("{flags} --far 1.6")));
     assert_eq!(beyond.get("unexplained"), 0, "{}", beyond.line);

@@ -237,7 +237,6 @@ families! {
     condition, 3, families::condition, 100, 5, 5, 5;
     far_eyes, 4, families::far_eyes, 100, 0, 5, 0;
     sizes, 5, families::sizes, 100, 0, 5, 0;
-    beyond_sizes, 14, families::beyond_sizes, 100, 50, 5, 0;
     narrow_gaps, 6, families::narrow_gaps, 100, 100, 5, 0;
     through_planes, 8, planes_through, 50, 0, 700, 5;
     exact_borders, 9, lattice::exact_borders, 100, 10, 5, 0;

@@ -209,14 +209,14 @@ fn a_matrix_in_parts_is_the_matrix() {
 #[test]
 fn sizes_that_no_view_holds_are_refused() {
     let mut state = front_view();
-    for scale in [1e99, 1e300] {
+    for scale in [1e31, 1e300] {
         let scale = DVec3::new(scale, 1.0, 1.0);
         let action = Action::Place(0, Trs { scale, ..STILL }.to_model());
         assert!(state.check(&action).is_err(), "{scale}");
         state.apply(action);
         assert!(!state.edited(), "{scale}");
     }
-    let scale = DVec3::new(1e90, 1.0, 1.0);
+    let scale = DVec3::new(1e29, 1.0, 1.0);
     let action = Action::Place(0, Trs { scale, ..STILL }.to_model());
     assert_eq!(state.check(&action), Ok(()));
     state.apply(action);

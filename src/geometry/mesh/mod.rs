@@ -14,7 +14,7 @@ use std::{
     ops::Range,
     sync::{Arc, OnceLock},
 };
-use validity::check;
+use validity::{check, store_small};
 
 /// Triangles in a block. Each block has a box, to tell where an object reaches.
 pub(crate) const BLOCK: usize = 256;
@@ -90,9 +90,10 @@ pub struct ColourRun {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshError {
-    /// A coordinate is NaN or infinite.
-    #[error("vertex {0} has a coordinate that is not a finite number")]
-    NotFinite(usize),
+    /// A coordinate, or the origin's (then the vertex is 0), is beyond the range of numbers; see
+    /// [`range`](crate::geometry::range).
+    #[error("vertex {0} has a coordinate that is not a number up to 1.29e33")]
+    OutOfRange(usize),
     /// A triangle names a vertex that is not there.
     #[error("triangle {0} uses a vertex that does not exist")]
     NoSuchVertex(usize),
@@ -101,7 +102,7 @@ pub enum MeshError {
     Uncovered(&'static str),
 }
 
-/// A valid mesh: finite vertices, indices in range, each triangle in one part and of one colour.
+/// A valid mesh: vertices and indices in range, each triangle in one part and of one colour.
 ///
 /// # Memory
 /// `data.positions` take 12 bytes a vertex, `data.vertex_colours` 3 where the file has colours, and `data.triangles` 12
@@ -131,7 +132,7 @@ impl PartialEq for Mesh {
 }
 
 impl Mesh {
-    /// Checks `data` and takes it.
+    /// Checks `data` and takes it. Coordinates are [`stored`](crate::geometry::range::stored).
     ///
     /// ```
     /// use sightline::geometry::{Mesh, MeshData, MeshError};
@@ -145,8 +146,9 @@ impl Mesh {
     ///
     /// # Errors
     /// When it is not a mesh; see [`MeshError`].
-    pub fn new(data: MeshData) -> Result<Self, MeshError> {
+    pub fn new(mut data: MeshData) -> Result<Self, MeshError> {
         check(&data)?;
+        store_small(&mut data);
         let bounds = bounds_of_parts(&data).into();
         Ok(Self::of(Arc::new(data), bounds, None))
     }

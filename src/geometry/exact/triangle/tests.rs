@@ -54,25 +54,6 @@ fn what_pairs_decide_is_what_integers_say() {
     assert!(counts.iter().all(|count| *count > 2000), "{counts:?}");
 }
 
-/// Two planes whose parameters differ by less than the smallest `f64` in places: an error bound underflowed there.
-#[test]
-fn bounds_that_underflow_decide_nothing() {
-    let flat = glam::DAffine3::from_scale(DVec3::new(1.0, 1.0, two(-800)));
-    let placement = Placement::new(flat).expect("invertible");
-    let (x, y, d) = (two(-60), two(-59), two(-44));
-    let line = Line::Given {
-        origin: DVec3::new(x, y, -1.0),
-        direction: DVec3::Z,
-    };
-    let corners = |corners: [[f64; 3]; 3]| {
-        Corners::new(Some(&placement), DVec3::ZERO, corners.map(DVec3::from))
-    };
-    let steep = corners([[1.0, 1.0, 0.0], [1.0, -1.0, -two(-95)], [-1.0, y, two(-96)]]);
-    let level = corners([[x + d, y + d, 0.0], [x + d, y - d, 0.0], [x - d, y, 0.0]]);
-    assert_eq!(compare(&line, &level, &steep), Ordering::Less);
-    assert_eq!(compare(&line, &steep, &level), Ordering::Greater);
-}
-
 /// A parameter below the least normal number is rounded as integers round it.
 #[test]
 fn a_subnormal_parameter_is_rounded_as_by_integers() {

@@ -43,7 +43,7 @@ pub(super) fn build(
     let (vertices, faces): (Vec<_>, Vec<_>) = (blocks.into_iter())
         .map(|block| (block.vertices, block.faces))
         .unzip();
-    let vertices = Stored::new(path, vertices, &faces, (progress, bytes))?;
+    let vertices = Stored::new(vertices, &faces, (progress, bytes))?;
     let cuts = names.cuts();
     let (mut first, mut rest) = (0, &*cuts);
     let with_cuts: Vec<_> = (faces.into_iter())

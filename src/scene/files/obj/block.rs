@@ -276,7 +276,7 @@ fn read_vertex(values: &[u8]) -> Result<(usize, Option<usize>), BadLine> {
         return Err(BadLine::Vertex);
     }
     if coordinates.contains(&Number::Endless) {
-        return Err(BadLine::NotFinite);
+        return Err(BadLine::OutOfRange);
     }
     let is_coloured = !colour.contains(&Number::Not);
     Ok((end, is_coloured.then_some(colour_end)))

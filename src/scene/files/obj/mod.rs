@@ -122,14 +122,6 @@ pub enum ObjError {
         /// What is wrong with it.
         what: BadLine,
     },
-    /// The extent does not fit in single precision.
-    #[error("{}: its coordinates lie too far apart to show ({extent:e} units)", file.display())]
-    TooLarge {
-        /// The file.
-        file: PathBuf,
-        /// The longest side of its bounding box, in the file's units.
-        extent: f64,
-    },
     /// The triangles do not form a valid mesh.
     #[error("{}: {source}", file.display())]
     NoMesh {
@@ -147,9 +139,9 @@ pub enum BadLine {
     /// A vertex with fewer than three coordinates, or with one that is not a number.
     #[error("a vertex needs three numbers")]
     Vertex,
-    /// A vertex with an infinite coordinate or a NaN.
-    #[error("a coordinate is not a finite number")]
-    NotFinite,
+    /// A vertex with a coordinate beyond the range of numbers; see [`range`](crate::geometry::range).
+    #[error("a coordinate is not a number up to 1.29e33")]
+    OutOfRange,
     /// A normal with fewer than three coordinates, or with one that is not a number.
     #[error("a normal needs three numbers")]
     Normal,

@@ -12,7 +12,7 @@ use std::{
 pub(super) struct LeftOut {
     /// Triangles without area.
     pub without_area: usize,
-    /// Faces with a corner that is not three finite numbers.
+    /// Faces with a corner that is not three numbers in range.
     pub nowhere: usize,
     /// Faces with many corners, too many of which repeat a vertex.
     pub repetitive: usize,
@@ -63,7 +63,7 @@ pub(super) fn nothing(path: &Path, survey: &Survey, left_out: &LeftOut) -> ObjEr
 pub(super) fn about_lines(path: &Path, survey: &Survey) -> impl Iterator<Item = Warning> {
     survey.faults.iter().map(|fault| {
         let mended = match fault.what {
-            BadLine::Vertex | BadLine::NotFinite => "",
+            BadLine::Vertex | BadLine::OutOfRange => "",
             BadLine::Normal => "; it is computed",
             BadLine::Corner | BadLine::NoSuchVertex { .. } => "; it is left out",
         };

@@ -1,18 +1,14 @@
 //! Converts the vertices of a file to what a mesh stores: only the used ones, as `f32` positions relative to an origin.
 
-use super::{
-    ObjError,
-    block::{Faces, Vertices},
-};
+use super::block::{Faces, Vertices};
 use crate::{
     colour::Srgb,
-    geometry::{Aabb, binary::power_of_two_below},
+    geometry::{Aabb, binary::power_of_two_below, range},
     scene::{Cancelled, Progress},
 };
 use glam::{DVec3, Vec3};
 use std::{
     collections::HashSet,
-    path::Path,
     sync::atomic::{AtomicBool, Ordering::Relaxed},
 };
 
@@ -26,7 +22,7 @@ pub(super) struct Stored {
     pub colours: Vec<Srgb>,
     /// The file's normals, scaled to unit length. A normal without a direction is zero.
     pub normals: Vec<[f32; 3]>,
-    /// The vertices that are not three finite numbers. Their positions are stored as zeros.
+    /// The vertices that are not three numbers in range. Their positions are stored as zeros.
     nowhere: HashSet<u32>,
     /// For each vertex of the file, its index in `positions`; `None` if faces use all vertices.
     places: Option<Vec<u32>>,
@@ -41,11 +37,10 @@ impl Stored {
 
     /// Stores the vertices that faces use. In the progress, each block counts as `bytes` bytes in each step.
     pub fn new(
-        path: &Path,
         blocks: Vec<Vertices>,
         faces: &[Faces],
         (progress, bytes): (&Progress, u64),
-    ) -> Result<Self, ObjError> {
+    ) -> Result<Self, Cancelled> {
         let coloured = blocks.iter().any(|block| !block.colours.is_empty());
         let used = used(&blocks, faces, (progress, bytes))?;
         let mut unread = &*used;
@@ -57,16 +52,9 @@ impl Stored {
             })
             .collect();
         let bounds = progress.on_all_cores(bytes, blocks.iter(), |block| {
-            Aabb::around(used_of(block, &block.0.positions).filter(|p| p.is_finite()))
+            Aabb::around(used_of(block, &block.0.positions).filter_map(range::stored_vector))
         })?;
         let bounds = bounds.into_iter().fold(Aabb::EMPTY, Aabb::union);
-        let extent = (bounds.max - bounds.min).max_element();
-        if extent > f64::from(f32::MAX) {
-            return Err(ObjError::TooLarge {
-                file: path.to_owned(),
-                extent,
-            });
-        }
         let origin = origin(bounds);
         let stored = progress.on_all_cores(bytes, blocks.drain(..), |block| {
             Self::of_block(&block, origin, coloured)
@@ -99,12 +87,11 @@ impl Stored {
         } = &block.0;
         let mut nowhere = HashSet::new();
         let positions = (0..).zip(used_of(block, positions)).map(|(index, v)| {
-            if v.is_finite() {
-                (v - origin).as_vec3().to_array()
-            } else {
+            let Some(v) = range::stored_vector(v) else {
                 nowhere.insert(index);
-                [0.0; 3]
-            }
+                return [0.0; 3];
+            };
+            (v - origin).as_vec3().to_array()
         });
         let positions: Vec<_> = positions.collect();
         let colours = if coloured && colours.is_empty() {
@@ -152,7 +139,7 @@ impl Stored {
         Vec3::from_array(self.normals[normal as usize]) != Vec3::ZERO
     }
 
-    /// Whether one of these vertices is not three finite numbers.
+    /// Whether one of these vertices is not three numbers in range.
     pub fn any_nowhere(&self, places: &[u32]) -> bool {
         !self.nowhere.is_empty() && places.iter().any(|place| self.nowhere.contains(place))
     }

@@ -1,5 +1,6 @@
 //! Splits a line into words, and parses words as numbers and indices.
 
+use crate::geometry::range;
 use std::ops::Range;
 
 /// The ranges of the words in a line.
@@ -19,9 +20,9 @@ pub(super) fn fields(line: &[u8]) -> impl Iterator<Item = Range<usize>> {
 pub(super) enum Number {
     /// The word is no number.
     Not,
-    /// `nan`, `inf` or too large for `f64`.
+    /// `nan`, `inf` or beyond the range of numbers.
     Endless,
-    /// A finite number.
+    /// A number in range.
     Finite,
 }
 
@@ -39,7 +40,7 @@ impl Number {
             return Self::Finite;
         }
         match std::str::from_utf8(word).map(str::parse::<f64>) {
-            Ok(Ok(value)) if value.is_finite() => Self::Finite,
+            Ok(Ok(value)) if range::stored(value).is_some() => Self::Finite,
             Ok(Ok(_)) => Self::Endless,
             _ => Self::Not,
         }
@@ -73,8 +74,8 @@ fn count(text: &[u8], is_of_it: impl Fn(&u8) -> bool) -> usize {
     end.unwrap_or(text.len())
 }
 
-/// A number without an exponent is finite if it has fewer whole digits.
-const MOST_WHOLE: usize = 300;
+/// A number without an exponent is in range if it has fewer whole digits.
+const MOST_WHOLE: usize = 33;
 
 /// Parses an index of a face and returns it counted from 1. Negative indices count back from `count`. The result may be
 /// greater than `count`. `None` if the text is no valid index.

@@ -1,6 +1,7 @@
 //! A field for a number. Text that is no valid value is red and says why; the last valid value stays in force.
 
 use super::{hints::described, prelude::*};
+use crate::geometry::range;
 use egui::{
     Context, Id, Key, Modifiers, TextEdit, text::CCursorRange, text_edit::TextEditState,
     util::IdTypeMap,
@@ -205,8 +206,10 @@ fn parse(text: &str, value: f64, shown: &str) -> Result<f64, String> {
     let text = text.trim();
     let number = text.parse::<f64>();
     let number = number.map_err(|_| format!("\u{201c}{text}\u{201d} is not a number"))?;
-    let is_finite = number.is_finite().then_some(number);
-    is_finite.ok_or_else(|| "it must be a finite number".into())
+    let is_in_range = range::stored(number).is_some();
+    is_in_range
+        .then_some(number)
+        .ok_or_else(|| "it must be a number up to 1.29e33".into())
 }
 
 /// Width of a field in points that shows as many digits as [`short`] gives.
