@@ -59,7 +59,7 @@ pub enum CameraError {
     #[error("the orthographic height must lie between 1.6e-33 and 2.5e33, not {0}")]
     Height(f64),
     /// Perspective shows nothing at or behind the eye.
-    #[error("near must be at least 7.8e-34 in perspective, not {0}")]
+    #[error("near must be at least 7.8e-34 in perspective, not {0:e}")]
     NearTooSmall(f64),
     /// Near or far is beyond the range of numbers.
     #[error("near and far must be numbers up to 1.29e33, not {0}")]

@@ -10,7 +10,6 @@ const SHARED: [(&str, &[&str]); 16] = [
         "in_file",
         &["scene", "scene/files/obj", "cli", "viewer/ui/panels"],
     ),
-    ("measure", &["pick", "viewer/ui/panels"]),
     ("narrowed", &["scene", "pick"]),
     ("one_place", &["pick", "verify"]),
     ("pick", &["cli", "viewer/ui/panels"]),
