@@ -1,7 +1,7 @@
 //! The study as text: a table for each step.
 
 use super::{
-    methods::{reading, registry},
+    methods::registry,
     prelude::*,
     timing::{Time, processor},
 };
@@ -33,7 +33,7 @@ fn section(text: &mut String, of: &str, step: About, summaries: &[Summary<'_>]) 
     // Writing to a string cannot fail.
     let _ = writeln!(text, "{name}, {of}\nEach method is given {job}.");
     aligned(text, &columns(step, summaries));
-    notes(text, step, summaries);
+    notes(text, summaries);
     text.push('\n');
 }
 
@@ -127,17 +127,8 @@ fn aligned(text: &mut String, columns: &[Vec<String>]) {
     }
 }
 
-/// The lines below a table: how fast files are read, and what a method offers where others are faster.
-fn notes(text: &mut String, step: About, summaries: &[Summary<'_>]) {
-    if step == reading::FileCase::ABOUT {
-        for summary in summaries {
-            let Some(ns) = summary.ns() else { continue };
-            let (name, precision) = summary.method.info.key();
-            #[expect(clippy::cast_precision_loss, reason = "a few bytes")]
-            let speed = 1e3 * reading::BYTES as f64 / ns;
-            let _ = writeln!(text, "  {name}, {precision}: {speed:.0} MB/s");
-        }
-    }
+/// The lines below a table: what a method offers where others are faster.
+fn notes(text: &mut String, summaries: &[Summary<'_>]) {
     for summary in summaries {
         if let Some(reason) = summary.method.info.reason {
             let _ = writeln!(text, "  {} offers: {reason}", summary.method.info.name);

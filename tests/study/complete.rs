@@ -105,20 +105,6 @@ fn rays_that_surely_enter_a_body_do() {
     }
 }
 
-#[test]
-fn files_keep_what_f32_has_digits_for() {
-    let lost = row("file", "tobj", F32, "national coordinates", 1e7);
-    assert!(lost.worst_error > 400.0, "half a metre: {lost:?}");
-    for row in rows(
-        "file",
-        "Sightline's, through tobj",
-        F32,
-        "national coordinates",
-    ) {
-        assert!(row.worst_error < 0.02, "{row:?}");
-    }
-}
-
 /// three.js subtracts the eye and loses digits. Bevy subtracts a near from an almost infinitely far point: the eye
 /// cancels.
 #[test]
