@@ -10,31 +10,15 @@ use std::{fmt::Write, iter};
 /// The tables of every step.
 pub fn table(report: &Report) -> String {
     let mut text = format!("Times in nanoseconds, on {}.\n\n", processor());
-    let [general, own] = report.split().map(Option::unwrap_or_default);
     for step in report.steps() {
-        let summaries = own.summaries(step);
-        if !summaries.is_empty() {
-            section(&mut text, SCENE, step, &summaries);
-            if let Some(need) = need(step, &summaries) {
-                // Writing to a string cannot fail.
-                let _ = writeln!(text, "  {need}\n");
-            }
-        }
-        section(&mut text, "every workload", step, &general.summaries(step));
+        let summaries = report.summaries(step);
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{}\nEach method is given {}.", step.name, step.job);
+        aligned(&mut text, &columns(step, &summaries));
+        notes(&mut text, &summaries);
+        text.push('\n');
     }
     text
-}
-
-fn section(text: &mut String, of: &str, step: About, summaries: &[Summary<'_>]) {
-    if summaries.is_empty() {
-        return;
-    }
-    let About { name, job, .. } = step;
-    // Writing to a string cannot fail.
-    let _ = writeln!(text, "{name}, {of}\nEach method is given {job}.");
-    aligned(text, &columns(step, summaries));
-    notes(text, summaries);
-    text.push('\n');
 }
 
 /// The columns of a step's table, each with its header first.
@@ -134,23 +118,6 @@ fn notes(text: &mut String, summaries: &[Summary<'_>]) {
             let _ = writeln!(text, "  {} offers: {reason}", summary.method.info.name);
         }
     }
-}
-
-/// Names the fastest method whose mistakes no picture shows: no wrong decision, and no error above a twentieth of a
-/// pixel, a quarter of a degree or a ten-thousandth.
-fn need(step: About, summaries: &[Summary<'_>]) -> Option<String> {
-    let most = match step.error_unit {
-        "px" => 0.05,
-        "degrees" => 0.25,
-        _ => 1e-4,
-    };
-    let is_good = |row: &&Row| row.wrong() == 0 && row.worst_error <= most;
-    let timed = summaries.iter().filter(|of| of.rows.iter().all(is_good));
-    let timed = timed.filter_map(|summary| Some((summary.method, summary.ns()?)));
-    let (fastest, _) = timed.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    let (name, precision) = fastest.info.key();
-    let need = format!("The fastest that is right here: {name}, {precision}.");
-    Some(need)
 }
 
 /// Family and parameter of a row; empty where the figure found there is 0.

@@ -11,8 +11,6 @@ pub enum Figure {
     Wrong,
     /// The share of wrong decisions in per cent.
     Percent,
-    /// Nanoseconds.
-    Time,
 }
 
 impl Figure {
@@ -34,7 +32,6 @@ impl Figure {
             Self::Wrong if row.wrong() == 0 => 0.0,
             Self::Wrong if row.worst_wrong < LEAST_PX => Self::TIE,
             Self::Wrong => row.worst_wrong,
-            Self::Time => row.time.map_or(0.0, |time| time.ns),
         }
     }
 
@@ -47,22 +44,15 @@ impl Figure {
             Self::Error => format!("worst error ({})", step.error_unit),
             Self::Wrong => format!("worst wrong decision ({})", step.wrong_unit),
             Self::Percent => "wrong picks (%)".to_owned(),
-            Self::Time => "time (ns)".to_owned(),
         }
     }
 
     /// The word for 0.
     pub fn none(self) -> &'static str {
         match self {
-            Self::Error | Self::Time => "0",
+            Self::Error => "0",
             Self::Wrong | Self::Percent => "none",
         }
-    }
-
-    /// The worst figure over all rows of a summary.
-    pub fn worst(self, summary: &Summary<'_>) -> f64 {
-        let worst = summary.rows.iter().map(|row| self.at(row));
-        worst.fold(0.0, f64::max)
     }
 }
 
