@@ -9,17 +9,15 @@ pub enum Figure {
     Error,
     /// How far the worst wrong decision was off, in the step's unit.
     Wrong,
-    /// The share of wrong decisions in per cent.
-    Percent,
 }
 
 impl Figure {
     /// A step's figure: wrong decisions where it decides, else errors.
     pub fn of(step: About) -> Self {
-        match (step.wrong_unit, step.error_unit) {
-            ("", "") => Self::Percent,
-            ("", _) => Self::Error,
-            _ => Self::Wrong,
+        if step.wrong_unit.is_empty() {
+            Self::Error
+        } else {
+            Self::Wrong
         }
     }
 
@@ -28,7 +26,6 @@ impl Figure {
     pub fn at(self, row: &Row) -> f64 {
         match self {
             Self::Error => row.worst_error,
-            Self::Percent => row.wrong_percent(),
             Self::Wrong if row.wrong() == 0 => 0.0,
             Self::Wrong if row.worst_wrong < LEAST_PX => Self::TIE,
             Self::Wrong => row.worst_wrong,
@@ -43,7 +40,6 @@ impl Figure {
         match self {
             Self::Error => format!("worst error ({})", step.error_unit),
             Self::Wrong => format!("worst wrong decision ({})", step.wrong_unit),
-            Self::Percent => "wrong picks (%)".to_owned(),
         }
     }
 
@@ -51,7 +47,7 @@ impl Figure {
     pub fn none(self) -> &'static str {
         match self {
             Self::Error => "0",
-            Self::Wrong | Self::Percent => "none",
+            Self::Wrong => "none",
         }
     }
 }

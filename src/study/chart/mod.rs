@@ -28,7 +28,7 @@ mod prelude {
         page::{ROWS_APART, WIDTH, page, places, small},
         picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET, count, text_width},
         point_shapes::Shape,
-        style::{Style, legend, styles},
+        style::{LINE, Style, legend, styles},
     };
     pub use crate::study::prelude::*;
 }

@@ -41,9 +41,6 @@ fn rows_of<'a>(report: &'a Report, step: &str, family: &str) -> Vec<&'a Row> {
     report.rows.iter().filter(is_wanted).collect()
 }
 
-/// Distance between lines of a legend.
-const LINE: f64 = 16.0;
-
 fn names<'a>(rows: &[&'a Row]) -> Vec<&'a str> {
     distinct(rows.iter().map(|row| row.info.name))
 }
@@ -121,6 +118,6 @@ fn panel(
     }
     if is_named {
         let below = [at[0] + 34.0, at[1] + 266.0];
-        legend(picture, styles.iter(), below, LINE);
+        legend(picture, styles.iter(), below);
     }
 }
