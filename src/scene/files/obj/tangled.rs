@@ -10,7 +10,7 @@ pub(super) fn is_tangled(flat: &[[f64; 2]]) -> bool {
 /// back may turn either way.
 fn turns_once(flat: &[[f64; 2]]) -> bool {
     let sides = sides(flat).map(|[[ax, ay], [bx, by]]| [bx - ax, by - ay]);
-    let sides: Vec<_> = sides.filter(|&side| side != [0.0; 2]).collect();
+    let sides: Vec<_> = sides.filter(|[x, y]| *x != 0.0 || *y != 0.0).collect();
     let (mut turns, mut back) = (0_i32, 0);
     for (&[ax, ay], &[bx, by]) in sides.iter().zip(sides.iter().cycle().skip(1)) {
         let left = ax * by - ay * bx;
