@@ -94,29 +94,20 @@ fn describe((number, adapter): (usize, &AdapterFound)) -> Vec<String> {
     lines
 }
 
-fn abilities(can: &AdapterCan) -> [String; 6] {
+fn abilities(can: &AdapterCan) -> [String; 4] {
     let numbers = match can.numbers {
         Numbers::Primitives => "by primitive index",
         Numbers::Corners => {
             "by corners, without a primitive index: meshes take about four times the graphics memory"
         }
-        Numbers::Objects => "none, so that verify compares objects alone",
     };
     let bits = can.rasteriser.sub_pixel_bits();
     let grid = 1_u32 << bits;
-    let edges = if can.smooth_samples > 1 {
-        format!("smooth, {} samples a pixel", can.smooth_samples)
-    } else {
-        "rough, without multisampling".to_owned()
-    };
-    let wireframe = if can.draws_wireframes { "yes" } else { "no" };
     let side = can.max_side_px;
     let [buffer, table] = [can.max_buffer_bytes, can.max_table_bytes].map(|bytes| bytes >> 20);
     [
         format!("  triangles in ids: {numbers}"),
         format!("  corners go to 1/{grid} pixel: {bits} sub-pixel bits, measured"),
-        format!("  edges: {edges}"),
-        format!("  wireframe: {wireframe}"),
         format!("  pictures: up to {side}x{side}"),
         format!(
             "  buffers: up to {buffer} MiB, larger meshes are split; tables of objects up to {table} MiB"

@@ -91,7 +91,7 @@ pub enum Command {
     List(ListArgs),
     /// Measure how fast and how right the known methods are
     #[command(after_long_help = EXIT_CODES)]
-    #[command(mut_arg("scenes", |arg| arg.help(study::SCENES)))]
+    #[command(mut_args(study::for_a_budget))]
     Study(StudyArgs),
     /// Compare what is drawn with what is picked, pixel by pixel
     #[command(after_long_help = EXIT_CODES)]

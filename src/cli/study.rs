@@ -1,24 +1,18 @@
 //! `sightline study`: measures the speed and the accuracy of the known methods.
 
 use super::{CliError, SceneArgs, ViewArgs, load, print, terminal::start_log, value};
-use crate::{
-    camera::{SectionChoice, View},
-    study::{self, Effort, SceneRays},
-};
+use crate::study::{self, Effort, SceneRays};
+use clap::Arg;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::{path::PathBuf, time::Duration};
-
-/// The help text of SCENE.
-pub(super) const SCENES: &str = "What to study besides the study's own workloads: .obj or scene .toml files, or \
-                                 gallery:NAME [default: none; with --budget the demo]";
 
 /// Arguments of `sightline study`.
 #[derive(Debug, clap::Args)]
 pub struct StudyArgs {
-    /// The scene whose camera and rays are studied, too.
+    /// The scene whose picks get a budget.
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// A folder for study.csv, summary.csv and the charts, with separate ones for SCENE; created if missing
+    /// A folder for study.csv, summary.csv and the charts; created if missing
     #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Run fewer cases and rounds: quicker, but less accurate
@@ -28,7 +22,7 @@ pub struct StudyArgs {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = value::seed)]
     #[arg(allow_hyphen_values = true)]
     pub seed: u64,
-    /// Instead of the study, say which precision keeps the scene's errors within PX pixels
+    /// Instead of the study, say which precision keeps SCENE's errors within PX pixels
     #[arg(long, value_name = "PX", value_parser = value::number, allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["out", "quick"])]
     pub budget: Option<f64>,
@@ -37,24 +31,27 @@ pub struct StudyArgs {
     pub view: ViewArgs,
 }
 
+/// Only with a budget does the study take a scene and a view of it. It supports no section.
+pub(super) fn for_a_budget(arg: Arg) -> Arg {
+    let is_of_scene = arg.get_id() == "scenes" || arg.get_help_heading() == Some("View");
+    let is_section = arg.get_id() == "section";
+    let arg = arg.hide(is_section);
+    if is_of_scene {
+        arg.requires("budget")
+    } else {
+        arg
+    }
+}
+
 /// How many rays of a scene `--budget` studies.
 const BUDGET_RAYS: usize = 2000;
 
 /// Runs the study and prints its table.
 pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
-    if !matches!(args.view.section, None | Some(SectionChoice::Uncut)) {
-        return Err(CliError::usage(
-            "--section: the studied methods support no section; --section none ignores the section of a scene file",
-        ));
-    }
     if let Some(px) = args.budget {
         return budget(args, px);
     }
-    if args.scene.scenes.is_empty() && args.view != ViewArgs::default() {
-        return Err(CliError::usage(
-            "view flags say how to look at a SCENE, and none is named",
-        ));
-    }
+    start_log(args.scene.verbose);
     let mut effort = if args.quick {
         Effort::QUICK
     } else {
@@ -65,17 +62,8 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     if let Some(folder) = &args.out {
         std::fs::create_dir_all(folder).map_err(|error| CliError::file(folder, &error))?;
     }
-    let own = if args.scene.scenes.is_empty() {
-        start_log(args.scene.verbose);
-        None
-    } else {
-        let mut loaded = load(&args.scene)?;
-        let view = uncut(args.view.apply(&mut loaded)?);
-        let rays = SceneRays::new(&loaded.scene, view, effort.cases, effort.seed);
-        Some(rays)
-    };
     let bar = progress_bar();
-    let report = study::run(effort, own.as_ref(), &|share, step| {
+    let report = study::run(effort, None, &|share, step| {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
@@ -94,11 +82,20 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
 
 /// Prints the precision that the scene (or the demo) needs.
 fn budget(args: &StudyArgs, px: f64) -> Result<(), CliError> {
+    if args.view.section.is_some() {
+        return Err(CliError::usage(
+            "--section: the studied methods support no section",
+        ));
+    }
     if !(px > 0.0) {
         return Err(CliError::usage("--budget takes pixels above 0"));
     }
     let mut loaded = load(&args.scene)?;
-    let view = uncut(args.view.apply(&mut loaded)?);
+    let mut view = args.view.apply(&mut loaded)?;
+    if view.section.is_some() {
+        log::warn!("the scene file's section is ignored: the studied methods support none");
+        view = view.uncut();
+    }
     let rays = SceneRays::new(&loaded.scene, view, BUDGET_RAYS, args.seed);
     study::has_budget(&rays).map_err(|error| CliError::usage(error.to_string()))?;
     let effort = Effort {
@@ -117,12 +114,4 @@ fn progress_bar() -> ProgressBar {
     }
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
-}
-
-/// A view without the scene file's section, which no method supports.
-fn uncut(view: View) -> View {
-    if view.section.is_some() {
-        log::warn!("the scene file's section is ignored: the studied methods support none");
-    }
-    view.uncut()
 }

@@ -195,7 +195,6 @@ impl<'a> Outcome<'a> {
             worst: report.worst().map(|at| self.worst(at)),
             adapter: self.adapter,
             sub_pixel_bits: self.rasteriser.sub_pixel_bits(),
-            names_triangles: self.rasteriser.names_triangles,
             drawn_s: self.seconds[0],
             picked_s: self.seconds[1],
         };
@@ -265,9 +264,6 @@ impl<'a> Outcome<'a> {
             "drawn in {drawn_s:.2} s by {}, picked in {picked_s:.2} s",
             self.adapter
         );
-        if !self.rasteriser.names_triangles {
-            text += "only objects are compared, because this adapter cannot number triangles\n";
-        }
         text
     }
 

@@ -64,20 +64,19 @@ impl<T: Ring> V3<T> {
     }
 }
 
-/// Operators on two of a type of numbers, number by number.
-macro_rules! each {
-    ($type:ident: $($trait:ident $name:ident $op:tt),+) => {$(
-        impl<T: Ring> $trait for $type<T> {
-            type Output = Self;
-            fn $name(self, o: Self) -> Self {
-                self.zip(o, |a, b| a $op b)
-            }
-        }
-    )+};
+impl<T: Ring> Add for V3<T> {
+    type Output = Self;
+    fn add(self, o: Self) -> Self {
+        self.zip(o, |a, b| a + b)
+    }
 }
-pub(crate) use each;
 
-each!(V3: Add add +, Sub sub -);
+impl<T: Ring> Sub for V3<T> {
+    type Output = Self;
+    fn sub(self, o: Self) -> Self {
+        self.zip(o, |a, b| a - b)
+    }
+}
 
 impl<T: Ring> Neg for V3<T> {
     type Output = Self;

@@ -33,10 +33,6 @@ pub struct AdapterCan {
     pub numbers: Numbers,
     /// Its rasteriser, as measured.
     pub rasteriser: Rasteriser,
-    /// Samples per pixel of smooth pictures.
-    pub smooth_samples: u32,
-    /// Whether triangles are drawn as their edges.
-    pub draws_wireframes: bool,
     /// The largest side of a picture, in pixels.
     pub max_side_px: u32,
     /// The largest part of a mesh, in bytes; larger ones are split.
@@ -74,8 +70,6 @@ fn can(gpu: &Gpu) -> AdapterCan {
     AdapterCan {
         numbers: gpu.numbers,
         rasteriser: gpu.rasteriser(),
-        smooth_samples: gpu.smooth_samples,
-        draws_wireframes: gpu.draws_wireframes(),
         max_side_px: limits.max_texture_dimension_2d,
         max_buffer_bytes: limits.max_buffer_size,
         max_table_bytes: limits.max_storage_buffer_binding_size,

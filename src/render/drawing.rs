@@ -166,8 +166,7 @@ impl Renderer {
         let gpu = &self.gpu;
         let begins = drawing.steps == Steps::default();
         let has_colours = pass.has_colours();
-        let has_edges = has_colours && gpu.draws_wireframes();
-        let wireframe = self.wireframe.filter(|_| has_edges);
+        let wireframe = self.wireframe.filter(|_| has_colours);
         if begins {
             // Another drawing may have overwritten the extra row.
             if let Some((object, alone)) = &mut drawing.selection {

@@ -1,6 +1,7 @@
 //! A graphics device: what it can do, its memory, and its errors.
 
 use super::{
+    SMOOTH_SAMPLES,
     abilities::{self, Numbers, Restraint},
     rasteriser::Rasteriser,
 };
@@ -32,9 +33,6 @@ pub struct Gpu {
     triangles: Arc<AtomicU64>,
     /// How ids name triangles.
     pub numbers: Numbers,
-    /// Samples per pixel of a picture with smooth edges: [`SMOOTH_SAMPLES`](super::SMOOTH_SAMPLES), or 1 where the
-    /// adapter does not multisample.
-    pub smooth_samples: u32,
     pub(super) rasteriser: Rasteriser,
 }
 
@@ -57,11 +55,11 @@ impl Gpu {
         let numbers = restraint.numbers_of(&adapter);
         let index = match numbers {
             Numbers::Primitives => wgpu::Features::PRIMITIVE_INDEX,
-            Numbers::Corners | Numbers::Objects => wgpu::Features::empty(),
+            Numbers::Corners => wgpu::Features::empty(),
         };
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("sightline"),
-            required_features: index | (adapter.features() & wgpu::Features::POLYGON_MODE_LINE),
+            required_features: index | wgpu::Features::POLYGON_MODE_LINE,
             // All that the adapter has: the user decides how large meshes and pictures are.
             required_limits: (restraint.limits.clone()).unwrap_or_else(|| adapter.limits()),
             ..Default::default()
@@ -72,7 +70,6 @@ impl Gpu {
         report_to(&reports, &device);
         Ok(Self {
             info,
-            smooth_samples: restraint.samples_of(&adapter),
             adapter,
             device,
             queue,
@@ -105,18 +102,12 @@ impl Gpu {
         self.rasteriser
     }
 
-    /// Whether triangles can be drawn as their edges.
-    pub fn draws_wireframes(&self) -> bool {
-        let features = self.device.features();
-        features.contains(wgpu::Features::POLYGON_MODE_LINE)
-    }
-
-    /// Colour samples per pixel while the picture moves: [`Gpu::smooth_samples`] on hardware, 1 in software.
+    /// Colour samples per pixel while the picture moves: [`SMOOTH_SAMPLES`] on hardware, 1 in software.
     pub fn samples_in_motion(&self) -> u32 {
         if self.is_software() {
             1
         } else {
-            self.smooth_samples
+            SMOOTH_SAMPLES
         }
     }
 

@@ -41,23 +41,19 @@ impl MeshBuffers {
 
     fn new(gpu: &Gpu, vertices: &[Vertex], triangles: &[[u32; 3]]) -> Result<Self, GpuError> {
         let count = |triangles: usize| u32::try_from(triangles).unwrap_or(u32::MAX);
-        let is_indexed = gpu.numbers != Numbers::Corners;
         let most = gpu.device.limits().max_buffer_size;
-        let fits = is_indexed && size_of_val(vertices).max(size_of_val(triangles)) as u64 <= most;
-        // This many fit even if no two triangles share a vertex.
+        let largest = size_of_val(vertices).max(size_of_val(triangles)) as u64;
+        let is_indexed = gpu.numbers == Numbers::Primitives && largest <= most;
         let triangles_of_chunk = most / (3 * size_of::<Vertex>()) as u64;
         let triangles_of_chunk = usize::try_from(triangles_of_chunk).unwrap_or(usize::MAX);
         let of_chunk = |(at, some): (usize, &[[u32; 3]])| {
             let own;
-            let (vertices, indices) = if fits {
+            let (vertices, indices) = if is_indexed {
                 (vertices, Some(triangles))
-            } else if is_indexed {
-                own = renumbered(vertices, some);
-                (&*own.0, Some(&*own.1))
             } else {
                 let corners = some.as_flattened().iter();
-                own = (corners.map(|&i| vertices[i as usize]).collect(), vec![]);
-                (&*own.0, None)
+                own = corners.map(|&i| vertices[i as usize]).collect::<Vec<_>>();
+                (&*own, None)
             };
             let vertices = gpu.buffer("vertices", BufferUsages::VERTEX, vertices)?;
             let buffer = |all| gpu.buffer("triangles", BufferUsages::INDEX, all);
@@ -68,7 +64,7 @@ impl MeshBuffers {
                 indices: indices.map(buffer).transpose()?,
             })
         };
-        let chunks: Result<_, GpuError> = if fits {
+        let chunks: Result<_, GpuError> = if is_indexed {
             of_chunk((0, triangles)).map(|chunk| [chunk].into())
         } else {
             let chunks = triangles.chunks(triangles_of_chunk.max(1)).enumerate();
@@ -141,21 +137,6 @@ impl MeshBuffers {
         }
         Self::new(gpu, &vertices, &triangles)
     }
-}
-
-/// The vertices of some triangles, and the triangles as indices into them.
-fn renumbered(vertices: &[Vertex], triangles: &[[u32; 3]]) -> (Vec<Vertex>, Vec<[u32; 3]>) {
-    let (mut own, mut numbers) = (Vec::new(), HashMap::new());
-    let triangles = triangles.iter().map(|corners| {
-        corners.map(|corner| {
-            *numbers.entry(corner).or_insert_with(|| {
-                own.push(vertices[corner as usize]);
-                u32::try_from(own.len() - 1).unwrap_or(u32::MAX)
-            })
-        })
-    });
-    let triangles = triangles.collect();
-    (own, triangles)
 }
 
 /// Vertices, and triangles as indices into them.

@@ -13,8 +13,8 @@
 //! draw call where that does not change the picture. If there are many batches, a background thread composes their
 //! table rows for the view, and drawing takes the rows that are ready.
 //!
-//! Weak adapters are supported: triangles are numbered in another way ([`Numbers`]), and meshes are split to fit into
-//! buffers. The grid that the rasteriser snaps corners to is measured ([`Rasteriser`]).
+//! Where the adapter has no primitive index, triangles are numbered by their corners ([`Numbers`]). Meshes are split to
+//! fit into buffers. The grid that the rasteriser snaps corners to is measured ([`Rasteriser`]).
 //!
 //! Pixels that were found by rays can take the place of drawn ones ([`Renderer::take_pixels`]).
 //!
@@ -87,7 +87,7 @@ use crate::{
 };
 use std::cell::OnceCell;
 
-/// Samples per pixel of a picture at rest, for smooth edges, where the adapter multisamples ([`Gpu::smooth_samples`]).
+/// Samples per pixel of a picture at rest, for smooth edges.
 pub const SMOOTH_SAMPLES: u32 = 4;
 
 /// How much a software adapter draws at once. It keeps transformed triangles until they are drawn: half a gigabyte for
@@ -99,8 +99,7 @@ const SOFTWARE_PIECE: Piece = Piece::of_work(1 << 18);
 pub struct Renderer {
     /// Pixels per logical pixel of the screen: how wide outlines are. 1 at first.
     pub scale_factor: f32,
-    /// The objects whose triangles' edges are drawn over their faces; `None` at first. Ignored unless
-    /// [`Gpu::draws_wireframes`].
+    /// The objects whose triangles' edges are drawn over their faces; `None` at first.
     pub wireframe: Option<Wireframe>,
     pipelines: pipelines::Pipelines,
     /// Made at first use.
@@ -139,7 +138,7 @@ pub fn render(
     view: &View,
     selection: Option<usize>,
 ) -> Result<(Image<Id>, Image<Rgb>), GpuError> {
-    let drawing = Drawing::of_scene(gpu.smooth_samples, view, Vec::new());
+    let drawing = Drawing::of_scene(SMOOTH_SAMPLES, view, Vec::new());
     let (targets, buffers, mut renderer) = draw_alone(gpu, scene, view, drawing)?;
     let onto = (&buffers, &targets, view);
     if let Some(object) = selection {
@@ -158,10 +157,7 @@ pub fn render(
 /// # Errors
 /// As [`render`].
 pub fn picture(gpu: &Gpu, scene: &Scene, view: &View) -> Result<Image<Rgb>, GpuError> {
-    let drawing = match gpu.smooth_samples {
-        1 => Drawing::of_scene(1, view, Vec::new()),
-        _ => Drawing::of_smooth_colours(view, Vec::new(), 1),
-    };
+    let drawing = Drawing::of_smooth_colours(view, Vec::new(), 1);
     // Without marks, the picture is the colours as drawn.
     let (targets, ..) = draw_alone(gpu, scene, view, drawing)?;
     targets.read_colours(gpu)
@@ -174,9 +170,9 @@ fn draw_alone(
     view: &View,
     mut drawing: Drawing,
 ) -> Result<(Targets, SceneBuffers, Renderer), GpuError> {
-    let targets = Targets::new(gpu, view.viewport, gpu.smooth_samples)?;
+    let targets = Targets::new(gpu, view.viewport, SMOOTH_SAMPLES)?;
     let buffers = SceneBuffers::upload(gpu, scene)?;
-    let mut renderer = Renderer::new(gpu, gpu.smooth_samples);
+    let mut renderer = Renderer::new(gpu, SMOOTH_SAMPLES);
     let piece = if gpu.is_software() {
         SOFTWARE_PIECE
     } else {

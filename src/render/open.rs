@@ -1,10 +1,9 @@
 //! Opens the graphics device, with or without a window, and measures what it can do.
 
 use super::{
-    abilities::{Numbers, Restraint},
+    abilities::Restraint,
     gpu::{Gpu, GpuError},
     probe::probe,
-    rasteriser::Rasteriser,
 };
 use std::time::Instant;
 
@@ -18,19 +17,13 @@ impl Gpu {
     }
 
     /// [`Gpu::headless`] for colours alone: the rasteriser is not measured, which takes milliseconds, and counts as the
-    /// common one; ids name no triangles.
+    /// common one.
     ///
     /// # Errors
     /// As [`Gpu::headless`].
     pub fn headless_for_colours() -> Result<Self, GpuError> {
         let adapter = pollster::block_on(best_adapter(&instance(), None))?;
-        let restraint = Restraint {
-            numbers: Numbers::Objects,
-            ..Restraint::default()
-        };
-        let mut gpu = Self::unmeasured(adapter, &restraint)?;
-        gpu.rasteriser.names_triangles = false;
-        Ok(gpu)
+        Self::unmeasured(adapter, &Restraint::default())
     }
 
     /// [`Gpu::headless`], restricted to what a lesser adapter can do.
@@ -70,7 +63,7 @@ impl Gpu {
     pub(super) fn of(adapter: wgpu::Adapter, restraint: &Restraint) -> Result<Self, GpuError> {
         let mut gpu = Self::unmeasured(adapter, restraint)?;
         let start = Instant::now();
-        gpu.probe()?;
+        gpu.rasteriser = probe(&gpu)?;
         log::info!(
             "{} has {} sub-pixel bits and numbers triangles by {:?}: found in {:.1?}",
             gpu.adapter_name(),
@@ -79,26 +72,6 @@ impl Gpu {
             start.elapsed()
         );
         Ok(gpu)
-    }
-
-    /// Measures the rasteriser. A numbering of triangles that does not work is replaced by the next one.
-    fn probe(&mut self) -> Result<(), GpuError> {
-        loop {
-            let found = probe(self)?;
-            let names_triangles = found.names_triangles && self.numbers != Numbers::Objects;
-            self.rasteriser = Rasteriser {
-                names_triangles,
-                ..found
-            };
-            self.numbers = match self.numbers {
-                numbers if names_triangles => numbers,
-                Numbers::Primitives => Numbers::Corners,
-                Numbers::Corners | Numbers::Objects => Numbers::Objects,
-            };
-            if names_triangles || self.numbers == Numbers::Objects {
-                return Ok(());
-            }
-        }
     }
 }
 

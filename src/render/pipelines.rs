@@ -207,7 +207,7 @@ impl Pipelines {
         let edge_entry = if is_cut { "edge_cut" } else { "edge" };
         let mesh = match gpu.numbers {
             Numbers::Primitives => "mesh by primitive",
-            Numbers::Corners | Numbers::Objects => "mesh by corner",
+            Numbers::Corners => "mesh by corner",
         };
         let (module, vertex, fragment) = match drawn {
             Drawn::Triangles { .. } => (mesh, triangle_vertex, surface_entry),
@@ -347,8 +347,8 @@ mod tests {
         colour::Srgb,
         geometry::{Placement, Sides},
         render::{
-            Destination, Drawing, Gpu, Line, Marks, Piece, Renderer, SceneBuffers, Targets,
-            without_depth,
+            Destination, Drawing, Gpu, Line, Marks, Piece, Renderer, SMOOTH_SAMPLES, SceneBuffers,
+            Targets, without_depth,
         },
         scene::{Object, Scene, Shape},
     };
@@ -369,7 +369,7 @@ mod tests {
         let size = Viewport::new(64, 64).expect("a size");
         let camera = CameraChoice::default().resolve(&scene.bounds(), size);
         let view = View::new(camera.expect("it is framed"), size);
-        for samples in [1, gpu.smooth_samples] {
+        for samples in [1, SMOOTH_SAMPLES] {
             for sides in [Sides::Both, Sides::Front] {
                 let view = View { sides, ..view };
                 let mut renderer = Renderer::new(&gpu, samples);

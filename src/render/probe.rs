@@ -14,7 +14,7 @@ use super::{
 const LANES: u32 = MOST_BITS;
 const SIZE: [u32; 2] = [16, 8];
 
-/// Measures the rasteriser, with the triangle numbering of `gpu`.
+/// Measures the rasteriser. An adapter that numbers triangles wrongly is refused.
 ///
 /// Each triangle has a side that misses a pixel's centre by a little less than half a step of a grid of 2^-bits pixels.
 /// A rasteriser with that many bits or fewer snaps the side onto the centre. Of two triangles that lie on opposite
@@ -23,7 +23,7 @@ const SIZE: [u32; 2] = [16, 8];
 pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
     let name = match gpu.numbers {
         Numbers::Primitives => "probe by primitive",
-        Numbers::Corners | Numbers::Objects => "probe by corner",
+        Numbers::Corners => "probe by corner",
     };
     let module = shader_module(gpu, name);
     let pipeline = without_depth::pipeline(gpu, None, &module, ["vertex", "id"], IDS.into());
@@ -36,11 +36,19 @@ pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
         pass.draw(0..4 * LANES * 3, 0..1);
     });
     let pixels = read(gpu, &texture, [0, 0], SIZE, |id: [u32; 2]| id)?;
-    Ok(found(&pixels))
+    let (rasteriser, names_triangles) = found(&pixels);
+    if names_triangles {
+        return Ok(rasteriser);
+    }
+    Err(GpuError::Lacks {
+        adapter: gpu.adapter_name().to_owned(),
+        what: "right numbers of triangles in shaders".to_owned(),
+    })
 }
 
 /// Evaluates the picture's pixels, given row by row: each is 1 where a triangle is, and the triangle's number plus 1.
-fn found(pixels: &[[u32; 2]]) -> Rasteriser {
+/// Returns the rasteriser, and whether it numbers triangles right.
+fn found(pixels: &[[u32; 2]]) -> (Rasteriser, bool) {
     // The pixel of a group's lane that is this far along it; the missed one is at 0.
     let at = |group: u32, lane: u32, along: u32| {
         let is_forward = group.is_multiple_of(2);
@@ -56,10 +64,9 @@ fn found(pixels: &[[u32; 2]]) -> Rasteriser {
     let moved = each().filter(|&(group, lane)| at(group, lane, 0)[0] == 1);
     let bits = moved.map(|(_, lane)| lane + 1).min().unwrap_or(LANES);
     let number = |(group, lane)| [1, group * LANES + lane + 1];
-    Rasteriser {
-        grid_px: grid_px(bits),
-        names_triangles: each().all(|of| at(of.0, of.1, 1) == number(of)),
-    }
+    let names_triangles = each().all(|of| at(of.0, of.1, 1) == number(of));
+    let grid_px = grid_px(bits);
+    (Rasteriser { grid_px }, names_triangles)
 }
 
 #[cfg(test)]
@@ -98,7 +105,7 @@ mod tests {
     #[test]
     fn grids_are_told_apart() {
         for bits in 1..=12 {
-            let found = |round| found(&picture(bits, round, |i| i + 1)).sub_pixel_bits();
+            let found = |round| found(&picture(bits, round, |i| i + 1)).0.sub_pixel_bits();
             let bits = u32::try_from(bits).expect("few");
             assert_eq!(found(f64::round_ties_even), bits.min(LANES));
             // Truncation moves sides twice as far.
@@ -109,7 +116,7 @@ mod tests {
 
     #[test]
     fn wrong_numbers_are_noticed() {
-        let names = |number| found(&picture(8, f64::round, number)).names_triangles;
+        let names = |number| found(&picture(8, f64::round, number)).1;
         assert!(names(|i| i + 1));
         assert!(!names(|i| i));
         assert!(!names(|_| 1));

@@ -3,21 +3,18 @@
 /// The binary digits of a pixel in the common grid.
 pub(super) const MOST_BITS: u32 = 8;
 
-/// What decides which pixels a triangle covers, and what its ids say.
+/// What decides which pixels a triangle covers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rasteriser {
     /// The step, in pixels, of the grid that corners are snapped to: they move by at most half of it along each axis. A
     /// grid finer than the common one counts as the common one.
     pub grid_px: f64,
-    /// Whether ids name triangles, and not objects alone.
-    pub names_triangles: bool,
 }
 
 impl Rasteriser {
     /// The grid that Direct3D and Metal require, and most Vulkan devices have.
     pub const COMMON: Self = Self {
         grid_px: 1.0 / 256.0,
-        names_triangles: true,
     };
 
     /// Binary digits of a pixel in the grid: 8 in the common one.

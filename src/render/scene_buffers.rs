@@ -1,7 +1,6 @@
 //! The scene in graphics memory: meshes once, objects as rows of small tables.
 
 use super::{
-    abilities::Numbers,
     batches::{Batch, Kind, Own, TriangleBatch},
     draw_order::index,
     gpu::{Gpu, GpuError},
@@ -85,7 +84,6 @@ impl SceneBuffers {
         meshes: &mut MeshStore,
     ) -> Result<Self, GpuError> {
         let (cube, square) = (MeshBuffers::cube(gpu)?, MeshBuffers::square(gpu)?);
-        let names_triangles = gpu.numbers != Numbers::Objects;
         let states: Vec<ObjectState> = scene.objects().iter().map(object_state).collect();
         let (mut kinds, mut known) = (Vec::new(), HashMap::new());
         let mut batches = Vec::with_capacity(scene.batches().len());
@@ -126,7 +124,7 @@ impl SceneBuffers {
             whole.work += work(&triangles);
             whole.instances += 1;
             let number = index(batches.len());
-            let drawn = drawn_batch(scene, batch, kind, triangles.start, names_triangles);
+            let drawn = drawn_batch(scene, batch, kind, triangles.start);
             batches.push(drawn);
             for object in batch.clone() {
                 let shape = &scene.objects()[object].shape;
@@ -194,13 +192,7 @@ impl SceneBuffers {
 }
 
 /// The batch of a range of objects.
-fn drawn_batch(
-    scene: &Scene,
-    range: &Range<usize>,
-    kind: u32,
-    first_triangle: u32,
-    names_triangles: bool,
-) -> Batch {
+fn drawn_batch(scene: &Scene, range: &Range<usize>, kind: u32, first_triangle: u32) -> Batch {
     let objects = &scene.objects()[range.clone()];
     let object = &objects[0];
     let own = match &object.shape {
@@ -218,7 +210,7 @@ fn drawn_batch(
                 bounds,
                 object_of_part_0: index(range.start).wrapping_sub(index(first_part)),
                 first_triangle,
-                numbers_triangles: names_triangles && shape.triangles().is_some(),
+                numbers_triangles: shape.triangles().is_some(),
             })
         }
     };

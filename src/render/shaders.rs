@@ -36,21 +36,13 @@ pub const SHADERS: [(&str, &str); 9] = [
     ("probe by corner", wgsl!("probe", "probe_by_corner")),
 ];
 
-/// The parameter that makes a fragment shader run once per sample.
-const EACH_SAMPLE: &str = ", @builtin(sample_index) sample: u32";
-
 /// A shader by its name.
 pub(crate) fn shader_module(gpu: &Gpu, name: &str) -> wgpu::ShaderModule {
     let found = SHADERS.iter().find(|(other, _)| *other == name);
     let source = found.map_or("", |(_, text)| text);
-    let source = match gpu.smooth_samples {
-        // An adapter without multisampling refuses this parameter.
-        1 => source.replace(EACH_SAMPLE, "").into(),
-        _ => source.into(),
-    };
     gpu.device
         .create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(name),
-            source: wgpu::ShaderSource::Wgsl(source),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
         })
 }

@@ -38,18 +38,14 @@ pub enum SaveError {
     Size(#[from] CameraError),
 }
 
-/// Writes a report's tables and charts into a folder, with separate files for a scene's own rays. Each file is written
-/// whole or not at all: where there is no room, an earlier run's files stay.
+/// Writes a report's tables and charts into a folder. Each file is written whole or not at all: where there is no room,
+/// an earlier run's files stay.
 ///
 /// # Errors
 /// When a file cannot be written.
 pub fn save(folder: &Path, report: &Report) -> Result<(), SaveError> {
-    for (report, part) in report.split().into_iter().zip(["", "_scene"]) {
-        let Some(report) = report else { continue };
-        for (name, table) in [("study", csv(&report)), ("summary", summary_csv(&report))] {
-            text(folder.join(format!("{name}{part}.csv")), &table)?;
-        }
-    }
+    text(folder.join("study.csv"), &csv(report))?;
+    text(folder.join("summary.csv"), &summary_csv(report))?;
     for (stem, picture) in charts(report) {
         save_chart(folder, stem, &picture)?;
     }

@@ -27,9 +27,8 @@
 //! translation, centre), then multiply.
 //!
 //! **A test for equality is a test of rounding.** Three areas that should add up to a fourth do so for only some of the
-//! hits; the rest are lost. A tolerance brings back the hits in a triangle's middle, but moves the triangle's edges.
-//! Signs need no tolerance: the side of an edge on which a ray passes is one sign, the same for both triangles at the
-//! edge.
+//! hits; the rest are lost. Signs need no test for equality: the side of an edge on which a ray passes is one sign, the
+//! same for both triangles at the edge.
 //!
 //! **A mesh leaks where two of its triangles disagree.** Each of them may miss a ray at their edge by a rounding. A
 //! test that computes the same number for the edge from either triangle closes this leak; a corner needs more.
@@ -94,7 +93,7 @@ mod prelude {
             triangles::TriangleCase,
         },
         random::Random,
-        real::{M3, Real, Ring, V3, through_f32, through_f32_each},
+        real::{M3, Real, V3, through_f32, through_f32_each},
         run::{Report, Row, SCENE},
         scene_rays::{PX, SceneRays, TAN_30},
         step::{

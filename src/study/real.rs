@@ -1,7 +1,6 @@
 //! `f32` and `f64` under one trait, so that a method is written once and studied in both.
 
-pub(super) use crate::geometry::vector::each;
-pub use crate::geometry::vector::{Ring, V3};
+pub use crate::geometry::vector::V3;
 use glam::{DMat3, DVec3};
 use num_traits::Float;
 

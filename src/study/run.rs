@@ -76,16 +76,6 @@ impl Report {
         let own = self.rows.iter().filter(|row| row.family == SCENE);
         own.filter(move |row| row.info.step.key == step)
     }
-
-    /// Two reports, one of the general workloads and one of a scene's own rays; `None` where there are no such rows.
-    pub fn split(&self) -> [Option<Self>; 2] {
-        let part = |is_own: bool| {
-            let mut rows = self.rows.clone();
-            rows.retain(|row| (row.family == SCENE) == is_own);
-            (!rows.is_empty()).then_some(Self { rows })
-        };
-        [part(false), part(true)]
-    }
 }
 
 /// The name of the family that a scene's own rays form.

@@ -1,7 +1,7 @@
 //! The study as text: a table for each step.
 
 use super::{
-    methods::{reading, registry},
+    methods::registry,
     prelude::*,
     timing::{Time, processor},
 };
@@ -10,31 +10,15 @@ use std::{fmt::Write, iter};
 /// The tables of every step.
 pub fn table(report: &Report) -> String {
     let mut text = format!("Times in nanoseconds, on {}.\n\n", processor());
-    let [general, own] = report.split().map(Option::unwrap_or_default);
     for step in report.steps() {
-        let summaries = own.summaries(step);
-        if !summaries.is_empty() {
-            section(&mut text, SCENE, step, &summaries);
-            if let Some(need) = need(step, &summaries) {
-                // Writing to a string cannot fail.
-                let _ = writeln!(text, "  {need}\n");
-            }
-        }
-        section(&mut text, "every workload", step, &general.summaries(step));
+        let summaries = report.summaries(step);
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{}\nEach method is given {}.", step.name, step.job);
+        aligned(&mut text, &columns(step, &summaries));
+        notes(&mut text, &summaries);
+        text.push('\n');
     }
     text
-}
-
-fn section(text: &mut String, of: &str, step: About, summaries: &[Summary<'_>]) {
-    if summaries.is_empty() {
-        return;
-    }
-    let About { name, job, .. } = step;
-    // Writing to a string cannot fail.
-    let _ = writeln!(text, "{name}, {of}\nEach method is given {job}.");
-    aligned(text, &columns(step, summaries));
-    notes(text, step, summaries);
-    text.push('\n');
 }
 
 /// The columns of a step's table, each with its header first.
@@ -127,39 +111,13 @@ fn aligned(text: &mut String, columns: &[Vec<String>]) {
     }
 }
 
-/// The lines below a table: how fast files are read, and what a method offers where others are faster.
-fn notes(text: &mut String, step: About, summaries: &[Summary<'_>]) {
-    if step == reading::FileCase::ABOUT {
-        for summary in summaries {
-            let Some(ns) = summary.ns() else { continue };
-            let (name, precision) = summary.method.info.key();
-            #[expect(clippy::cast_precision_loss, reason = "a few bytes")]
-            let speed = 1e3 * reading::BYTES as f64 / ns;
-            let _ = writeln!(text, "  {name}, {precision}: {speed:.0} MB/s");
-        }
-    }
+/// The lines below a table: what a method offers where others are faster.
+fn notes(text: &mut String, summaries: &[Summary<'_>]) {
     for summary in summaries {
         if let Some(reason) = summary.method.info.reason {
             let _ = writeln!(text, "  {} offers: {reason}", summary.method.info.name);
         }
     }
-}
-
-/// Names the fastest method whose mistakes no picture shows: no wrong decision, and no error above a twentieth of a
-/// pixel, a quarter of a degree or a ten-thousandth.
-fn need(step: About, summaries: &[Summary<'_>]) -> Option<String> {
-    let most = match step.error_unit {
-        "px" => 0.05,
-        "degrees" => 0.25,
-        _ => 1e-4,
-    };
-    let is_good = |row: &&Row| row.wrong() == 0 && row.worst_error <= most;
-    let timed = summaries.iter().filter(|of| of.rows.iter().all(is_good));
-    let timed = timed.filter_map(|summary| Some((summary.method, summary.ns()?)));
-    let (fastest, _) = timed.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    let (name, precision) = fastest.info.key();
-    let need = format!("The fastest that is right here: {name}, {precision}.");
-    Some(need)
 }
 
 /// Family and parameter of a row; empty where the figure found there is 0.

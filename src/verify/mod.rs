@@ -156,8 +156,7 @@ impl Class {
     }
 }
 
-/// Compares two id pictures of a scene, pixel by pixel. `rasteriser` drew the first; if it numbers no triangles, only
-/// objects are compared.
+/// Compares two id pictures of a scene, pixel by pixel. `rasteriser` drew the first.
 ///
 /// # Panics
 /// When either differs from the view in size.
@@ -183,12 +182,7 @@ pub fn compare(
         report.picked += is_picked;
         let is_outline = on_outline(drawn, x, y) || on_outline(picked, x, y);
         report.outline += usize::from(is_outline);
-        let is_same = if rasteriser.names_triangles {
-            ids[0] == ids[1]
-        } else {
-            ids[0].object == ids[1].object
-        };
-        if !is_same {
+        if ids[0] != ids[1] {
             report.outline_differ += usize::from(is_outline);
             let difference = explain(&surfaces, [x, y], ids);
             report.disagreements.push(difference);

@@ -33,8 +33,6 @@ fn adapters_are_described_and_a_missing_display_is_named() {
         "driver ",
         "  triangles in ids: by ",
         " sub-pixel bits, measured",
-        "  edges: smooth, 4 samples a pixel",
-        "  wireframe: ",
         "  pictures: up to ",
         "larger meshes are split",
     ];

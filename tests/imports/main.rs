@@ -53,7 +53,7 @@ const KEPT: [(&str, &[&str]); 5] = [
     ("wgpu", &["render", "viewer"]),
     ("winit", &["viewer"]),
     ("egui", &["viewer"]),
-    ("tobj", &["scene", "study"]),
+    ("tobj", &["scene"]),
     ("clap", &["cli"]),
 ];
 

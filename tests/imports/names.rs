@@ -4,7 +4,7 @@ use super::graph::{Modules, is_facade};
 use std::{collections::BTreeMap, path::Path};
 
 /// What several files are about, each in its own way: their folders say which. Within `viewer` each name is one file's.
-const SHARED: [(&str, &[&str]); 16] = [
+const SHARED: [(&str, &[&str]); 15] = [
     ("again", &["scene/files/obj", "scene/files/obj/tests"]),
     (
         "in_file",

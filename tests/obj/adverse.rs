@@ -73,6 +73,22 @@ fn polygons_of_any_shape() {
     assert!(triangles(&polygon(CORNERS, |_| random.point(1.0).to_array())) > CORNERS / 2);
     let on_grid = polygon(CORNERS, |_| random.point(2.0).round().to_array());
     assert!(triangles(&on_grid) > CORNERS / 2);
+    // Outlines that cross themselves, or go round more than once, and for which earcut takes cubic time.
+    let around = |turns: f64, up: f64| {
+        let triangles = triangles(&polygon(CORNERS, |i| {
+            let angle = i * TAU / 40_000.0;
+            let radius = if i % 2.0 > 0.0 { 0.4 } else { 1.0 };
+            [
+                radius * (turns * angle).cos(),
+                radius * (up * angle).sin(),
+                0.0,
+            ]
+        }));
+        assert!(triangles > CORNERS / 2, "{triangles}");
+    };
+    around(13_334.0, 13_334.0);
+    around(2.0, 3.0);
+    around(4.0, 4.0);
     // Nearly all corners at one point.
     assert_eq!(
         triangles(&polygon(CORNERS, |i| [

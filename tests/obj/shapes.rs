@@ -166,6 +166,36 @@ fn a_large_polygon_is_quick_and_a_mad_one_is_left_out() {
 }
 
 #[test]
+fn a_large_polygon_keeps_its_holes() {
+    // A square with a round hole and a star-shaped one; the outline goes to each and back along the same bridge.
+    let hole = |x: f64, deep: f64| {
+        (0..=400).map(move |i| {
+            let (sin, cos) = (f64::from(i % 400) * std::f64::consts::TAU / 400.0).sin_cos();
+            let radius = if i % 2 == 0 { 1.0 } else { deep };
+            [x - radius * cos, radius * sin]
+        })
+    };
+    let at = |x: f64, y: f64| std::iter::once([x, y]);
+    let bottom = at(-4.0, -4.0).chain(at(4.0, -4.0)).chain(at(4.0, 4.0));
+    let top = at(-4.0, 4.0).chain(at(-4.0, 0.0));
+    let between = hole(2.0, 0.5).chain(at(-1.0, 0.0));
+    let holes = hole(-2.0, 1.0)
+        .take(201)
+        .chain(between)
+        .chain(hole(-2.0, 1.0).skip(201));
+    let corners: Vec<[f64; 2]> = bottom
+        .chain(top)
+        .chain(holes)
+        .chain(at(-4.0, 0.0))
+        .collect();
+    let plate = mesh(&polygon(&corners));
+    let area: f64 = triangles(&plate).map(|t| vector_area(t).z).sum();
+    assert!((area / shoelace(&corners) - 1.0).abs() < 1e-5, "{area}");
+    assert!(covers(&plate, 0.1, 0.1) && covers(&plate, 1.986, 0.9));
+    assert!(!covers(&plate, 2.1, 0.1) && !covers(&plate, -1.9, 0.1));
+}
+
+#[test]
 fn twisted_and_touching_outlines_leave_no_hole() {
     // The Newell normal of this polygon lies in the plane of three corners. Seen along it, two corners coincide.
     let twisted = mesh("v 0 0 0\nv 1 0 0\nv 0 1 0.25\nv 1 1 0\nf 1 2 3 4\n");

@@ -1,10 +1,10 @@
-//! Lesser adapters draw the same pictures: without a primitive index, without multisampling, within the smallest
-//! limits. They are simulated by not using what this adapter has.
+//! Lesser adapters draw the same pictures: without a primitive index, within the smallest limits. They are simulated by
+//! not using what this adapter has.
 
 use super::*;
 use sightline::{
     geometry::{Mesh, Placement},
-    render::{Numbers, Restraint, SMOOTH_SAMPLES, Wireframe},
+    render::{Numbers, Rasteriser, Restraint, SMOOTH_SAMPLES, Wireframe},
     scene::{Object, Shape},
 };
 use std::sync::Arc;
@@ -13,12 +13,12 @@ fn lesser(restraint: &Restraint) -> Gpu {
     Gpu::headless_within(restraint).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn numbered(numbers: Numbers) -> Gpu {
+fn by_corners() -> Gpu {
     let gpu = lesser(&Restraint {
-        numbers,
+        by_corners: true,
         ..Restraint::default()
     });
-    assert_eq!(gpu.numbers, numbers);
+    assert_eq!(gpu.numbers, Numbers::Corners);
     gpu
 }
 
@@ -43,7 +43,7 @@ fn views() -> [View; 3] {
 fn all_of(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<Image<Id>>, Vec<Image<Rgb>>) {
     let mut ids = Vec::new();
     let mut colours = Vec::new();
-    for samples in [1, gpu.smooth_samples] {
+    for samples in [1, SMOOTH_SAMPLES] {
         let mut renderer = Renderer::new(gpu, samples);
         let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
         let targets = Targets::new(gpu, view.viewport, samples).expect("fits");
@@ -77,7 +77,7 @@ fn assert_same<T: Copy + PartialEq>(some: &[Image<T>], others: &[Image<T>]) {
 #[test]
 fn without_a_primitive_index_all_is_the_same() {
     let scene = shapes(DVec3::ZERO);
-    let gpus = [gpu(), numbered(Numbers::Corners)];
+    let gpus = [gpu(), by_corners()];
     for view in views() {
         let [(ids, colours), (by_corner, coloured)] =
             gpus.each_ref().map(|gpu| all_of(gpu, &scene, &view));
@@ -88,29 +88,11 @@ fn without_a_primitive_index_all_is_the_same() {
     }
 }
 
-#[test]
-fn where_triangles_have_no_numbers_objects_do() {
-    let scene = shapes(DVec3::ZERO);
-    let gpus = [gpu(), numbered(Numbers::Objects)];
-    for view in views() {
-        let [(ids, colours), (objects, coloured)] =
-            gpus.each_ref().map(|gpu| all_of(gpu, &scene, &view));
-        for (ids, objects) in ids.iter().zip(&objects) {
-            let pairs = ids.pixels().iter().zip(objects.pixels());
-            for (id, object) in pairs {
-                assert_eq!([id.object, 0], [object.object, object.triangle]);
-            }
-        }
-        assert_same(&colours, &coloured);
-    }
-}
-
 /// A device whose rasteriser nobody measured draws the same colours.
 #[test]
 fn colours_alone_need_no_measured_rasteriser() {
     let unmeasured = Gpu::headless_for_colours().unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(unmeasured.numbers, Numbers::Objects);
-    assert!(!unmeasured.rasteriser().names_triangles);
+    assert_eq!(unmeasured.rasteriser(), Rasteriser::COMMON);
     let scene = shapes(DVec3::ZERO);
     for view in views() {
         let (_, colours) = sightline::render::render(&gpu(), &scene, &view, None).expect("drawn");
@@ -119,25 +101,6 @@ fn colours_alone_need_no_measured_rasteriser() {
             alone.pixels() == colours.pixels(),
             "the same to the last bit"
         );
-    }
-}
-
-#[test]
-fn without_multisampling_pictures_are_rough() {
-    let rough = lesser(&Restraint {
-        samples: 1,
-        ..Restraint::default()
-    });
-    assert_eq!(rough.smooth_samples, 1);
-    assert_eq!(gpu().smooth_samples, SMOOTH_SAMPLES);
-    let scene = shapes(DVec3::ZERO);
-    for view in views() {
-        let (ids, colours, _) = draw(&gpu(), &scene, &view, &[], &Marks::default(), 1);
-        let drawn = sightline::render::render(&rough, &scene, &view, None).expect("drawn");
-        assert_eq!(differing(&ids, &drawn.0), 0);
-        assert_eq!(differing(&colours, &drawn.1), 0);
-        let alone = sightline::render::picture(&rough, &scene, &view).expect("drawn");
-        assert_eq!(differing(&colours, &alone), 0);
     }
 }
 
@@ -150,7 +113,6 @@ fn smallest() -> wgpu::Limits {
 fn the_smallest_limits_draw_the_same_and_refuse_in_a_line() {
     for samples in [1, SMOOTH_SAMPLES] {
         let small = lesser(&Restraint {
-            samples,
             limits: Some(smallest()),
             ..Restraint::default()
         });
@@ -191,11 +153,10 @@ fn meshes_larger_than_a_buffer_are_split() {
         max_storage_buffer_binding_size: 100_000,
         ..smallest()
     };
-    for numbers in [Numbers::Primitives, Numbers::Corners] {
+    for by_corners in [false, true] {
         let small = lesser(&Restraint {
-            numbers,
+            by_corners,
             limits: Some(limits.clone()),
-            ..Restraint::default()
         });
         for view in views() {
             let (ids, colours) = all_of(&gpu(), &scene, &view);

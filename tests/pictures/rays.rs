@@ -14,7 +14,7 @@ use sightline::{
     geometry::{Placement, Section, Sides},
     image::{Image, Pixel, Rgb},
     pick,
-    render::{Gpu, Line, Marks, Renderer, SceneBuffers, Targets, picture},
+    render::{Gpu, Line, Marks, Renderer, SMOOTH_SAMPLES, SceneBuffers, Targets, picture},
     scene::{Object, Scene, Shape},
 };
 use std::time::{Duration, Instant};
@@ -102,7 +102,7 @@ fn views() -> [(&'static str, View); 5] {
 fn pixels_that_rays_found_look_as_if_drawn() {
     let (gpu, scene, lines) = (gpu(), shapes(DVec3::ZERO), lines());
     scene.build_trees();
-    let with_samples = [1, gpu.smooth_samples];
+    let with_samples = [1, SMOOTH_SAMPLES];
     assert!(with_samples[1] > 1);
     for ((name, view), object) in views().into_iter().flat_map(|view| [(view, 3), (view, 7)]) {
         let marks = Marks {

@@ -28,7 +28,7 @@ fn timed() -> &'static Report {
 fn are_written_and_say_something() {
     let folder = tempfile::tempdir().expect("a folder");
     let charts = charts(timed());
-    assert_eq!(charts.len(), 8);
+    assert_eq!(charts.len(), 5);
     every_formula_is_named(&charts[0].1);
     for (stem, picture) in charts {
         no_words_overlap(stem, &picture);
@@ -65,7 +65,7 @@ fn what_an_earlier_run_left_is_replaced_whole() {
         std::fs::hard_link(out.join(&name), kept.join(&name)).expect("a link");
     }
     study::save(&out, report).expect("written");
-    assert_eq!(names().count(), 18, "two tables, eight charts twice");
+    assert_eq!(names().count(), 12, "two tables, five charts twice");
     for name in names() {
         assert_eq!(
             std::fs::read(kept.join(&name)).expect("a file"),

@@ -1,16 +1,12 @@
 //! The other methods have the properties known of them: which always decide right, which leak and which lose digits.
 
-use super::{gallery::view_of, report, row, rows};
-use sightline::{
-    scene::{self, Progress},
-    study::{
-        self, Effort, SCENE, SceneRays,
-        methods::{closed::ClosedCase, triangles::RayTriangle},
-        random::Random,
-        step::{
-            Case,
-            Precision::{Exact, F32, F64},
-        },
+use super::{report, row, rows};
+use sightline::study::{
+    methods::{closed::ClosedCase, triangles::RayTriangle},
+    random::Random,
+    step::{
+        Case,
+        Precision::{Exact, F32, F64},
     },
 };
 
@@ -105,20 +101,6 @@ fn rays_that_surely_enter_a_body_do() {
     }
 }
 
-#[test]
-fn files_keep_what_f32_has_digits_for() {
-    let lost = row("file", "tobj", F32, "national coordinates", 1e7);
-    assert!(lost.worst_error > 400.0, "half a metre: {lost:?}");
-    for row in rows(
-        "file",
-        "Sightline's, through tobj",
-        F32,
-        "national coordinates",
-    ) {
-        assert!(row.worst_error < 0.02, "{row:?}");
-    }
-}
-
 /// three.js subtracts the eye and loses digits. Bevy subtracts a near from an almost infinitely far point: the eye
 /// cancels.
 #[test]
@@ -169,26 +151,4 @@ fn ties_are_no_distance() {
         low < off.wrong_percent() && off.wrong_percent() < high,
         "{off:?}"
     );
-}
-
-#[test]
-fn a_scenes_own_rays_are_in_files_of_their_own() {
-    let loaded = scene::load(&["gallery:needles".into()], &Progress::default()).expect("a scene");
-    let rays = SceneRays::new(&loaded.scene, view_of(&loaded, 160, 90), 50, 1);
-    let effort = Effort {
-        cases: 2,
-        picks: 1,
-        rounds: 0,
-        seed: 1,
-    };
-    let report = study::run(effort, Some(&rays), &|_, _| {});
-    let [general, own] = report.split().map(|part| part.expect("rows"));
-    assert_eq!(general.rows.len() + own.rows.len(), report.rows.len());
-    let names = |report| {
-        study::csv(report)
-            .lines()
-            .filter(|line| line.contains(SCENE))
-            .count()
-    };
-    assert_eq!([names(&general), names(&own)], [0, own.rows.len()]);
 }

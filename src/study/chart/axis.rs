@@ -142,8 +142,8 @@ impl Panel {
         [self.x.at(x), self.y.at(y)]
     }
 
-    /// Draws grid, ticks and frame, a title above, the axes' names with their units, and `none` at 0. An axis without a
-    /// name has no numbers.
+    /// Draws grid, ticks and frame, a title above, the axes' names with their units, and `none` at 0. If y has no name,
+    /// it has no numbers.
     pub fn draw(
         &self,
         picture: &mut Picture,
@@ -173,8 +173,7 @@ impl Panel {
                 picture.text([left - 6.0, y], Anchor::Right, TICK, QUIET, word);
             }
         }
-        let ticks = (!x_name.is_empty()).then(|| self.x.ticks(6));
-        for (value, word) in ticks.into_iter().flatten() {
+        for (value, word) in self.x.ticks(6) {
             let x = self.x.at(value);
             picture.line(vec![[x, top], [x, bottom]], FAINT, 1, false);
             picture.text([x, bottom + 12.0], Anchor::Middle, TICK, QUIET, word);

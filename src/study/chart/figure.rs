@@ -9,19 +9,15 @@ pub enum Figure {
     Error,
     /// How far the worst wrong decision was off, in the step's unit.
     Wrong,
-    /// The share of wrong decisions in per cent.
-    Percent,
-    /// Nanoseconds.
-    Time,
 }
 
 impl Figure {
     /// A step's figure: wrong decisions where it decides, else errors.
     pub fn of(step: About) -> Self {
-        match (step.wrong_unit, step.error_unit) {
-            ("", "") => Self::Percent,
-            ("", _) => Self::Error,
-            _ => Self::Wrong,
+        if step.wrong_unit.is_empty() {
+            Self::Error
+        } else {
+            Self::Wrong
         }
     }
 
@@ -30,11 +26,9 @@ impl Figure {
     pub fn at(self, row: &Row) -> f64 {
         match self {
             Self::Error => row.worst_error,
-            Self::Percent => row.wrong_percent(),
             Self::Wrong if row.wrong() == 0 => 0.0,
             Self::Wrong if row.worst_wrong < LEAST_PX => Self::TIE,
             Self::Wrong => row.worst_wrong,
-            Self::Time => row.time.map_or(0.0, |time| time.ns),
         }
     }
 
@@ -46,23 +40,15 @@ impl Figure {
         match self {
             Self::Error => format!("worst error ({})", step.error_unit),
             Self::Wrong => format!("worst wrong decision ({})", step.wrong_unit),
-            Self::Percent => "wrong picks (%)".to_owned(),
-            Self::Time => "time (ns)".to_owned(),
         }
     }
 
     /// The word for 0.
     pub fn none(self) -> &'static str {
         match self {
-            Self::Error | Self::Time => "0",
-            Self::Wrong | Self::Percent => "none",
+            Self::Error => "0",
+            Self::Wrong => "none",
         }
-    }
-
-    /// The worst figure over all rows of a summary.
-    pub fn worst(self, summary: &Summary<'_>) -> f64 {
-        let worst = summary.rows.iter().map(|row| self.at(row));
-        worst.fold(0.0, f64::max)
     }
 }
 

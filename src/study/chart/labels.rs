@@ -1,4 +1,4 @@
-//! Places labels and points where they cover nothing, as near as possible.
+//! Places labels where they cover nothing, as near as possible.
 
 use super::prelude::*;
 
@@ -40,24 +40,6 @@ impl LabelPlaces {
     fn holds(&self, area: &[f64; 4]) -> bool {
         let [left, top, right, bottom] = self.frame;
         area[0] >= left && area[1] >= top && area[2] <= right && area[3] <= bottom
-    }
-
-    /// Takes the free place nearest to a point, and returns it.
-    pub fn spot(&mut self, at: [f64; 2], radius: f64) -> [f64; 2] {
-        let around = |i: u32| {
-            let (sin, cos) = libm::sincos(f64::from(i % 8) / 8.0 * std::f64::consts::TAU);
-            let away = 2.0 * radius * f64::from(i / 8 + 1);
-            [at[0] + away * cos, at[1] - away * sin]
-        };
-        let is_free = |at: &[f64; 2]| {
-            let area = about(*at, radius);
-            let is_taken = |other: &[f64; 4]| meet(&area, other, -0.5 * radius);
-            self.holds(&about(*at, 0.0)) && !self.taken.iter().any(is_taken)
-        };
-        let mut all = std::iter::once(at).chain((0..32).map(around));
-        let spot = all.find(is_free).unwrap_or(at);
-        self.take_point(spot, radius);
-        spot
     }
 
     /// Writes words beside a point, with a thin line to words that are not next to it.

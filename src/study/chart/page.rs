@@ -6,7 +6,9 @@ use super::prelude::*;
 pub const WIDTH: f64 = 1600.0;
 /// Height of a small panel's plot.
 const PLOT_HEIGHT: f64 = 186.0;
-/// Distance between rows of small panels with short legends.
+/// The left and right end of a small panel's frame.
+const FRAME: [f64; 2] = [82.0, 384.0];
+/// Distance between rows of small panels.
 pub const ROWS_APART: f64 = 404.0;
 
 /// A page with a title and lines of text below the title.
@@ -19,18 +21,18 @@ pub fn page(height: f64, title: &str, lines: &[&str]) -> Picture {
     picture
 }
 
-/// The top left corners of a page's small panels: `columns` in a row, rows `apart` from each other.
-pub fn places(columns: u32, apart: f64) -> impl Iterator<Item = [f64; 2]> {
-    let place = move |i: u32| {
-        let [column, row] = [i % columns, i / columns].map(f64::from);
-        [column * WIDTH / f64::from(columns), 92.0 + row * apart]
+/// The top left corners of a page's small panels, four in a row.
+pub fn places() -> impl Iterator<Item = [f64; 2]> {
+    let place = |i: u32| {
+        let [column, row] = [i % 4, i / 4].map(f64::from);
+        [0.25 * column * WIDTH, 92.0 + row * ROWS_APART]
     };
     (0..).map(place)
 }
 
-/// A small panel at a top left corner that holds all values. `frame` is the frame's left and right end from there.
-pub fn small([left, top]: [f64; 2], frame: [f64; 2], xs: &[f64], ys: &[f64]) -> Panel {
-    let [from, to] = frame.map(|x| left + x);
+/// A small panel at a top left corner that holds all values.
+pub fn small([left, top]: [f64; 2], xs: &[f64], ys: &[f64]) -> Panel {
+    let [from, to] = FRAME.map(|x| left + x);
     let top = top + 28.0;
     Panel::new([from, top], [to, top + PLOT_HEIGHT], xs, ys)
 }

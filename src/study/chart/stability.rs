@@ -1,5 +1,4 @@
-//! Draws a line for each method: its worst error against the parameter that stresses it, or its time against the share
-//! of hits.
+//! Draws a line for each method: its worst error against the parameter that stresses it.
 
 use super::prelude::*;
 
@@ -20,38 +19,16 @@ pub fn chart(report: &Report) -> Picture {
     let title = "Where each method breaks";
     let line = "Each panel makes one thing worse from left to right. Dashed with hollow points: f32, solid: f64 or \
                 exact, black stars: Sightline's.";
+    // Four in a line. Neighbouring panels of one step share a legend.
     let panels = SHOWN.map(|(step, family)| rows_of(report, step, family));
-    panels_of(title, line, &panels, Figure::of)
-}
-
-/// How long each method takes, over the share of rays that hit.
-pub fn hit_rates(report: &Report) -> Picture {
-    const HIT_RATE: &str = Family::<TriangleCase>::HIT_RATE.name;
-    let line = "Medians of rounds in shuffled orders. Hits take longer than misses, and branches that half of the rays take are predicted \
-                worst. Dashed with hollow points: f32, solid: f64 or exact, black stars: Sightline's.";
-    let panels = ["triangle", "sphere", "box", "square"].map(|step| {
-        let mut rows = rows_of(report, step, HIT_RATE);
-        rows.retain(|row| row.time.is_some());
-        rows
-    });
-    panels_of("What hits cost", line, &panels, |_| Figure::Time)
-}
-
-fn rows_of<'a>(report: &'a Report, step: &str, family: &str) -> Vec<&'a Row> {
-    let is_wanted = |row: &&Row| row.info.step.key == step && row.family == family;
-    report.rows.iter().filter(is_wanted).collect()
-}
-
-/// A page with a panel for each family's rows, four in a line. Neighbouring panels of one step share a legend.
-fn panels_of(title: &str, line: &str, panels: &[Vec<&Row>], of: fn(About) -> Figure) -> Picture {
     let last = panels.chunks(4).next_back().unwrap_or_default();
     let longest = last.iter().map(|rows| names(rows).len()).max().unwrap_or(0);
     let above = ROWS_APART * count(panels.len().div_ceil(4) - 1);
     let mut picture = page(372.0 + above + LINE * count(longest), title, &[line]);
     let mut last = "";
-    for (rows, at) in panels.iter().zip(places(4, ROWS_APART)) {
+    for (rows, at) in panels.iter().zip(places()) {
         let Some(first) = rows.first() else { continue };
-        let (step, figure) = (first.info.step, of(first.info.step));
+        let (step, figure) = (first.info.step, Figure::of(first.info.step));
         let is_named = last != step.key;
         panel(&mut picture, figure, rows, at, is_named, None, None);
         last = step.key;
@@ -59,8 +36,10 @@ fn panels_of(title: &str, line: &str, panels: &[Vec<&Row>], of: fn(About) -> Fig
     picture
 }
 
-/// Distance between lines of a legend.
-const LINE: f64 = 16.0;
+fn rows_of<'a>(report: &'a Report, step: &str, family: &str) -> Vec<&'a Row> {
+    let is_wanted = |row: &&Row| row.info.step.key == step && row.family == family;
+    report.rows.iter().filter(is_wanted).collect()
+}
 
 fn names<'a>(rows: &[&'a Row]) -> Vec<&'a str> {
     distinct(rows.iter().map(|row| row.info.name))
@@ -95,7 +74,7 @@ fn panel(
     let xs: Vec<f64> = rows.iter().map(|row| row.value).collect();
     let all = rows.iter().chain(own);
     let ys: Vec<f64> = all.map(|row| figure.at(row)).collect();
-    let mut panel = small(at, [82.0, 384.0], &xs, &ys);
+    let mut panel = small(at, &xs, &ys);
     // The harmless end is on the left.
     if xs.contains(&0.0) {
         panel.x = Axis::linear(1.0, panel.x.ends);
@@ -139,6 +118,6 @@ fn panel(
     }
     if is_named {
         let below = [at[0] + 34.0, at[1] + 266.0];
-        legend(picture, styles.iter(), below, LINE);
+        legend(picture, styles.iter(), below);
     }
 }

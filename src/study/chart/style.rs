@@ -45,17 +45,19 @@ impl Style {
     }
 }
 
-/// Draws a legend from a top left corner: a line for each formula, `step` apart.
+/// The distance between lines of a legend.
+pub const LINE: f64 = 16.0;
+
+/// Draws a legend from a top left corner: a line for each formula.
 pub fn legend<'a>(
     picture: &mut Picture,
     styles: impl Iterator<Item = &'a Style>,
     [x, mut y]: [f64; 2],
-    step: f64,
 ) {
     let looks = styles.map(|style| (style.info.name, style.shape, style.colour));
     for (name, shape, colour) in distinct(looks) {
         picture.point([x, y], shape, 5.0, colour, true);
         picture.text([x + 13.0, y], Anchor::Left, 14.0, INK, name);
-        y += step;
+        y += LINE;
     }
 }

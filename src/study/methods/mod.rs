@@ -8,10 +8,8 @@ pub mod closed;
 pub mod depth;
 pub mod normals;
 pub mod object_space;
-pub mod packets;
 pub mod picks;
 pub mod rays;
-pub mod reading;
 pub mod spheres;
 pub mod squares;
 pub mod triangles;
@@ -154,7 +152,6 @@ pub fn each_step(visitor: &mut impl Visitor) {
     visitor.visit::<PlacedCase>();
     visitor.visit::<TriangleCase>();
     visitor.visit::<closed::ClosedCase>();
-    visitor.visit::<packets::PacketCase>();
     visitor.visit::<SphereCase>();
     visitor.visit::<BoxCase>();
     visitor.visit::<SquareCase>();
@@ -162,7 +159,6 @@ pub fn each_step(visitor: &mut impl Visitor) {
     visitor.visit::<NormalCase>();
     visitor.visit::<DepthCase>();
     visitor.visit::<picks::PickCase>();
-    visitor.visit::<reading::FileCase>();
 }
 
 /// Every method of every step.

@@ -11,7 +11,7 @@ use crate::{
     render::GpuError,
     viewer::{
         jobs::let_go,
-        model::{Action, Overlay, Seen, Stage},
+        model::{Action, Seen, Stage},
         screen::{Canvas, Laid, Motion, PictureProgress, SceneRect, Screen, write_screenshot},
         ui::{self, Attempt, Command, Notices, Shown},
     },
@@ -315,16 +315,8 @@ impl App {
         drawn.map(|progress| progress.anew)
     }
 
-    /// Does what needs a drawn frame: starts comparisons, takes screenshots, and turns off a wireframe that the adapter
-    /// cannot draw.
+    /// Does what needs a drawn frame: starts comparisons and takes screenshots.
     fn follow_up(&mut self, canvas: &mut Canvas, laid: &Laid) {
-        if self.state.overlays().shows(Overlay::Wireframe) && !canvas.gpu.draws_wireframes() {
-            self.act(Action::Toggle(Overlay::Wireframe));
-            let adapter = canvas.gpu.adapter_name();
-            self.complain(format!(
-                "{adapter} cannot draw the edges of triangles: there is no wireframe"
-            ));
-        }
         self.start_check(canvas);
         self.take_screenshot(canvas, laid);
     }

@@ -11,7 +11,7 @@ use crate::{
     camera::Viewport,
     image::{Image, Pixel},
     pick::{mask_until, raycast_until},
-    render::{Drawing, Gpu, GpuError, Targets},
+    render::{Drawing, Gpu, GpuError, SMOOTH_SAMPLES, Targets},
     scene::Scene,
     viewer::model::Subject,
 };
@@ -102,7 +102,7 @@ impl ScenePicture {
         let samples = gpu.samples_in_motion();
         let finish = if gpu.is_software() && motion == Motion::Goes {
             Finish::coarse(wanted.view.viewport)
-        } else if samples == gpu.smooth_samples {
+        } else if samples == SMOOTH_SAMPLES {
             Finish::Smooth
         } else {
             Finish::Rough
@@ -188,7 +188,7 @@ impl ScenePicture {
         self.spare
             .retain(|targets| targets.viewport == window || found.is_some());
         self.spare.truncate(2);
-        found.map_or_else(|| Targets::new(gpu, size, gpu.smooth_samples), Ok)
+        found.map_or_else(|| Targets::new(gpu, size, SMOOTH_SAMPLES), Ok)
     }
 
     /// Begins to draw the picture on screen with smooth edges, if it has none.

@@ -12,7 +12,7 @@ use crate::{
     camera::{View, Viewport},
     image::{Id, Image, Rgb},
     render::{
-        Gpu, GpuError, MeshStore, Renderer, read_rgb,
+        Gpu, GpuError, MeshStore, Renderer, SMOOTH_SAMPLES, read_rgb,
         without_depth::{self, extent},
     },
     viewer::{
@@ -76,7 +76,7 @@ impl Canvas {
     pub fn new(gpu: Gpu, format: TextureFormat) -> Self {
         Self {
             panels: PanelsPicture::new(&gpu, format),
-            renderer: Renderer::new(&gpu, gpu.smooth_samples),
+            renderer: Renderer::new(&gpu, SMOOTH_SAMPLES),
             scene: ScenePicture::new(&gpu),
             stages: None,
             page: page(&gpu, Viewport::DEFAULT, format),

@@ -5,7 +5,7 @@
 //! 1. The file is cut into pieces of whole lines (`pieces`), which are read on all cores.
 //! 2. The lines of each piece (`text_lines`, `words`) are read into vertices and faces (`block`, `corners`). `tobj`
 //!    reads the coordinates of vertices. The other lines of the piece are collected (`survey`, `names`).
-//! 3. Vertices are converted to `f32` (`vertices`), polygons are split into triangles (`triangulation`, `delaunay`),
+//! 3. Vertices are converted to `f32` (`vertices`), polygons are split into triangles (`triangulation`, `tangled`),
 //!    and colours are read from the MTL files (`material`). `assembling` makes the mesh.
 //!
 //! The text of the faces (`in_file`) is not kept in memory. It is read from the file again when it is needed (`again`);
@@ -28,13 +28,13 @@ mod assembling;
 mod block;
 mod contents;
 mod corners;
-mod delaunay;
 mod in_file;
 mod material;
 mod names;
 mod notes;
 mod pieces;
 mod survey;
+mod tangled;
 #[cfg(test)]
 mod tests;
 mod text_lines;

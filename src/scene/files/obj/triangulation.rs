@@ -1,7 +1,7 @@
 //! Splits polygons into triangles that cover the same shape. (A simple fan would also cover the notches of a polygon
 //! that is not convex.)
 
-use super::delaunay::delaunay;
+use super::tangled::is_tangled;
 use earcut::{Earcut, deviation};
 use glam::DVec3;
 use std::collections::{BTreeSet, HashSet, VecDeque};
@@ -10,8 +10,7 @@ use std::collections::{BTreeSet, HashSet, VecDeque};
 /// relative amount. It is well above the rounding error for the largest polygons, and well below any visible triangle.
 const CROSSES: f64 = 1e-9;
 
-/// Polygons with more corners are split by [`delaunay()`]. Earcut is faster on small polygons, but takes cubic time on
-/// some large ones.
+/// Outlines with more corners are searched for crossings before earcut, which takes cubic time on some that cross.
 const LARGE: usize = 64;
 
 /// A face with more corners than this is left out if at least half of them repeat a vertex.
@@ -81,8 +80,8 @@ impl Splitter {
     ///
     /// Triangles that touch share an edge. A corner on the straight line between its neighbours stays a corner of a
     /// triangle (earcut cuts no ear past it), because the adjacent polygon has this corner, too. Only corners that
-    /// coincide give triangles without area; for large polygons these triangles are left out. An outline that crosses
-    /// itself, as that of a twisted quad may, has no well-defined inside, so it is split as a fan.
+    /// coincide give triangles without area. An outline that crosses itself, as that of a twisted quad may, has no
+    /// well-defined inside, so it is split as a fan.
     fn split(&mut self, corners: &[DVec3]) {
         self.triangles.clear();
         let normal = newell(corners);
@@ -100,8 +99,8 @@ impl Splitter {
         let flatten = flatten_along(normal);
         self.flat
             .extend(corners.iter().map(|&corner| flatten(corner - corners[0])));
-        if corners.len() > LARGE {
-            self.indices = delaunay(&self.flat).unwrap_or_default();
+        if corners.len() > LARGE && is_tangled(&self.flat) {
+            self.indices.clear();
         } else {
             self.earcut.earcut_slice(&self.flat, &[], &mut self.indices);
         }
@@ -110,7 +109,7 @@ impl Splitter {
             return self.triangles.extend(fan.map(|(b, c)| [0, b, c]));
         }
         self.triangles.extend(self.indices.as_chunks::<3>().0);
-        if corners.len() <= LARGE && self.triangles.len() + 2 < corners.len() {
+        if self.triangles.len() + 2 < corners.len() {
             let corners = u32::try_from(corners.len()).unwrap_or(u32::MAX);
             close_gaps(&mut self.triangles, corners);
         }

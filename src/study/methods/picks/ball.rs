@@ -34,12 +34,10 @@ fn ball_world(offset: f64) -> &'static Arc<PickWorld> {
     })
 }
 
-/// The graphics adapter, looked up once; `None` where there is none that can draw triangle ids.
+/// The graphics adapter, looked up once; `None` where there is none.
 pub fn gpu() -> Option<&'static Gpu> {
     static GPU: OnceLock<Option<Gpu>> = OnceLock::new();
-    let with_triangles = |gpu: &Gpu| gpu.rasteriser().names_triangles;
-    GPU.get_or_init(|| Gpu::headless().ok().filter(with_triangles))
-        .as_ref()
+    GPU.get_or_init(|| Gpu::headless().ok()).as_ref()
 }
 
 /// The ball and a camera that sees it well.

@@ -161,7 +161,7 @@ impl Case for PickCase {
 
     const METHODS: Methods<Self> = &[&[
         Method::new("the course's", F32, COURSE, |c| {
-            c.cast_f32(course(&c.pixel.narrow), |case| areas(case, 0.0))
+            c.cast_f32(course(&c.pixel.narrow), areas)
         }),
         Method::new("unproject, Moeller-Trumbore", F32, USUAL, |c| {
             let ray = far_less_near(&c.pixel.narrow);
