@@ -1,9 +1,12 @@
-//! Applies actions to the state, and starts what they call for: tree builds, comparisons, snapping, printed picks.
+//! Applies actions to the state, and starts what they call for: tree builds, comparisons, snapping.
 
 use super::program::{App, Host};
-use crate::viewer::{
-    jobs::Checking,
-    model::{Action, Views, pick_command},
+use crate::{
+    json,
+    viewer::{
+        jobs::Checking,
+        model::{Action, Views, pick_command},
+    },
 };
 use std::{mem, time::Instant};
 
@@ -39,13 +42,9 @@ impl App {
             self.reveal_selection = true;
             self.snap();
         }
-        if let Some(line) = picked {
-            if let Some(ray) = self.state.hits() {
-                log::info!("{}", pick_command(&self.state, ray));
-            }
-            if self.options.print_picks {
-                self.print(line);
-            }
+        if let (Some(line), Some(ray)) = (picked, self.state.hits()) {
+            log::info!("{}", pick_command(&self.state, ray));
+            log::info!("{}", json::text(&line).unwrap_or_default());
         }
     }
 

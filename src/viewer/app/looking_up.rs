@@ -1,5 +1,4 @@
-//! Looks things up in the files of meshes: the face of a pick, and faces and vertices to go to. Prints picks as lines on
-//! stdout, in the order of the clicks, each once its file has answered.
+//! Looks things up in the files of meshes: the face of a pick, and faces and vertices to go to.
 
 use super::{
     errands::finished,
@@ -9,8 +8,7 @@ use super::{
 use crate::{
     camera::View,
     geometry::Mesh,
-    json,
-    pick::{PickLine, Whereabouts},
+    pick::Whereabouts,
     scene::{
         MeshFile, Scene, Shape,
         obj::{Again, AgainError, InFile},
@@ -21,12 +19,11 @@ use crate::{
         ui::GoTo,
     },
 };
-use std::{io::Write, sync::Arc};
+use std::sync::Arc;
 
 impl App {
     /// Asks the file about the pick, and takes the answers that have come.
     pub(super) fn take_numbers(&mut self) {
-        self.print_known(Job::poll);
         self.look_up_pick();
         self.take_snapped();
         let done = finished(&mut self.numbers.going, |(_, reading)| reading.poll());
@@ -151,38 +148,6 @@ impl App {
         };
         self.tell(text);
     }
-
-    /// Queues a pick, to be printed once its file has answered.
-    pub(super) fn print(&mut self, line: PickLine) {
-        let asked = line.hit.as_ref().and_then(|hit| file_of(&self.state, hit));
-        let reading =
-            asked.map(|(triangle, file)| jobs::ask_about_triangle(file, triangle, self.waker()));
-        self.numbers.unprinted.push_back((line, reading));
-        self.print_known(Job::poll);
-    }
-
-    /// Prints queued picks, up to the first whose file has not answered yet.
-    pub(super) fn print_known(&mut self, answer: impl Fn(&Job<InFile>) -> Option<InFile>) {
-        while let Some((line, reading)) = self.numbers.unprinted.front_mut() {
-            if let Some(reading) = reading {
-                let Some(in_file) = answer(reading) else {
-                    return;
-                };
-                if let Some(hit) = &mut line.hit {
-                    hit.in_file = in_file;
-                }
-            }
-            print(line);
-            self.numbers.unprinted.pop_front();
-        }
-    }
-}
-
-impl Drop for App {
-    /// A window that closes waits for the files' answers about its picks.
-    fn drop(&mut self) {
-        self.print_known(Job::wait);
-    }
 }
 
 /// Revisions that change with the scene.
@@ -246,12 +211,4 @@ fn file_in_question(state: &State) -> Result<MeshFile, &'static str> {
     let file = of_selected.filter(|file| file.contents.is_some()).or(only);
     file.cloned()
         .ok_or("the scene has several OBJ files: select an object from the one you mean")
-}
-
-/// Prints a pick as a line on stdout. If the program that reads it is gone, the window goes on all the same.
-fn print(line: &PickLine) {
-    if let Ok(json) = json::text(line) {
-        let mut out = std::io::stdout().lock();
-        let _ = writeln!(out, "{json}").and_then(|()| out.flush());
-    }
 }

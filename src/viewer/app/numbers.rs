@@ -1,7 +1,7 @@
 //! Pending questions to the files of meshes, and their answers.
 
 use crate::{
-    pick::{Pick, PickLine, Whereabouts},
+    pick::{Pick, Whereabouts},
     scene::{MeshFile, Shape, obj::InFile},
     viewer::{
         jobs::{Job, Snapping},
@@ -9,7 +9,6 @@ use crate::{
     },
 };
 use glam::DVec3;
-use std::collections::VecDeque;
 
 /// A triangle: the scene's revision, the object's index, the triangle's index in the mesh.
 pub(super) type Triangle = (u64, usize, u32);
@@ -33,8 +32,6 @@ pub(in crate::viewer) struct Numbers {
     pub(super) going: Option<(u64, Job<Result<Found, String>>)>,
     /// A click that is being snapped, with the scene's revisions.
     pub(super) snapping: Option<([u64; 2], Snapping)>,
-    /// Picks to be printed, each with the question to its file if it has one.
-    pub(super) unprinted: VecDeque<(PickLine, Option<Job<InFile>>)>,
     /// What the last "go to" has found, and the situation in which that holds.
     pub(super) said: Option<(Situation, String)>,
 }
@@ -68,7 +65,7 @@ impl Numbers {
     /// Whether an answer is still to come.
     pub fn is_busy(&self) -> bool {
         let is_asked = self.of_pick.is_some() || self.going.is_some();
-        is_asked || self.snapping.is_some() || !self.unprinted.is_empty()
+        is_asked || self.snapping.is_some()
     }
 }
 

@@ -17,7 +17,7 @@ pub(super) fn show(
     commands: &mut Vec<Command>,
 ) {
     if state.method().is_some() {
-        ui.label("Another method picks now. What it says is beside the picture and is not copied or printed.")
+        ui.label("Another method picks now. What it says is beside the picture and is not copied.")
             .hint("Esc: pick by Sightline's own method again");
         return;
     }
