@@ -13,7 +13,6 @@ mod contract;
 mod desktop;
 mod doctor;
 mod error;
-mod in_file;
 mod list;
 mod pick;
 mod render;
@@ -42,7 +41,7 @@ use crate::{
 };
 use clap::{Parser, Subcommand};
 use command_first::command_first;
-use contract::{CONTRACT, FIELDS, NUMBERS, PLACES, SNAPS};
+use contract::{CONTRACT, FIELDS, NUMBERS, SNAPS};
 use std::{
     ffi::OsString,
     io::{self, Write},
@@ -84,7 +83,7 @@ pub enum Command {
     #[command(after_long_help = EXIT_CODES)]
     Render(RenderArgs),
     /// Say what is at a position of the picture: one line of JSON for each pick
-    #[command(after_long_help = [CONTRACT, FIELDS, SNAPS, PLACES, NUMBERS, EXIT_CODES].join("\n\n"))]
+    #[command(after_long_help = [CONTRACT, FIELDS, SNAPS, NUMBERS, EXIT_CODES].join("\n\n"))]
     Pick(PickArgs),
     /// List the objects: id, name, shape, triangles, bounds
     #[command(after_long_help = EXIT_CODES)]

@@ -72,7 +72,6 @@ fn a_wrong_use_is_exit_code_2() {
         ("study --budget 1 --quick", "cannot be used with"),
         ("study --seed -1", "whole number"),
         ("study --fov 30", "SCENE"),
-        ("pick scene.toml --at 5,5 --object 1", "--face"),
         ("pick scene.toml --at 5,5 --frobnicate", "--frobnicate"),
         ("pick scene.toml --at 5,5 --sise 5x5", "'--size'"),
         ("render scene.toml -o a.jpg", "PNG"),

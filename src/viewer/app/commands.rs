@@ -75,7 +75,6 @@ impl App {
                 Ok(()) => self.succeeded(Attempt::Paste),
                 Err(reason) => self.failed(Attempt::Paste, reason),
             },
-            Command::GoTo(to) => self.go_to(to),
             Command::Screenshot { alone } => {
                 self.screenshots.wanted = Some(Shot { alone });
                 self.context.request_repaint();

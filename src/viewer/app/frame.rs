@@ -200,7 +200,6 @@ impl App {
                 marks: painted(&context, &self.state, &self.checking, &mut self.marks),
                 statistics: &self.statistics,
                 docks: &mut self.docks,
-                going_to: self.numbers.said(&self.state),
                 recent: &self.memory.recent,
                 look: self.memory.look,
                 filter: &mut self.filter,

@@ -29,7 +29,7 @@ pub(super) use keeping::keep;
 pub(super) use letting_go::let_go;
 pub(super) use loading::{Loading, load};
 pub(super) use projecting::{Projecting, project};
-pub(super) use reading_again::{ask, ask_about_triangle};
+pub(super) use reading_again::ask_about_triangle;
 pub(super) use saving::{Saving, save};
 pub(super) use snapping::{Snapping, snap};
 pub(super) use study::Chart;

@@ -60,7 +60,6 @@ impl State {
             clicked_s: None,
             landmarks: Vec::new(),
             measuring: Measuring::default(),
-            sought: None,
             cleared: None,
             section_memory: SectionMemory::default(),
             source: Source {

@@ -62,7 +62,6 @@ impl State {
         let line = hits.line();
         let object = line.hit.as_ref().map(|hit| hit.id - 1);
         let pick = Some(line);
-        self.sought = None;
         let select = |object| Selection {
             object,
             pick: pick.clone(),

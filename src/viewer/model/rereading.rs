@@ -71,7 +71,6 @@ impl State {
         self.scene_revision += 1;
         self.visibility_revision += 1;
         (self.cursor, self.lit) = (None, None);
-        self.sought = None;
         self.landmarks.clear();
         self.forget_points();
         self.fit();

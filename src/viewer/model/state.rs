@@ -9,7 +9,6 @@ use super::{
     ortho_height::OrthoHeight,
     overlay::Overlays,
     showing::Showing,
-    sought::Sought,
     timeline::Timeline,
     views::Panes,
 };
@@ -102,7 +101,6 @@ pub(super) struct SectionMemory {
 pub(super) struct Cleared {
     pub chosen: Chosen,
     pub landmarks: Vec<Landmark>,
-    pub sought: Option<Sought>,
     pub point: Option<(usize, DVec3)>,
 }
 
@@ -193,8 +191,6 @@ pub struct State {
     pub(super) clicked_s: Option<f64>,
     pub(super) landmarks: Vec<Landmark>,
     pub(super) measuring: Measuring,
-    /// The face or vertex that the user went to by its number, until something else is picked.
-    pub(super) sought: Option<Sought>,
     /// What a click on nothing in one of the four views has just cleared, in case it begins a double click.
     pub(super) cleared: Option<Cleared>,
     pub(super) section_memory: SectionMemory,

@@ -31,8 +31,6 @@ pub(in crate::viewer) enum Command {
     CopyCamera,
     /// Take over the camera in this text from the clipboard.
     Paste(String),
-    /// Go to an object, face or vertex by its number.
-    GoTo(GoTo),
     /// Write what is on screen into a PNG file.
     Screenshot {
         /// Without the panels.
@@ -100,17 +98,6 @@ impl Command {
             OpenDialog | SaveDialog | Open(_) | Add(_) | Reload | Quit
         )
     }
-}
-
-/// Where to go, by a number from 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::viewer) enum GoTo {
-    /// An object of the scene.
-    Object(usize),
-    /// A face of the file.
-    Face(usize),
-    /// A vertex of the file.
-    Vertex(usize),
 }
 
 /// Something that would drop unsaved edits or measures.

@@ -11,7 +11,7 @@ mod path_question;
 mod theme;
 mod tour;
 
-pub(super) use command::{Command, GoTo, Intent, Reply, TourMove};
+pub(super) use command::{Command, Intent, Reply, TourMove};
 pub(super) use focus::leave_text;
 pub(super) use letters::Letters;
 pub(super) use mouse::{Drag, moves_ahead};

@@ -9,13 +9,7 @@ use super::{
 use crate::{pick::Pick, viewer::model::PickView};
 use egui::{Role, WidgetInfo};
 
-/// `going_to` is the outcome of the last "go to".
-pub(super) fn show(
-    ui: &mut Ui,
-    state: &State,
-    going_to: Option<&str>,
-    commands: &mut Vec<Command>,
-) {
+pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     if state.method().is_some() {
         ui.label("Another method picks now. What it says is beside the picture and is not copied.")
             .hint("Esc: pick by Sightline's own method again");
@@ -24,7 +18,6 @@ pub(super) fn show(
     let Some(selection) = state.selection() else {
         ui.weak("Click a surface.")
             .hint("a ray from the eye through the clicked pixel finds what that pixel shows");
-        in_file::go_to(ui, state, going_to, commands);
         return;
     };
     let object = &state.scene().objects()[selection.object];
@@ -43,7 +36,6 @@ pub(super) fn show(
             });
         });
     });
-    in_file::go_to(ui, state, going_to, commands);
     // It comes first, so that it stays in place while edits change the rest.
     model_matrix::show(ui, state, selection.object, commands);
     let digits = Digits::of(&state.scene().bounds());

@@ -53,8 +53,6 @@ pub(in crate::viewer) struct Shown<'a> {
     pub docks: &'a mut Docks,
     /// The look that the user chose for the panels.
     pub look: Look,
-    /// The outcome of the last "go to" of an object, a face or a vertex.
-    pub going_to: Option<&'a str>,
     /// The files of scenes that were opened before, the last first.
     pub recent: &'a [Vec<PathBuf>],
     /// What narrows the list of objects.

@@ -60,7 +60,6 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
                 marks: None,
                 statistics: &Statistics::default(),
                 docks: &mut Docks::default(),
-                going_to: None,
                 recent: &[],
                 look: Look::default(),
                 filter: &mut Filter::default(),

@@ -169,7 +169,7 @@ fn contents(ui: &mut Ui, panel: PanelKind, shown: &mut Shown, commands: &mut Vec
         }
         PanelKind::Camera => camera::show(ui, state, commands),
         PanelKind::Pipeline => pipeline::show(ui, state, commands),
-        PanelKind::Pick => pick::show(ui, state, shown.going_to, commands),
+        PanelKind::Pick => pick::show(ui, state, commands),
         PanelKind::Measure => measure::show(ui, state, commands),
         PanelKind::Objects => {
             objects::show(ui, state, shown.filter, shown.reveal_selection, commands);
