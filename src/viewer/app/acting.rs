@@ -21,11 +21,7 @@ impl App {
         }
         let start = Instant::now();
         let (method, scene) = (self.state.method(), self.state.scene_revision());
-        let points = self.state.points_wanted();
         let picked = self.state.apply(action);
-        if clicks && (points, self.state.points_wanted()) == (Some(1), Some(3)) {
-            self.complain("three points on one line span no plane: pick three others".into());
-        }
         if self.state.scene_revision() != scene {
             self.build_trees();
         }

@@ -128,8 +128,6 @@ impl App {
         let selects_none = self.state.selection().is_none();
         if self.question.is_some() {
             self.reply(Reply::Stay);
-        } else if self.state.points_wanted().is_some() {
-            self.act(Action::SectionByPoints(false));
         } else if self.state.measuring().is_on {
             self.act(Action::Measure(MeasureAction::Toggle));
         } else if self.stop_arriving() {

@@ -59,8 +59,6 @@ pub enum Action {
     Section(Option<Section>),
     /// Turn the section off, or on again.
     ToggleSection,
-    /// Lay a section through the next three picks, or stop waiting for them.
-    SectionByPoints(bool),
     /// Pick this surface on the last click's ray, counted from the front.
     StepTo(usize),
     /// Pick the next surface on the last click's ray, or the one before.

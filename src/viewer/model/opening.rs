@@ -7,7 +7,7 @@ use super::{
     ortho_height::OrthoHeight,
     overlay::Overlays,
     showing::Showing,
-    state::{Chosen, Edit, Edits, SectionMemory, Source, State, UndoStep, Viewpoint},
+    state::{Chosen, Edit, Edits, Source, State, UndoStep, Viewpoint},
     timeline::Timeline,
 };
 use crate::{
@@ -61,7 +61,7 @@ impl State {
             landmarks: Vec::new(),
             measuring: Measuring::default(),
             cleared: None,
-            section_memory: SectionMemory::default(),
+            section_off: None,
             source: Source {
                 paths: Vec::new(),
                 meshes: loaded.meshes,

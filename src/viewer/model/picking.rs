@@ -76,7 +76,6 @@ impl State {
                 });
                 let old = self.landmarks.len().saturating_sub(2);
                 self.landmarks.drain(..old);
-                self.take_point(hit.point_world);
             }
         }
         self.chosen.hits = Some(hits);

@@ -88,15 +88,6 @@ impl Chosen {
     }
 }
 
-/// What the window remembers about sections, besides the one in the view.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct SectionMemory {
-    /// The section that was turned off last.
-    pub off: Option<Section>,
-    /// The points picked so far, while the window waits for three.
-    pub points: Option<Vec<DVec3>>,
-}
-
 /// What a click on nothing clears.
 pub(super) struct Cleared {
     pub chosen: Chosen,
@@ -193,7 +184,8 @@ pub struct State {
     pub(super) measuring: Measuring,
     /// What a click on nothing in one of the four views has just cleared, in case it begins a double click.
     pub(super) cleared: Option<Cleared>,
-    pub(super) section_memory: SectionMemory,
+    /// The section that was turned off last.
+    pub(super) section_off: Option<Section>,
     pub(super) source: Source,
     /// Which scene this is among those that were open.
     pub(super) document: u64,

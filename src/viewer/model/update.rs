@@ -102,7 +102,6 @@ impl State {
             }
             Action::Section(section) => self.set_section(section),
             Action::ToggleSection => self.toggle_section(),
-            Action::SectionByPoints(awaits) => self.await_points(awaits),
             Action::StepTo(at) => return self.step_to(at),
             Action::Step { forward } => return self.step(forward),
             Action::Place(object, model) => self.place(object, model),

@@ -63,8 +63,7 @@ pub(in crate::viewer) enum Command {
         /// Take the path that is in the field; else take none.
         take: bool,
     },
-    /// The first of these that applies: keep the edits that are asked about, stop waiting for picks of a section or of
-    /// measures, stop loading, close the help, close the latest warning or error, pick by Sightline's own method again,
+    /// The first of these that applies: keep the edits that are asked about, stop measuring, stop loading, close the help, close the latest warning or error, pick by Sightline's own method again,
     /// close the comparison, select nothing, close the four views, leave the gallery.
     Escape,
     /// Show or hide the help.

@@ -47,9 +47,6 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
         page.hit(pick);
     }
     page.snapped(&state.measuring().points);
-    for point in state.section_points() {
-        page.diamond(*point);
-    }
 }
 
 struct Page<'a> {
