@@ -39,7 +39,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     let window = ui.max_rect().size();
     let wanted = panels(shown);
     if !shown.is_bare {
-        Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &wanted, &mut of_toolbar));
+        Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &mut of_toolbar));
         Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
     }
     if let Some(tour) = shown.tour.filter(|_| !shown.is_bare) {
