@@ -4,7 +4,7 @@ use super::{
     errands::{Arrival, Errand, Pending, Purpose, finished},
     intents::give_up,
     program::{App, Host},
-    wake::{Wake, Waker},
+    wake::{PathFor, Wake, Waker},
 };
 use crate::{
     scene::{self, Loaded, Warning},
@@ -12,7 +12,7 @@ use crate::{
         jobs::{self, Job, Stamps},
         model::{Made, Source, hide, no_section},
         options::Options,
-        ui::{Attempt, Filter, PathFor},
+        ui::{Attempt, Filter},
     },
 };
 use std::{mem, path::PathBuf};

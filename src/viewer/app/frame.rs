@@ -194,7 +194,6 @@ impl App {
                 tour: self.tour,
                 offers_tour,
                 question: self.question.as_ref().map(|pending| &pending.intent),
-                path_question: self.path_question.as_mut(),
                 chart: self.chart.as_ref(),
                 checking: &self.checking,
                 marks: painted(&context, &self.state, &self.checking, &mut self.marks),

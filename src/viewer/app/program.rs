@@ -22,7 +22,7 @@ use crate::{
         screen::{PictureProgress, Textures},
         ui::{
             self, Attempt, Command, Docks, Drag, Filter, Floating, Kind, Letters, Notice, Notices,
-            PathQuestion, Statistics, Tour,
+            Statistics, Tour,
         },
     },
 };
@@ -93,8 +93,6 @@ pub(in crate::viewer) struct App {
     pub(super) saving: Vec<(Saving, Option<Pending>)>,
     /// What would drop edits, and waits for the user's answer.
     pub(super) question: Option<Pending>,
-    /// The question for a path, where the desktop shows no file dialog.
-    pub(super) path_question: Option<PathQuestion>,
     /// Commands that wait for the next pass: first the number that is being typed is entered.
     pub(super) late: Vec<Command>,
     /// The build of trees for the scene on screen. Dropping it stops it.
@@ -175,7 +173,6 @@ impl App {
             save_dialogs: 0,
             saving: Vec::new(),
             question: None,
-            path_question: None,
             late: Vec::new(),
             trees: None,
             first: true,

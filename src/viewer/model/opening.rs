@@ -199,10 +199,17 @@ impl State {
     /// The file that is proposed for saving: the scene file that the scene is from, or else `scene.toml` beside its
     /// first file.
     pub fn file_to_save(&self) -> PathBuf {
+        let beside = |first: &PathBuf| first.with_file_name("scene.toml");
+        let first = || self.source.paths.first().map(beside);
+        let own = self.scene_file().cloned().or_else(first);
+        own.unwrap_or_else(|| "scene.toml".into())
+    }
+
+    /// The scene file that the scene is from, if it is from one alone.
+    pub(in crate::viewer) fn scene_file(&self) -> Option<&PathBuf> {
         match self.source.paths.as_slice() {
-            [own] if scene::is_scene_file(own) => own.clone(),
-            [first, ..] => first.with_file_name("scene.toml"),
-            [] => "scene.toml".into(),
+            [own] => scene::is_scene_file(own).then_some(own),
+            _ => None,
         }
     }
 

@@ -26,7 +26,7 @@ pub(super) use canvas::{Canvas, Laid, Screen};
 pub(super) use grid::grid_step;
 pub(super) use picture_progress::PictureProgress;
 pub(super) use place::SceneRect;
-pub(super) use screenshot::write_screenshot;
+pub(super) use screenshot::{free_file, write_screenshot};
 pub(super) use textures::Textures;
 pub(super) use wanted::Motion;
 pub(super) use window_surface::WindowSurface;

@@ -58,11 +58,6 @@ pub(in crate::viewer) enum Command {
     LeaveGallery,
     /// An answer to the question about unsaved edits and measures.
     Reply(Reply),
-    /// An answer to the question for a path, which stands in for a file dialog.
-    TypedPath {
-        /// Take the path that is in the field; else take none.
-        take: bool,
-    },
     /// The first of these that applies: keep the edits that are asked about, stop measuring, stop loading, close the help, close the latest warning or error, pick by Sightline's own method again,
     /// close the comparison, select nothing, close the four views, leave the gallery.
     Escape,

@@ -7,7 +7,6 @@ mod letters;
 mod mouse;
 mod notice;
 mod panels;
-mod path_question;
 mod theme;
 mod tour;
 
@@ -17,7 +16,6 @@ pub(super) use letters::Letters;
 pub(super) use mouse::{Drag, moves_ahead};
 pub(super) use notice::{Attempt, Kind, Notice, Notices};
 pub(super) use panels::{Docks, Filter, Floating, Shown, Statistics, Underway, show};
-pub(super) use path_question::{PathFor, PathQuestion};
 pub(super) use theme::{Look, color32, context, note_missing};
 pub use tour::tour_text;
 pub(super) use tour::{JustDone, Tour};

@@ -26,7 +26,6 @@ mod objects;
 mod pane_labels;
 mod pane_page;
 mod panes;
-mod path_field;
 mod pick;
 mod pipeline;
 mod plane_slider;

@@ -54,7 +54,6 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
                 offers_tour: false,
                 floating: Floating::default(),
                 question: None,
-                path_question: None,
                 chart: None,
                 checking: &Checking::Off,
                 marks: None,
