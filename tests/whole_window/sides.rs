@@ -244,3 +244,35 @@ fn fields_of_the_camera_stand_in_columns() {
         }
     }
 }
+
+/// A name that is too long is cut: it covers nothing, and moves nothing out of its side.
+#[test]
+fn a_long_name_is_cut() {
+    let name = "front ".repeat(100);
+    let name = name.trim_end();
+    let (mut window, _folder) = row_as(&ROW.replace("front", name), 1.0);
+    click(&mut window, MIDDLE);
+    assert_eq!(selected(&window), Some(name));
+    let [left, right] = ["left", "right"].map(|side| {
+        let edge = format!("edge of the {side} side");
+        control(&window, &edge).rect.center().x
+    });
+    let number = control(&window, "object 1").rect;
+    assert!(number.right() <= 1280.0 - 8.0, "{number}");
+    let texts = window.controls().iter();
+    let texts = texts.filter(|text| text.role == Role::Label && text.name == name);
+    let rects: Vec<_> = texts.map(|text| text.rect).collect();
+    let is_cut = |rect: &Rect| rect.left() > right && rect.right() < number.left();
+    let of_status = |rect: &Rect| rect.top() > 690.0 && rect.width() < 640.0;
+    assert!(rects.iter().any(is_cut), "{rects:?}");
+    assert!(
+        rects.iter().all(|rect| is_cut(rect) || of_status(rect)),
+        "{rects:?}"
+    );
+    // The list's row is as wide as any.
+    let rows = [name, "middle"].map(|name| control(&window, name).rect.right());
+    assert!(
+        rows[0] <= left && (rows[0] - rows[1]).abs() < 0.1,
+        "{rows:?}"
+    );
+}

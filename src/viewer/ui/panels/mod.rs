@@ -5,13 +5,11 @@ mod banner;
 mod camera;
 mod differences;
 mod docks;
-mod elided;
 mod exhibit;
 mod field;
 mod gesture;
 mod help;
 mod hints;
-mod hyphens;
 mod in_file;
 mod inspect;
 mod layout;
@@ -41,7 +39,6 @@ mod toolbar;
 mod tools;
 mod tour_card;
 mod value_rows;
-mod visual_order;
 mod wings;
 
 /// What most panels name.

@@ -1,13 +1,11 @@
 //! All that is known about the pick.
 
 use super::{
-    elided::elided,
     in_file, inspect, model_matrix,
     prelude::*,
     value_rows::{Digits, rows},
 };
 use crate::{pick::Pick, viewer::model::PickView};
-use egui::{Role, WidgetInfo};
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     if state.method().is_some() {
@@ -27,10 +25,9 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             let id = ui.weak(format!("object {}", selection.object + 1));
             id.hint("its number in the list, and in what is copied");
             ui.with_layout(Layout::left_to_right(Align::Max), |ui| {
-                let font = FontId::proportional(18.0);
-                let text = elided(ui, &object.name, &font, ui.available_width());
-                let name = ui.add(Label::new(RichText::new(text).font(font).strong()).extend());
-                name.widget_info(|| WidgetInfo::labeled(Role::Label, true, &object.name));
+                let text = RichText::new(&object.name).size(18.0).strong();
+                let name = Label::new(text).truncate().show_tooltip_when_elided(false);
+                let name = ui.add(name);
                 let hint = "the selected object, as its file calls it";
                 name.hint(format!("{}: {hint}", object.name));
             });

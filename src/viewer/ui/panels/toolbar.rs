@@ -3,7 +3,7 @@
 
 use super::{
     docks::Side,
-    elided,
+    field::text_width,
     prelude::*,
     shown::Shown,
     tools::{Does, Tool, groups},
@@ -71,7 +71,7 @@ fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> Vec<Shows> {
     let font = TextStyle::Button.resolve(ui.style());
     let width = |group: &[Tool], named: bool| -> f32 {
         let tool = |tool: &Tool| {
-            let name = || elided::width(ui, tool.name.to_owned(), &font) + spacing.icon_spacing;
+            let name = || text_width(ui, tool.name, &font) + spacing.icon_spacing;
             padding + gap + ICON + if named { name() } else { 0.0 }
         };
         group.iter().map(tool).sum::<f32>() + 6.0 + gap
