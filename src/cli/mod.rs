@@ -9,8 +9,8 @@
 
 mod camera_flags;
 mod command_first;
+mod completions;
 mod contract;
-mod desktop;
 mod doctor;
 mod error;
 mod list;
@@ -24,7 +24,7 @@ mod verify;
 mod window;
 
 pub use camera_flags::ViewArgs;
-pub use desktop::InstallDesktopArgs;
+pub use completions::CompletionsArgs;
 pub use doctor::DoctorArgs;
 pub use error::CliError;
 pub use list::ListArgs;
@@ -98,9 +98,9 @@ pub enum Command {
     /// Say what this machine draws with and what its adapters can do: the text for a bug report
     #[command(after_long_help = doctor::CODES)]
     Doctor(DoctorArgs),
-    /// Install menu entry, icon, OBJ file type, thumbnails, man pages and completions
+    /// Print what makes a shell complete commands and flags
     #[command(after_long_help = EXIT_CODES)]
-    InstallDesktop(InstallDesktopArgs),
+    Completions(CompletionsArgs),
 }
 
 /// The arguments of every command that loads a scene.
@@ -140,7 +140,7 @@ fn run_command(cli: &Cli) -> Result<(), CliError> {
         Some(Command::Study(args)) => study::run(args),
         Some(Command::Verify(args)) => verify::run(args),
         Some(Command::Doctor(args)) => doctor::run(args),
-        Some(Command::InstallDesktop(args)) => desktop::run(args),
+        Some(Command::Completions(args)) => completions::run(args),
         None => window::run(&cli.window),
     }
 }
