@@ -33,7 +33,8 @@ impl CliError {
         let cli = Cli::command();
         let commands: Vec<_> = cli.get_subcommands().map(clap::Command::get_name).collect();
         let commands = commands.join(", ");
-        let text = format!("{error}; the commands are {commands}; they come before scenes");
+        let text =
+            format!("{error}; the commands are {commands}; they come before scenes and flags");
         Self::new(3, text)
     }
 

@@ -8,7 +8,6 @@
 )]
 
 mod camera_flags;
-mod command_first;
 mod completions;
 mod contract;
 mod doctor;
@@ -40,7 +39,6 @@ use crate::{
     scene::{self, Detail, Loaded, Progress},
 };
 use clap::{Parser, Subcommand};
-use command_first::command_first;
 use contract::{CONTRACT, FIELDS, NUMBERS, SNAPS};
 use std::{
     ffi::OsString,
@@ -116,7 +114,6 @@ pub struct SceneArgs {
 
 /// Parses the arguments (the program's own name first), runs the command and reports an error as one line.
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let args = command_first(args.into_iter().collect());
     let done = match Cli::try_parse_from(args) {
         Ok(cli) => run_command(&cli),
         Err(error) if !error.use_stderr() => {
