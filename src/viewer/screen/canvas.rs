@@ -35,7 +35,7 @@ pub(in crate::viewer) struct Canvas {
     /// Pictures of the object, view and NDC stages, while any is shown.
     stages: Option<Box<[ScenePicture; 3]>>,
     panels: PanelsPicture,
-    /// The frame. It is kept, and only what changes in it is drawn again.
+    /// The frame, kept until something in it changes.
     page: wgpu::Texture,
     size: Viewport,
     /// The page differs from what was presented last.
@@ -158,20 +158,17 @@ impl Canvas {
             size_in_pixels: [size.width(), size.height()],
             pixels_per_point: laid.pixels_per_point,
         };
-        let mut painted = self.panels.update(&self.gpu, &laid.primitives, &screen);
+        let is_painted = self.panels.update(&self.gpu, &laid.primitives, &screen);
         let before = self.shown.iter().map(|(place, _)| place);
         let is_moved = before.ne(places.iter().map(|(_, place)| place));
-        if is_new || is_moved {
-            painted = vec![[[0, 0], screen.size_in_pixels]];
+        let is_anew = is_painted || is_new || is_moved;
+        if is_anew {
+            self.panels.copy(&self.gpu, &self.page);
         }
-        if !painted.is_empty() {
-            self.panels.copy(&self.gpu, &self.page, &painted);
-        }
-        self.unshown |= !painted.is_empty();
-        for (at, (stage, place)) in places.iter().enumerate() {
-            let is_over = painted.iter().any(|rect| place.touches(*rect));
+        self.unshown |= is_anew;
+        for (at, (stage, _)) in places.iter().enumerate() {
             let look = looks[at];
-            if !is_over && self.shown.get(at) == Some(&look) {
+            if !is_anew && self.shown.get(at) == Some(&look) {
                 continue;
             }
             if let (place, Some(look)) = look {
