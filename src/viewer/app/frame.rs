@@ -113,11 +113,11 @@ impl App {
         }
     }
 
-    /// Rasterises a few glyphs or makes a pipeline, which no frame then has to wait for. Returns whether any are left.
+    /// Makes a pipeline, which no frame then has to wait for. Returns whether any may be left.
     pub fn prepare(&mut self, screen: &mut impl Screen) -> bool {
         let view = self.state.view();
         let makes = |canvas: &mut Canvas| canvas.make_ahead(view);
-        self.letters.draw_some(&self.context) || screen.canvas().is_some_and(makes)
+        screen.canvas().is_some_and(makes)
     }
 
     /// Runs a pass without drawing. A press, the moves after it and the release each get a pass of their own, however

@@ -21,7 +21,7 @@ use crate::{
         options::Options,
         screen::{PictureProgress, Textures},
         ui::{
-            self, Attempt, Command, Docks, Drag, Filter, Floating, Kind, Letters, Notice, Notices,
+            self, Attempt, Command, Docks, Drag, Filter, Floating, Kind, Notice, Notices,
             Statistics, Tour,
         },
     },
@@ -118,8 +118,6 @@ pub(in crate::viewer) struct App {
     pub(super) watched: u64,
     /// The search for system typefaces with characters that egui's own lack.
     pub(super) typefaces: Typefaces,
-    /// Glyphs of panels that are not open yet, rasterised ahead.
-    pub letters: Letters,
     /// Questions to the files of meshes, and their answers.
     pub(super) numbers: Numbers,
     pub filter: Filter,
@@ -187,7 +185,6 @@ impl App {
             gone: Vec::new(),
             watched: 0,
             typefaces,
-            letters: Letters::default(),
             numbers: Numbers::default(),
             filter: Filter::default(),
             checking: Checking::Off,

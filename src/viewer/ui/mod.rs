@@ -3,7 +3,6 @@
 mod command;
 mod focus;
 mod keys;
-mod letters;
 mod mouse;
 mod notice;
 mod panels;
@@ -12,7 +11,6 @@ mod tour;
 
 pub(super) use command::{Command, Intent, Reply, TourMove};
 pub(super) use focus::leave_text;
-pub(super) use letters::Letters;
 pub(super) use mouse::{Drag, moves_ahead};
 pub(super) use notice::{Attempt, Kind, Notice, Notices};
 pub(super) use panels::{Docks, Filter, Floating, Shown, Statistics, Underway, show};
