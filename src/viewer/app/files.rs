@@ -2,7 +2,6 @@
 
 use super::{
     errands::{Arrival, Errand, Pending, Purpose, finished},
-    intents::give_up,
     program::{App, Host},
     wake::{PathFor, Wake, Waker},
 };
@@ -185,9 +184,7 @@ impl App {
             if asked.document == snapshot.document {
                 *asked = snapshot;
             }
-            if let Some(before) = then.and_then(|then| waits.replace(then)) {
-                give_up(before);
-            }
+            *waits = then.or(waits.take());
             return self.say("the dialog to save is open already".into());
         }
         self.to_save = Some((snapshot, then));
@@ -205,9 +202,6 @@ impl App {
         let asked = self.to_save.take();
         let (snapshot, then) = asked.unwrap_or_else(|| (self.state.snapshot(), None));
         if self.state.has_read_since(&snapshot) {
-            if let Some(then) = then {
-                give_up(then);
-            }
             let text = "the scene was read again from its files while you chose a name: nothing was saved, save again";
             return self.failed(Attempt::Save, text.into());
         }
@@ -222,9 +216,7 @@ impl App {
 
     /// Closes the save dialog without a file.
     pub(super) fn save_nothing(&mut self) {
-        if let Some((_, Some(then))) = self.to_save.take() {
-            give_up(then);
-        }
+        self.to_save = None;
     }
 
     /// Takes the outcome of a save. From then on the scene belongs to its new file.

@@ -10,7 +10,6 @@ use super::{
 use crate::{
     render::GpuError,
     viewer::{
-        jobs::let_go,
         model::{Action, Overlay, Seen, Stage},
         screen::{Canvas, Laid, Motion, PictureProgress, SceneRect, Screen, write_screenshot},
         ui::{self, Attempt, Command, Notices, Shown},
@@ -145,10 +144,6 @@ impl App {
         self.take_changed();
         self.take_typefaces();
         self.take_numbers();
-        for scene in self.state.take_unused() {
-            let size = scene.size();
-            let_go(scene, size);
-        }
     }
 
     /// Runs a pass on each part of an input. Returns the last one, with what all of them tell the system.

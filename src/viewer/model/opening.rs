@@ -79,7 +79,6 @@ impl State {
             panes: None,
             row: None,
             showing: loaded.exhibit.map(Showing::new),
-            unused: Vec::new(),
         })
     }
 
@@ -153,13 +152,7 @@ impl State {
 
     /// The scene was drawn: gives up the one before it.
     pub(in crate::viewer) fn accepted(&mut self) {
-        let before = self.replaced.take();
-        self.unused.extend(before.map(|before| before.scene));
-    }
-
-    /// The scenes that were given up since the last call.
-    pub(in crate::viewer) fn take_unused(&mut self) -> Vec<Scene> {
-        mem::take(&mut self.unused)
+        self.replaced = None;
     }
 
     /// The scene cannot be drawn: goes back to what was shown before. Returns whether there was anything.

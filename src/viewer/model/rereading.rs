@@ -27,7 +27,6 @@ impl State {
         }
         let made = made.filter(|made| made.is_of(&self.scene));
         let made = made.unwrap_or_else(|| Made::again(&self.scene, loaded.scene.clone()));
-        self.unused.push(loaded.scene);
         let before = mem::replace(&mut self.source.meshes, loaded.meshes);
         self.source.materials = loaded.materials;
         let is_as_long = |file: &MeshFile| {
@@ -67,7 +66,7 @@ impl State {
         self.carry_steps(&made, before);
         self.outdate_all_measures();
         self.chosen.carry(&made);
-        self.unused.push(mem::replace(&mut self.scene, made.scene));
+        self.scene = made.scene;
         self.scene_revision += 1;
         self.visibility_revision += 1;
         (self.cursor, self.lit) = (None, None);
@@ -102,9 +101,6 @@ impl State {
                 } else {
                     same.push((*edits, nearer));
                     self.filed.rename(edits, &nearer);
-                    if let UndoStep::Edited(Edit::Compose(scene, _), ..) = step {
-                        self.unused.push(scene);
-                    }
                 }
             }
             self.timeline.put_near(back, kept);

@@ -204,8 +204,6 @@ pub struct State {
     pub(super) panes: Option<Box<Panes>>,
     pub(super) row: Option<Row>,
     pub(super) showing: Option<Showing>,
-    /// Scenes that were given up, to be freed elsewhere: freeing large ones takes long.
-    pub(super) unused: Vec<Scene>,
 }
 
 impl State {

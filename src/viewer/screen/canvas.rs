@@ -16,7 +16,7 @@ use crate::{
         without_depth::{self, extent},
     },
     viewer::{
-        jobs::{Uploaded, let_go},
+        jobs::Uploaded,
         model::{OnScreen, Stage, State, Subject},
     },
 };
@@ -133,11 +133,8 @@ impl Canvas {
             (self.page, self.size) = (page(&self.gpu, size, self.format), size);
         }
         let places = places(laid);
-        if laid.panes.is_empty()
-            && let Some(stages) = self.stages.take()
-        {
-            let work = stages.iter().map(|stage| stage.scenes.work()).sum();
-            let_go(stages, work);
+        if laid.panes.is_empty() {
+            self.stages = None;
         }
         let (mut progress, mut looks) = (Ok(PictureProgress::default()), Vec::new());
         for (stage, place) in &places {

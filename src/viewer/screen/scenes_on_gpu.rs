@@ -5,7 +5,7 @@ use crate::{
     render::{Gpu, GpuError, MeshStore, SceneBuffers},
     scene::{Scene, SceneKey},
     viewer::{
-        jobs::{Making, Upload, Uploaded, let_go},
+        jobs::{Making, Upload, Uploaded},
         model::{LITTLE, Subject},
     },
 };
@@ -47,11 +47,10 @@ pub(super) struct ScenesOnGpu {
 impl ScenesOnGpu {
     /// Drops scenes that cannot come back.
     pub fn forget_unused(&mut self) {
-        let is_unused = |before: &mut OnGpu| !before.key.is_in_use();
-        let unused: Vec<OnGpu> = self.before.extract_if(.., is_unused).collect();
-        if !unused.is_empty() {
+        let count = self.before.len();
+        self.before.retain(|before| before.key.is_in_use());
+        if self.before.len() < count {
             self.meshes.forget_dropped();
-            give_up(unused);
         }
     }
 
@@ -79,7 +78,7 @@ impl ScenesOnGpu {
                 return Ok(None);
             };
             self.before.splice(0..0, self.now.replace(scene));
-            give_up(self.before.split_off(MOST_BEFORE.min(self.before.len())));
+            self.before.truncate(MOST_BEFORE);
         }
         if let Some(scene) = self.now.as_mut().filter(|now| now.visibility != visibility) {
             if !scene.buffers.update_some(gpu, subject.scene)? {
@@ -117,11 +116,6 @@ impl ScenesOnGpu {
         }))
     }
 
-    /// The work of drawing all of these scenes once.
-    pub fn work(&self) -> usize {
-        work(self.now.iter().chain(&self.before))
-    }
-
     /// The buffers of a scene that was uploaded ahead, or was kept from before.
     fn known(&mut self, scene: &Scene) -> Option<SceneBuffers> {
         let ready = self.ready.take().filter(|ready| ready.key.is_of(scene));
@@ -141,14 +135,4 @@ fn on_gpu(buffers: SceneBuffers, subject: &Subject) -> OnGpu {
         revision: subject.revision,
         visibility: subject.visibility,
     }
-}
-
-fn give_up(scenes: Vec<OnGpu>) {
-    let work = work(&scenes);
-    let_go(scenes, work);
-}
-
-fn work<'a>(scenes: impl IntoIterator<Item = &'a OnGpu>) -> usize {
-    let work = scenes.into_iter().map(|scene| scene.buffers.whole.work);
-    usize::try_from(work.sum::<u64>()).unwrap_or(usize::MAX)
 }
