@@ -9,7 +9,7 @@ use crate::{
     scene::{self, Loaded, Warning},
     viewer::{
         jobs::{self, Job, Stamps},
-        model::{Made, Source, hide, no_section},
+        model::{Source, hide, no_section},
         options::Options,
         ui::{Attempt, Filter},
     },
@@ -69,7 +69,6 @@ impl App {
             Ok(loaded) => self.arrive(Arrival {
                 loaded: Box::new(loaded),
                 errand,
-                uploaded: None,
             }),
             // The file changed again while it was read: the change is still to be read.
             Err(error) if errand.purpose == Purpose::Follow && error.is_of_change() => {}
@@ -83,25 +82,20 @@ impl App {
         }
     }
 
-    pub(super) fn show_scene(
-        &mut self,
-        mut loaded: Loaded,
-        errand: Errand,
-        made: Option<Made>,
-    ) -> Result<(), String> {
+    pub(super) fn show_scene(&mut self, mut loaded: Loaded, errand: Errand) -> Result<(), String> {
         let (paths, purpose, stamps) = (errand.paths, errand.purpose, errand.stamps);
         let mut warnings = mem::take(&mut loaded.warnings);
         let (mut unused, mut differs) = (Vec::new(), true);
         match purpose {
             Purpose::Add => {
-                self.state.add(loaded, paths, made);
+                self.state.add(loaded, paths);
                 self.succeeded(Attempt::Open);
                 self.warn(&warnings);
                 self.told.extend(warnings.iter().map(Warning::to_string));
                 self.watch(self.state.document(), stamps);
                 return Ok(());
             }
-            Purpose::Reload | Purpose::Follow => differs = self.state.reload_as(loaded, made),
+            Purpose::Reload | Purpose::Follow => differs = self.state.reload_as(loaded),
             Purpose::Open => {
                 if self.first {
                     unused = self.apply_flags(&mut loaded);

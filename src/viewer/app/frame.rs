@@ -134,7 +134,6 @@ impl App {
     pub fn take_finished(&mut self) {
         self.take_loaded();
         self.take_projected();
-        self.take_uploaded();
         self.take_saved();
         self.take_settled();
         self.take_ready();
@@ -270,15 +269,10 @@ impl App {
             self.statistics.software = gpu.is_software();
         }
         canvas.take_textures(&mut self.textures.news);
-        for (stage, uploaded) in self.uploaded.drain(..) {
-            canvas.take_uploaded(stage, uploaded);
-        }
         let drawn = screen.draw(&self.state, laid);
         match &drawn {
             Ok(progress) => {
-                if !progress.is_coming {
-                    self.state.accepted();
-                }
+                self.state.accepted();
                 self.picture = *progress;
                 if progress.anew {
                     self.announce();
@@ -292,7 +286,6 @@ impl App {
             Err(_) => {}
         }
         if let Some(canvas) = screen.canvas() {
-            self.gpu = Some((canvas.gpu.clone(), canvas.meshes()));
             let is_late = self.picture.behind.is_some();
             self.state.see(match canvas.on_screen() {
                 _ if !laid.panes.is_empty() || laid.place.is_none() => Seen::Wanted,

@@ -57,7 +57,6 @@ impl App {
         match (pending.intent, pending.arrival) {
             (Intent::Open(_), Some(mut arrival)) => {
                 arrival.errand.purpose = Purpose::Add;
-                arrival.uploaded = None;
                 self.arrive(*arrival);
             }
             (Intent::Open(paths), None) => self.load(paths, Purpose::Add),

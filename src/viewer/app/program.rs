@@ -10,14 +10,10 @@ use super::{
 use crate::{
     camera::{CameraChoice, View, Viewport},
     json::plain,
-    render::{Gpu, MeshStore},
     scene::{Loaded, Warning},
     viewer::{
-        jobs::{
-            self, Chart, Checking, Job, Loading, Projecting, Saving, Typefaces, Upload, Uploaded,
-            Watching,
-        },
-        model::{Action, Snapshot, Stage, State},
+        jobs::{self, Chart, Checking, Job, Loading, Projecting, Saving, Typefaces, Watching},
+        model::{Action, Snapshot, State},
         options::Options,
         screen::{PictureProgress, Textures},
         ui::{
@@ -70,16 +66,10 @@ pub(in crate::viewer) struct App {
     pub context: egui::Context,
     pub textures: Textures,
     pub state: State,
-    /// The device and the meshes on it, once a frame was drawn.
-    pub(super) gpu: Option<(Gpu, MeshStore)>,
     /// The scene that is being projected for NDC.
     pub(super) projecting: Option<Projecting>,
-    /// The upload under way, and what is shown after it.
-    pub(super) arriving: Option<(Upload, Arrival)>,
     /// What is to be shown once no question waits for an answer.
     pub(super) ready: Option<Arrival>,
-    /// Finished uploads for the next frame, each with its stage; `None` is the camera's picture.
-    pub(super) uploaded: Vec<(Option<Stage>, Uploaded)>,
     /// The load under way, and what it is for.
     pub(super) loading: Option<(Loading, Errand)>,
     /// Whether the dialog to open files is open.
@@ -160,11 +150,8 @@ impl App {
         memory.look.apply(&context);
         ui::note_missing(&context, typefaces.missing.clone());
         Self {
-            gpu: None,
             projecting: None,
-            arriving: None,
             ready: None,
-            uploaded: Vec::new(),
             loading: None,
             asks_for_files: false,
             to_save: None,

@@ -1,7 +1,7 @@
 //! What takes long, on threads of its own that know no window. Most of it is a `Job`, or holds one: when it is done, it
 //! wakes its caller, who polls for the result. File dialogs and the question whether the desktop is dark are no `Job`:
 //! they hand their answer to a function that the caller gave. A watch goes on until it is dropped, and wakes its caller
-//! at every change. Freeing memory has no result.
+//! at every change.
 
 mod check;
 mod darkness;
@@ -17,7 +17,6 @@ mod snapping;
 mod study;
 mod trees;
 mod typefaces;
-mod uploading;
 mod watching;
 
 pub(super) use check::{Check, Checked, Checking};
@@ -33,5 +32,4 @@ pub(super) use snapping::{Snapping, snap};
 pub(super) use study::Chart;
 pub(super) use trees::build_trees;
 pub(super) use typefaces::{Missing, Typeface, Typefaces};
-pub(super) use uploading::{Making, Upload, Uploaded};
 pub(super) use watching::{Stamps, Watching};

@@ -14,9 +14,9 @@ use crate::{
 };
 use glam::{DAffine3, DMat3, DVec3};
 
-/// A scene with fewer objects and triangles than this is projected or uploaded within a pass, as fast as a job
+/// A scene with fewer objects and triangles than this is projected within a pass, as fast as a job
 /// is started.
-pub(in crate::viewer) const LITTLE: usize = 20_000;
+const LITTLE: usize = 20_000;
 /// Farther from the origin than anything in NDC.
 const BEYOND_NDC: f64 = 1e30;
 

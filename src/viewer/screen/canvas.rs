@@ -15,10 +15,7 @@ use crate::{
         Gpu, GpuError, MeshStore, Renderer, read_rgb,
         without_depth::{self, extent},
     },
-    viewer::{
-        jobs::Uploaded,
-        model::{OnScreen, Stage, State, Subject},
-    },
+    viewer::model::{OnScreen, Stage, State, Subject},
 };
 use egui_wgpu::ScreenDescriptor;
 use std::{sync::Arc, time::Instant};
@@ -96,18 +93,6 @@ impl Canvas {
     /// The ids on screen, when they are those of `wanted`.
     pub fn read_ids(&self, wanted: &OnScreen) -> Result<Option<Image<Id>>, GpuError> {
         self.scene.read_ids(&self.gpu, wanted)
-    }
-
-    /// Takes an uploaded scene that is to be shown next, as a stage or, with `None`, as the camera's picture.
-    pub fn take_uploaded(&mut self, stage: Option<Stage>, uploaded: Uploaded) {
-        self.scene.scenes.meshes = uploaded.meshes.clone();
-        let (picture, ..) = self.picture_of(stage, 1.0, Instant::now());
-        picture.scenes.ready = Some(uploaded);
-    }
-
-    /// The meshes in graphics memory.
-    pub fn meshes(&self) -> MeshStore {
-        self.scene.scenes.meshes.clone()
     }
 
     /// What the scene's picture on screen shows.
