@@ -45,15 +45,15 @@ pub(crate) fn write_line(mut out: impl Write, value: &impl Serialize) -> io::Res
     writeln!(out)
 }
 
-/// An object of JSON with these fields, in this order. Fields may have serde's attributes.
+/// An object of JSON with these fields, in this order.
 macro_rules! object {
-    ($($(#[$attribute:meta])* $name:ident: $value:expr),+ $(,)?) => {{
+    ($($name:ident: $value:expr),+ $(,)?) => {{
         // The type of each field has the field's name.
         #[expect(non_camel_case_types)]
         let object = {
             #[derive(serde::Serialize)]
             struct JsonObject<$($name),+> {
-                $($(#[$attribute])* $name: $name),+
+                $($name: $name),+
             }
             JsonObject { $($name: $value),+ }
         };

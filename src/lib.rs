@@ -175,7 +175,6 @@
 //! | which class `verify` gives a pixel | `verify/surface.rs`, by the bounds in `verify/bound.rs` |
 //! | what a section cuts from a pick | `geometry/section.rs`; the hits it keeps `pick/order.rs` |
 //! | a camera that is pasted | `viewer/app/commands.rs` |
-//! | what `--print-picks` prints | `viewer/app/looking_up.rs` |
 //! | when edges become smooth | `viewer/screen/begin.rs` |
 //! | the window's title and its dot | `viewer/app/program.rs` |
 //! | files that are dropped on the window | `viewer/app/frame.rs`, then `viewer/app/files.rs` |

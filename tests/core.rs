@@ -7,13 +7,13 @@ use sightline::{
         View, Viewport,
     },
     geometry::{
-        Aabb, Bvh, Mesh, MeshData, MeshError, Part, PixelRays, PlacedPoint, Placement,
-        PlacementError, Ray, Section, SectionError, Sides, TriangleTest, VertexRay, WorldRay,
-        hit_exact, hit_guarded,
+        Aabb, Bvh, Mesh, MeshData, MeshError, PixelRays, PlacedPoint, Placement, PlacementError,
+        Ray, Section, SectionError, Sides, TriangleTest, VertexRay, WorldRay, hit_exact,
+        hit_guarded,
     },
     glam::{DVec2, DVec3},
     image::{Id, Image},
-    pick::{self, Pick, SceneHit, Whereabouts, snap::Snap},
+    pick::{self, Pick, SceneHit, snap::Snap},
     scene::{NoSection, NoSuchObject, Object, Scene, SceneKey, Shape},
 };
 use std::{error::Error, fmt::Debug, sync::Arc};
@@ -290,49 +290,4 @@ fn boxes_say_how_large_they_are() {
     assert_eq!([DVec3::X, -DVec3::X].into_iter().collect::<Aabb>(), {
         Aabb::around([-DVec3::X, DVec3::X])
     });
-}
-
-/// The roof in two parts, the second one first in the scene.
-#[test]
-fn a_vertex_and_a_face_are_found_on_each_object_that_has_them() {
-    let mut data = roof().data().clone();
-    data.parts = [0..1, 1..2]
-        .map(|triangles| Part {
-            name: String::new(),
-            triangles,
-        })
-        .into();
-    let mesh = Arc::new(Mesh::new(data).expect("a mesh"));
-    let half = |part| {
-        let mesh = Arc::clone(&mesh);
-        Object::new("half", Shape::Mesh { mesh, part }, Placement::IDENTITY)
-    };
-    let scene = Scene::new(vec![half(1), half(0)]);
-    let corner = DVec3::new(1.0, -1.0, 0.0);
-    let of = |view: &View, vertex| Whereabouts::of_vertex(&scene, view, &mesh, vertex);
-    let ids = |vertex| -> Vec<_> { of(&view(), vertex).iter().map(|at| at.id).collect() };
-    assert_eq!(ids(corner), [2], "a corner of the first triangle alone");
-    assert_eq!(ids(DVec3::new(-1.0, 1.0, 0.0)), [1]);
-    assert_eq!(ids(DVec3::new(1.0, 1.0, 0.0)), [2, 1]);
-    assert_eq!(ids(DVec3::ZERO), [0; 0], "no vertex");
-
-    let faces = Whereabouts::of_face(&scene, &view(), &mesh, 1..2);
-    let [face] = faces.as_slice() else {
-        panic!("one object has it: {faces:?}");
-    };
-    assert_eq!((face.id, face.triangle), (1, 0));
-    assert_eq!(face.point_world, DVec3::new(-0.5, 0.0, 0.0));
-    assert!(face.in_picture && face.seen && face.hidden_by.is_none());
-
-    // A corner of the first triangle as told by cameras that show it, that look past it, and that look away from it.
-    let looking = |eye: f64, target: f64| {
-        let camera = view().camera;
-        let camera = Camera::new(eye * DVec3::Z, target * DVec3::Z, DVec3::Y, *camera.lens());
-        let view = View::new(camera.expect("a camera"), view().viewport);
-        let [at] = of(&view, corner).try_into().expect("one object");
-        [at.px.is_some(), at.in_picture, at.seen]
-    };
-    assert_eq!(looking(3.0, 0.0), [true, true, true]);
-    assert_eq!(looking(0.5, 0.0), [true, false, false]);
-    assert_eq!(looking(0.5, 3.0), [false, false, false]);
 }

@@ -99,21 +99,6 @@ The lines of --snap R, one for each --at, with px:
   of a face is the sum over its triangles in the mesh: the face's own area, if
   it is flat and does not cross itself.";
 
-/// What the lines of `--face` and `--vertex` hold.
-pub(super) const PLACES: &str = "\
-The lines of --face and --vertex, after those of --at:
-  file, line, face, vertices; or vertex, written, stored: as above; of a face
-                   also written, its corners as they stand there
-  left_out         of a face: why nothing of it is shown, or null; its vertices
-                   are those that are there
-  places           where it is on each object with a corner there: object, id;
-                   triangle, the first with that corner; point_world and px, of
-                   the vertex or of a point inside of the face; in_picture;
-                   seen; hidden_by, what lies nearest to the eye before it, or
-                   null
-  A point is seen if the picture's ray through exactly this point picks a
-  surface there. The test is exact, even where no f64 holds the position.";
-
 /// What the line of `--stored` holds.
 pub(super) const NUMBERS: &str = "\
 The line of --stored, {\"stored\":{\"camera\",\"meshes\",\"objects\"}}:

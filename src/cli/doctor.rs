@@ -33,7 +33,8 @@ const VARIABLES: [&str; 7] = [
 ];
 
 /// The commands that work without an adapter.
-const WITHOUT: &str = "list, pick, render (by rays, without --views), install-desktop and study (but for the step that draws)";
+const WITHOUT: &str =
+    "list, pick, render (by rays, without --views) and study (but for the step that draws)";
 
 /// Prints the report.
 pub(super) fn run(args: &DoctorArgs) -> Result<(), CliError> {

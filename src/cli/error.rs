@@ -2,11 +2,7 @@
 
 use super::{Cli, terminal::say};
 use crate::{
-    image::ImageError,
-    render::GpuError,
-    scene::{LoadError, obj::AgainError},
-    study::SaveError,
-    viewer::ViewerError,
+    image::ImageError, render::GpuError, scene::LoadError, study::SaveError, viewer::ViewerError,
 };
 use clap::CommandFactory;
 use std::{io, path::Path, process::ExitCode};
@@ -37,7 +33,8 @@ impl CliError {
         let cli = Cli::command();
         let commands: Vec<_> = cli.get_subcommands().map(clap::Command::get_name).collect();
         let commands = commands.join(", ");
-        let text = format!("{error}; the commands are {commands}; they come before scenes");
+        let text =
+            format!("{error}; the commands are {commands}; they come before scenes and flags");
         Self::new(3, text)
     }
 
@@ -84,7 +81,6 @@ exit_codes! {
     LoadError: |_| 3;
     ImageError: |_| 3;
     SaveError: |_| 3;
-    AgainError: |error| if matches!(error, AgainError::NoSuch { .. }) { 2 } else { 3 };
     GpuError: |_| 4;
     ViewerError: |error| if matches!(error, ViewerError::NoDisplay) { 5 } else { 4 };
 }
@@ -103,7 +99,7 @@ impl From<clap::Error> for CliError {
         for tip in parts.filter(|part| part.contains("similar")) {
             line = format!("{line}; {}", tip.trim_start_matches("tip: "));
         }
-        // Clap takes a negative value of a flag with several values, such as --at or --face, for a flag. No flag is a
+        // Clap takes a negative value of a flag with several values, such as --at, for a flag. No flag is a
         // number, so the message can say what is wrong.
         let flag = line.strip_prefix("unexpected argument '-");
         if flag.is_some_and(|flag| flag.starts_with(|c: char| c.is_ascii_digit() || c == '.')) {

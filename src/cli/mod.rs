@@ -8,12 +8,10 @@
 )]
 
 mod camera_flags;
-mod command_first;
+mod completions;
 mod contract;
-mod desktop;
 mod doctor;
 mod error;
-mod in_file;
 mod list;
 mod pick;
 mod render;
@@ -25,7 +23,7 @@ mod verify;
 mod window;
 
 pub use camera_flags::ViewArgs;
-pub use desktop::InstallDesktopArgs;
+pub use completions::CompletionsArgs;
 pub use doctor::DoctorArgs;
 pub use error::CliError;
 pub use list::ListArgs;
@@ -41,8 +39,7 @@ use crate::{
     scene::{self, Detail, Loaded, Progress},
 };
 use clap::{Parser, Subcommand};
-use command_first::command_first;
-use contract::{CONTRACT, FIELDS, NUMBERS, PLACES, SNAPS};
+use contract::{CONTRACT, FIELDS, NUMBERS, SNAPS};
 use std::{
     ffi::OsString,
     io::{self, Write},
@@ -84,7 +81,7 @@ pub enum Command {
     #[command(after_long_help = EXIT_CODES)]
     Render(RenderArgs),
     /// Say what is at a position of the picture: one line of JSON for each pick
-    #[command(after_long_help = [CONTRACT, FIELDS, SNAPS, PLACES, NUMBERS, EXIT_CODES].join("\n\n"))]
+    #[command(after_long_help = [CONTRACT, FIELDS, SNAPS, NUMBERS, EXIT_CODES].join("\n\n"))]
     Pick(PickArgs),
     /// List the objects: id, name, shape, triangles, bounds
     #[command(after_long_help = EXIT_CODES)]
@@ -99,9 +96,9 @@ pub enum Command {
     /// Say what this machine draws with and what its adapters can do: the text for a bug report
     #[command(after_long_help = doctor::CODES)]
     Doctor(DoctorArgs),
-    /// Install menu entry, icon, OBJ file type, thumbnails, man pages and completions
+    /// Print what makes a shell complete commands and flags
     #[command(after_long_help = EXIT_CODES)]
-    InstallDesktop(InstallDesktopArgs),
+    Completions(CompletionsArgs),
 }
 
 /// The arguments of every command that loads a scene.
@@ -117,7 +114,6 @@ pub struct SceneArgs {
 
 /// Parses the arguments (the program's own name first), runs the command and reports an error as one line.
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let args = command_first(args.into_iter().collect());
     let done = match Cli::try_parse_from(args) {
         Ok(cli) => run_command(&cli),
         Err(error) if !error.use_stderr() => {
@@ -141,7 +137,7 @@ fn run_command(cli: &Cli) -> Result<(), CliError> {
         Some(Command::Study(args)) => study::run(args),
         Some(Command::Verify(args)) => verify::run(args),
         Some(Command::Doctor(args)) => doctor::run(args),
-        Some(Command::InstallDesktop(args)) => desktop::run(args),
+        Some(Command::Completions(args)) => completions::run(args),
         None => window::run(&cli.window),
     }
 }

@@ -1,6 +1,6 @@
 //! `sightline pick`: what is at a position of the picture.
 
-use super::{CliError, SceneArgs, ViewArgs, build_trees, in_file, load_with, stored, value};
+use super::{CliError, SceneArgs, ViewArgs, build_trees, load_with, stored, value};
 use crate::{
     camera::{View, Viewport},
     json,
@@ -25,7 +25,6 @@ const LOOKS_PER_OBJECT: usize = 16;
 
 /// Arguments of `sightline pick`.
 #[derive(Debug, clap::Args)]
-#[command(group(clap::ArgGroup::new("numbered").args(["face", "vertex"]).multiple(true)))]
 pub struct PickArgs {
     /// What to look at.
     #[command(flatten)]
@@ -36,30 +35,15 @@ pub struct PickArgs {
     /// of the top left pixel and 0.5,0.5 its centre, which is what a click
     /// on that pixel picks. Several positions may follow one --at. A single
     /// - reads them from standard input.
-    #[arg(long, value_name = "X,Y", required_unless_present = "numbered")]
-    #[arg(num_args = 1.., value_parser = at)]
+    #[arg(long, value_name = "X,Y", required = true, num_args = 1.., value_parser = at)]
     #[arg(verbatim_doc_comment)]
     pub at: Vec<At>,
-    /// Say where face N of the file is in the picture, and what hides it
-    ///
-    /// N counts all f lines of an OBJ file from 1, valid or not. The answer
-    /// has the face as the file writes it, and the place of a point inside
-    /// the face. See below.
-    #[arg(long, value_name = "N", num_args = 1.., value_parser = value::count)]
-    #[arg(verbatim_doc_comment)]
-    pub face: Vec<usize>,
-    /// Say where vertex N of the file is in the picture, and what hides it
-    #[arg(long, value_name = "N", num_args = 1.., value_parser = value::count)]
-    pub vertex: Vec<usize>,
-    /// For --face and --vertex: the object from whose file N is counted
-    #[arg(long, value_name = "ID", value_parser = value::id, requires = "numbered")]
-    pub object: Option<usize>,
     /// Move each position to what is nearest within R pixels, and measure
     ///
     /// That is a visible vertex, else a visible edge, else the surface at
     /// the position. Each position gives a line, which also has the distance
     /// from the position before. See below.
-    #[arg(long, value_name = "R", value_parser = value::radius, requires = "at")]
+    #[arg(long, value_name = "R", value_parser = value::radius)]
     #[arg(conflicts_with = "all_hits", verbatim_doc_comment)]
     pub snap: Option<f64>,
     /// Give every surface along the ray, from front to back
@@ -138,9 +122,6 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
             At::Stdin => picker.pick_lines(BufReader::new(std::io::stdin().lock()))?,
         }
     }
-    let numbers = (&*args.face, &*args.vertex);
-    let (out, files) = (&mut picker.out, &mut picker.files);
-    in_file::write(out, numbers, args.object, &loaded, &view, files)?;
     picker.flush()
 }
 

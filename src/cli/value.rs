@@ -72,12 +72,6 @@ pub(super) fn radius(text: &str) -> Result<f64, String> {
     radius.ok_or_else(|| "expected pixels, from 0 to 256".to_owned())
 }
 
-/// The number of a face or a vertex.
-pub(super) fn count(text: &str) -> Result<usize, String> {
-    let number = text.trim().parse().ok().filter(|number| *number > 0);
-    number.ok_or_else(|| "expected a whole number from 1".to_owned())
-}
-
 /// An object's id.
 pub(super) fn id(text: &str) -> Result<usize, String> {
     let id = text.trim().parse();

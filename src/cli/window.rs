@@ -12,9 +12,6 @@ pub struct WindowArgs {
     /// What to show.
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// Print each pick to standard output as a line of JSON
-    #[arg(long)]
-    pub print_picks: bool,
     /// What to show: the camera's picture, the four views side by side, or one of them [default: picture]
     #[arg(long, value_name = "VIEWS", value_parser = value::word(value::VIEWS))]
     pub views: Option<Views>,
@@ -54,7 +51,6 @@ pub(super) fn run(args: &WindowArgs) -> Result<(), CliError> {
         size: args.view.size,
         memory: viewer::memory_file(),
         views: args.views.unwrap_or_default(),
-        print_picks: args.print_picks,
         tour: args.tour,
         ..viewer::Options::default()
     };

@@ -37,14 +37,6 @@ impl PlacedPoint {
         }
     }
 
-    /// The same point of the shape, where another placement puts it.
-    pub fn placed_by(&self, placement: &Placement) -> Self {
-        Self {
-            model: placement.model(),
-            ..*self
-        }
-    }
-
     /// Whether all its numbers are finite.
     pub(crate) fn is_finite(&self) -> bool {
         let vectors = [self.origin, self.from, self.to];

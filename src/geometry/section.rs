@@ -77,19 +77,6 @@ impl Section {
         Self::new(normal, offsets.fold(f64::NEG_INFINITY, f64::max))
     }
 
-    /// Whether three finite points may be on one line up to rounding. A picked point's coordinates are each off by a
-    /// few units in the last place of the largest.
-    pub fn may_be_on_one_line(points: [DVec3; 3]) -> bool {
-        let [a, b, c] = points;
-        let unit = |v: DVec3| v / v.abs().max_element();
-        let normal = unit(b - a).cross(unit(c - a));
-        let size = points.iter().map(|p| p.abs().max_element());
-        let size = size.fold(0.0, f64::max);
-        let lost = |v: DVec3| 4.0 * U * size / v.abs().max_element();
-        // NaN, from two coinciding points, counts as on one line.
-        !(normal.length() > 8.0 * U + lost(b - a) + lost(c - a))
-    }
-
     /// The same with c raised until it keeps these points of an object, given about an origin in object space. The
     /// first step is the largest rounding error of c.
     ///

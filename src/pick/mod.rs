@@ -83,7 +83,7 @@ pub use record::Pick;
 #[doc(hidden)] // public for tests: the shape of the program's lines
 pub use record::{PickLine, PickLines};
 pub use selection::draw_selection;
-pub use sight::{Sight, Whereabouts, sight};
+pub use sight::{Sight, sight};
 
 use crate::{
     camera::View,

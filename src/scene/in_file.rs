@@ -1,4 +1,4 @@
-//! The source text of a face or a vertex in its file, for a pick's record.
+//! The source text of a face in its file, for a pick's record.
 
 use glam::DVec3;
 use serde::Serialize;
@@ -31,11 +31,7 @@ pub struct FaceInFile {
     pub face: usize,
     /// Its line in the file, from 1; the first of continued lines.
     pub line: usize,
-    /// Its corners as written, separated by a space.
-    pub written: String,
-    /// Why the mesh has no triangle of this face; `None` where it has.
-    pub left_out: Option<String>,
-    /// Its corners in order. A face that is left out has only those that exist.
+    /// Its corners in order.
     pub vertices: Vec<VertexInFile>,
     /// The mesh's triangles of this face.
     pub triangles: Range<u32>,

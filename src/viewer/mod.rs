@@ -33,6 +33,6 @@ mod screen;
 mod ui;
 
 pub use app::memory_file;
-pub use host::{APP_ID, Control, ICON_PNG, Offscreen, display, picture_of_views, run};
+pub use host::{Control, Offscreen, display, picture_of_views, run};
 pub use options::{Options, ViewerError};
 pub use ui::tour_text;

@@ -28,8 +28,6 @@ pub struct Options {
     pub views: Views,
     /// Whether only the picture shows, without panels.
     pub is_bare: bool,
-    /// Whether each pick is printed as a line of JSON.
-    pub print_picks: bool,
     /// Whether the tour begins at once.
     pub tour: bool,
 }

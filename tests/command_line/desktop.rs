@@ -1,79 +1,111 @@
-//! `install-desktop`: desktops, `man` and shells accept what it writes, and `--remove` leaves nothing.
+//! The files for desktops, `man` and shells are accepted by these, and the Debian package has all of them.
 
 use super::*;
-use std::path::Path;
+use clap::CommandFactory;
+use clap_mangen::Man;
+use sightline::cli::Cli;
+use std::{collections::BTreeSet, fs, io, path::Path};
+
+fn here(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
+}
 
 /// Fails unless a program accepts a file without a word on standard error.
-fn check(program: &str, args: &[&str], file: &Path) {
+fn check(program: &str, args: &[&str], file: &str) {
     let output = Command::new(program)
         .args(args)
-        .arg(file)
+        .arg(here(file))
         .env("LC_ALL", "C.UTF-8")
         .output();
     let output = output.unwrap_or_else(|error| panic!("{program}: {error}"));
     let [said, more] = [&output.stderr, &output.stdout].map(|text| String::from_utf8_lossy(text));
     assert!(
         output.status.success() && said.is_empty(),
-        "{program} {}: {said}{more}",
-        file.display()
+        "{program} {file}: {said}{more}"
     );
 }
 
-fn install(folder: &Folder, flags: &str) -> Vec<PathBuf> {
-    let output = folder.run(&format!("install-desktop --to share {flags}"));
-    assert!(output.status.success(), "{output:?}");
-    let lines = String::from_utf8(output.stdout).unwrap();
-    lines.lines().map(|line| folder.path(line)).collect()
+/// Fails unless the file holds this text. `SIGHTLINE_GOLDENS=write` writes it.
+fn holds(file: &str, text: &[u8]) {
+    if std::env::var_os("SIGHTLINE_GOLDENS").is_some_and(|what| what == "write") {
+        fs::write(here(file), text).expect("a writable folder");
+    }
+    let golden = fs::read(here(file)).unwrap_or_default();
+    assert!(golden == text, "{file}: SIGHTLINE_GOLDENS=write makes it");
+}
+
+/// The man page: the program's, and below it a part for each command.
+fn page() -> io::Result<String> {
+    type Render = fn(&Man, &mut dyn Write) -> io::Result<()>;
+    const OF_ALL: [Render; 4] = [
+        Man::render_synopsis_section,
+        Man::render_description_section,
+        Man::render_options_section,
+        Man::render_extra_section,
+    ];
+    let sections = |command: &clap::Command, renders: &[Render]| {
+        let (man, mut text) = (Man::new(command.clone()), Vec::new());
+        for render in renders {
+            render(&man, &mut text)?;
+        }
+        Ok::<_, io::Error>(String::from_utf8_lossy(&text).into_owned())
+    };
+    let mut cli = Cli::command();
+    cli.build();
+    let begin: [Render; 2] = [Man::render_title, Man::render_name_section];
+    let mut page = sections(&cli, &begin)? + &sections(&cli, &OF_ALL)?;
+    let commands = cli.get_subcommands();
+    for command in commands.filter(|command| command.get_name() != "help") {
+        let name = command.get_name().to_uppercase();
+        let part = sections(command, &OF_ALL)?.replace("\n.SH ", "\n.SS ");
+        page.extend([".SH \"SIGHTLINE ", &name, "\"\n", &part]);
+    }
+    Ok(page)
 }
 
 #[test]
-fn desktops_man_and_shells_take_what_is_installed() {
-    let folder = Folder::new();
-    let files = install(&folder, "");
-    let file = |end: &str| {
-        let mut such = files.iter().filter(|file| file.ends_with(end));
-        such.next()
-            .unwrap_or_else(|| panic!("no {end} among {files:?}"))
-    };
-    assert!(files.iter().all(|file| file.is_file()));
-    check("desktop-file-validate", &[], file("sightline.desktop"));
-    check(
-        "bash",
-        &["-n"],
-        file("bash-completion/completions/sightline"),
-    );
-    let pages: Vec<_> = files
-        .iter()
-        .filter(|file| file.extension().is_some_and(|end| end == "1"))
-        .collect();
-    assert_eq!(pages.len(), 8, "the program's and one a command");
-    for page in pages {
-        check(
-            "man",
-            &["--warnings", "-E", "UTF-8", "-l", "-Tutf8", "-Z"],
-            page,
-        );
-        let text = std::fs::read_to_string(page).unwrap();
-        assert!(text.contains("Exit codes"), "{}", page.display());
+fn man_shows_a_page_of_all_commands() {
+    const PAGE: &str = "assets/desktop/sightline.1";
+    let text = page().expect("memory takes all that is written");
+    holds(PAGE, text.as_bytes());
+    let flags = ["--warnings", "-E", "UTF-8", "-l", "-Tutf8", "-Z"];
+    check("man", &flags, PAGE);
+    for command in Cli::command().get_subcommands() {
+        let heading = format!("SIGHTLINE {}", command.get_name().to_uppercase());
+        assert!(text.contains(&heading), "{heading}");
     }
-    let entry = std::fs::read_to_string(file("sightline.desktop")).unwrap();
-    assert!(entry.contains(env!("CARGO_BIN_EXE_sightline")), "{entry}");
+}
+
+#[test]
+fn shells_complete() {
+    let folder = Folder::new();
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let output = folder.run(&format!("completions {shell}"));
+        assert!(output.status.success(), "{shell}: {output:?}");
+        let text = String::from_utf8_lossy(&output.stdout);
+        assert!(text.contains("all-hits"), "{shell}: {text}");
+        if ["bash", "fish", "zsh"].contains(&shell) {
+            holds(&format!("assets/desktop/sightline.{shell}"), &output.stdout);
+        }
+    }
+    check("bash", &["-n"], "assets/desktop/sightline.bash");
+    folder.error("completions tcsh", 2);
+}
+
+#[test]
+fn the_menu_entry_is_valid() {
+    let entry = "assets/desktop/sightline.desktop";
+    check("desktop-file-validate", &[], entry);
 }
 
 #[test]
 fn the_thumbnailer_draws() {
     let folder = Folder::new();
-    let files = install(&folder, "");
-    let thumbnailer = files
-        .iter()
-        .find(|file| file.ends_with("sightline.thumbnailer"))
-        .unwrap();
-    let text = std::fs::read_to_string(thumbnailer).unwrap();
-    let exec = text
-        .lines()
-        .find_map(|line| line.strip_prefix("Exec="))
-        .unwrap();
+    let text = fs::read_to_string(here("assets/desktop/sightline.thumbnailer")).unwrap();
+    let mut lines = text.lines();
+    let exec = lines.find_map(|line| line.strip_prefix("Exec=")).unwrap();
     let line = exec
+        .replacen("sightline", env!("CARGO_BIN_EXE_sightline"), 1)
         .replace("%s", "64")
         .replace("%o", "small.png")
         .replace("%i", "scene.toml");
@@ -88,124 +120,23 @@ fn the_thumbnailer_draws() {
     );
 }
 
-/// All files and folders below one, by their paths in it.
-fn all_in(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    let mut folders = vec![folder.to_owned()];
-    while let Some(next) = folders.pop() {
-        for entry in std::fs::read_dir(next).unwrap() {
-            let path = entry.unwrap().path();
-            found.push(path.strip_prefix(folder).unwrap().to_owned());
-            if path.is_dir() && !path.is_symlink() {
-                folders.push(path);
-            }
-        }
-    }
-    found.sort();
-    found
-}
-
+/// What `cargo deb` packs is there, and it packs all files for desktops.
 #[test]
-fn nothing_is_left_after_remove() {
-    let folder = Folder::new();
-    let files = install(&folder, "");
-    assert!(
-        all_in(&folder.path("share")).len() > files.len(),
-        "folders too"
-    );
-    assert_eq!(install(&folder, "--remove"), files);
-    assert_eq!(all_in(&folder.path("share")), Vec::<PathBuf>::new());
-    assert!(
-        install(&folder, "--remove").is_empty(),
-        "nothing to take away"
-    );
-}
-
-/// Files that others wrote stay, even under the names of Sightline's files. So does what the caches know of them.
-#[test]
-fn what_others_wrote_stays() {
-    let folder = Folder::new();
-    let share = folder.path("share");
-    let others = [
-        (
-            "applications/sightline.desktop",
-            "[Desktop Entry]\nName=Mine\n",
-        ),
-        (
-            "applications/other.desktop",
-            "[Desktop Entry]\nType=Application\nName=O\nExec=o\nMimeType=text/x-o;\n",
-        ),
-        ("man/man1/sightline.1", "mine"),
-        (
-            "mime/packages/other.xml",
-            "<?xml version=\"1.0\"?><mime-info xmlns=\"http://www.freedesktop.org/standards/shared-mime-info\"><mime-type type=\"text/x-o\"><glob pattern=\"*.o1\"/></mime-type></mime-info>",
-        ),
-    ];
-    install(&folder, "");
-    for (place, text) in others {
-        std::fs::write(share.join(place), text).unwrap();
-    }
-    // A file of another version, or of a program that stood elsewhere.
-    let bash = share.join("bash-completion/completions/sightline");
-    let script = std::fs::read_to_string(&bash).unwrap();
-    std::fs::write(&bash, script.replace("--tour", "--more")).unwrap();
-    let output = folder.run("install-desktop --to share --remove");
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success(), "{said}");
-    assert_eq!(said.matches("not removed").count(), 2, "{said}");
-    for (place, text) in others {
-        assert_eq!(std::fs::read_to_string(share.join(place)).unwrap(), text);
-    }
-    assert!(!bash.exists());
-    let cache = |place: &str| {
-        let text = std::fs::read(share.join(place)).unwrap();
-        String::from_utf8_lossy(&text).into_owned()
-    };
-    for (place, theirs) in [
-        ("applications/mimeinfo.cache", "text/x-o"),
-        ("mime/globs2", "*.o1"),
-    ] {
-        let text = cache(place);
-        assert!(
-            text.contains(theirs) && !text.contains("obj"),
-            "{place}: {text}"
-        );
-    }
-    let ours = all_in(&share);
-    let ours = ours
+fn the_package_has_all_files() {
+    let manifest = fs::read_to_string(here("Cargo.toml")).unwrap();
+    let manifest: toml::Table = manifest.parse().unwrap();
+    let assets = manifest["package"]["metadata"]["deb"]["assets"].as_array();
+    let sources = assets
+        .unwrap()
         .iter()
-        .filter(|path| path.to_string_lossy().contains("sightline"));
-    assert_eq!(ours.count(), 2);
-}
-
-/// No version writes a file of more than 1 MiB: a larger one is another's, and is not read.
-#[test]
-fn a_large_file_stays_unread() {
-    let folder = Folder::new();
-    install(&folder, "");
-    let page = folder.path("share/man/man1/sightline.1");
-    let file = std::fs::File::options().write(true).open(&page).unwrap();
-    for (bytes, is_ours) in [((1 << 20) + 1, false), (1 << 20, true)] {
-        file.set_len(bytes).unwrap();
-        install(&folder, "--remove");
-        assert_eq!(page.exists(), !is_ours, "{bytes} bytes");
+        .map(|asset| asset[0].as_str().unwrap());
+    let mut packed: BTreeSet<_> = sources.map(here).collect();
+    assert!(packed.remove(&here("target/release/sightline")));
+    for source in &packed {
+        assert!(source.is_file(), "{}", source.display());
     }
-}
-
-#[cfg(unix)]
-#[test]
-fn what_a_link_points_to_is_not_written() {
-    let folder = Folder::new();
-    let link = folder.path("share/applications/sightline.desktop");
-    std::fs::create_dir_all(link.parent().unwrap()).unwrap();
-    let victim = folder.path("victim");
-    std::fs::write(&victim, "mine").unwrap();
-    std::os::unix::fs::symlink(&victim, &link).unwrap();
-    install(&folder, "");
-    assert_eq!(std::fs::read_to_string(&victim).unwrap(), "mine");
-    assert!(std::fs::symlink_metadata(&link).unwrap().is_file());
-    std::fs::remove_file(&link).unwrap();
-    std::os::unix::fs::symlink(&victim, &link).unwrap();
-    install(&folder, "--remove");
-    assert!(link.is_symlink() && victim.exists());
+    for entry in fs::read_dir(here("assets/desktop")).unwrap() {
+        let file = entry.unwrap().path();
+        assert!(packed.contains(&file), "{}", file.display());
+    }
 }

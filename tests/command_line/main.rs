@@ -6,7 +6,6 @@ mod desktop;
 mod doctor;
 #[path = "../common/exact/mod.rs"]
 mod exact;
-mod flags;
 mod in_file;
 mod no_driver;
 mod pictures;

@@ -75,7 +75,7 @@ fn what_needs_a_driver_refuses() {
 #[test]
 fn with_a_driver_rays_are_not_mentioned() {
     let folder = Folder::new();
-    let output = folder.run("-v render scene.toml --size 64x48 -o a.png");
+    let output = folder.run("render scene.toml --size 64x48 -o a.png -v");
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(
         output.status.success() && said.contains("drawing with "),

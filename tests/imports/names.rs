@@ -6,10 +6,7 @@ use std::{collections::BTreeMap, path::Path};
 /// What several files are about, each in its own way: their folders say which. Within `viewer` each name is one file's.
 const SHARED: [(&str, &[&str]); 15] = [
     ("again", &["scene/files/obj", "scene/files/obj/tests"]),
-    (
-        "in_file",
-        &["scene", "scene/files/obj", "cli", "viewer/ui/panels"],
-    ),
+    ("in_file", &["scene", "scene/files/obj", "viewer/ui/panels"]),
     ("narrowed", &["scene", "pick"]),
     ("one_place", &["pick", "verify"]),
     ("pick", &["cli", "viewer/ui/panels"]),

@@ -215,6 +215,7 @@ fn a_scene_too_large_for_the_adapter_is_said_and_the_old_one_stays() {
     let large = folder.path().join("large.toml");
     std::fs::write(&large, text).expect("writable");
     window.drop_file(large);
+    window.draw([]).expect_err("it does not fit");
     let picture = window.picture().expect("the old one");
     assert!(window.messages().any(|text| text.contains("the scene's")));
     assert_eq!(window.state().name(), "row.toml");

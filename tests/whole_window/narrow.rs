@@ -18,15 +18,11 @@ fn is_within(window: &Offscreen, name: &str) {
 }
 
 #[test]
-fn help_and_a_typed_path_are_as_narrow_as_the_window() {
+fn help_is_as_narrow_as_the_window() {
     let mut window = demo([400, 700]);
     press_key(&mut window, NONE, Key::H);
     is_within(&window, "Take the tour");
     is_within(&window, "undo; redo (either key)");
-    press_key(&mut window, NONE, Key::H);
-    window.open_without_dialog();
-    window.wait_s(1.0);
-    is_within(&window, "path");
 }
 
 /// A reason can be read below the field that was left.

@@ -1,4 +1,4 @@
-//! Panels are painted again only where they changed, and the picture still equals one in which all are painted anew.
+//! Panels are painted again when they change, and the picture still equals one in which they are painted anew.
 
 use crate::{MIDDLE, click, click_on, drag, press_key, row, type_into};
 use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};

@@ -72,7 +72,7 @@ fn a_memory_without_end_is_not_read() {
 fn a_broken_memory_is_no_obstacle() {
     let folder = tempfile::tempdir().expect("a folder");
     let memory = folder.path().join("window.toml");
-    for broken in ["recent = 5", "[panels", "[panels]\nplaces = []", "\u{0}"] {
+    for broken in ["recent = 5", "[panels", "[panels]\nfolded = []", "\u{0}"] {
         fs::write(&memory, broken).expect("writable");
         let mut window = remembering(&memory, Vec::new());
         assert!(has_control(&window, "fov"), "{broken}");

@@ -231,84 +231,58 @@ fn the_dialog_suggests_the_folder_of_the_scene() {
     }
 }
 
-/// Where the desktop shows no dialog, the path is typed in the window. No file is replaced without a word.
-#[test]
-fn without_a_dialog_the_path_is_typed() {
-    let (mut window, folder) = row(1.0);
-    let own = folder.path().join("row.toml");
-    let before = fs::read_to_string(&own).expect("a file");
-    let read = |path: &Path| fs::read_to_string(path).expect("a file");
-    let asks = |window: &mut Offscreen| {
-        press_key(window, CTRL, Key::S);
-        window.save_without_dialog();
-        assert_eq!(control(window, "path").value, own.display().to_string());
-        assert!(control(window, "path").has_focus);
-        let mut all = window.controls().iter();
-        let told = all.find(|control| control.name.contains("no file dialog"));
-        let told = &told.expect("why").name;
-        assert!(told.contains("portal") && told.contains("zenity"), "{told}");
-    };
-    edit(&mut window);
-    // Esc saves nothing, and does nothing else.
-    asks(&mut window);
-    let chosen = selected(&window).map(str::to_owned);
-    press_key(&mut window, Modifiers::NONE, Key::Escape);
-    assert!(!has_control(&window, "path") && is_marked(&window));
-    assert_eq!(selected(&window).map(str::to_owned), chosen);
-    // A file that is there is replaced by the second Enter.
-    asks(&mut window);
-    press_key(&mut window, Modifiers::NONE, Key::Enter);
-    let exists = format!(
-        "{} exists already. Enter once more replaces it.",
-        own.display()
-    );
-    control(&window, &exists);
-    assert_eq!(read(&own), before);
-    // That first Enter does not count for another name.
-    let [other, free] = ["other.toml", "free"].map(|name| folder.path().join(name));
-    fs::write(&other, "other").expect("writable");
-    type_into(&mut window, "path", &other.display().to_string());
-    assert!(!has_control(&window, &exists) && !has_control(&window, "Replace"));
-    press_key(&mut window, Modifiers::NONE, Key::Enter);
-    assert_eq!(read(&other), "other");
-    type_into(&mut window, "path", &own.display().to_string());
-    press_key(&mut window, Modifiers::NONE, Key::Enter);
-    assert_eq!(read(&own), before);
-    press_key(&mut window, Modifiers::NONE, Key::Enter);
-    assert_ne!(read(&own), before);
-    assert!(!has_control(&window, "path") && !is_marked(&window));
-    // A button does the same. A name without an ending gets one.
-    press_key(&mut window, CTRL, Key::Z);
-    asks(&mut window);
-    type_into(&mut window, "path", &free.display().to_string());
-    click_on(&mut window, "Save");
-    assert_eq!(window.state().name(), "free.toml");
-    asks_about(&mut window, &folder);
+fn told(window: &Offscreen) -> Vec<&str> {
+    window.messages().collect()
 }
 
-/// The question before the window closes waits for the typed path, and so does a file that is opened.
-fn asks_about(window: &mut Offscreen, folder: &TempDir) {
-    edit(window);
+/// Where the desktop shows no dialog, a scene is saved to its own scene file, or else to one with a free name. A message
+/// says which.
+#[test]
+fn without_a_dialog_nothing_is_lost() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let named = |name: &str| folder.path().join(name);
+    let read = |name: &str| fs::read_to_string(named(name)).expect("a file");
+    let save = |window: &mut Offscreen| {
+        press_key(window, CTRL, Key::S);
+        window.save_without_dialog();
+    };
+    // Names that are taken, also the one that the dialog suggests.
+    for taken in ["sightline-1.toml", "scene.toml"] {
+        fs::write(named(taken), "taken").expect("writable");
+    }
+    let wall = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    fs::write(named("wall.obj"), wall).expect("writable");
+    let mut window = open(vec![named("wall.obj")], 1.0);
+    window.save_screenshots_in(folder.path().to_owned());
+    press_key(&mut window, Modifiers::NONE, Key::Z);
+    save(&mut window);
+    assert!(!is_marked(&window));
+    assert_eq!(window.state().name(), "sightline-2.toml");
+    let free = named("sightline-2.toml").display().to_string();
+    let says = ["no file dialog", "portal", "zenity", &free];
+    let is_told = |text: &str| says.iter().all(|word| text.contains(word));
+    assert!(window.messages().any(is_told), "{:?}", told(&window));
+    // From now on that is its own file.
+    let before = read("sightline-2.toml");
+    press_key(&mut window, Modifiers::NONE, Key::Z);
+    save(&mut window);
+    assert!(!is_marked(&window) && read("sightline-2.toml") != before);
+    assert!(!named("sightline-3.toml").exists());
+    assert_eq!(["sightline-1.toml", "scene.toml"].map(read), ["taken"; 2]);
+    // The question before the window closes is answered by that save, too.
+    press_key(&mut window, Modifiers::NONE, Key::Z);
     window.close();
-    click_on(window, "Save first\u{2026}");
+    click_on(&mut window, "Save first\u{2026}");
     window.save_without_dialog();
-    click_on(window, "Cancel");
-    assert!(!window.has_quit() && is_marked(window));
-    press_key(window, CTRL, Key::O);
+    assert!(window.has_quit() && read("sightline-2.toml") == before);
+}
+
+#[test]
+fn without_a_dialog_to_open_it_says_what_works() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, CTRL, Key::O);
     window.open_without_dialog();
-    let [none, row] = ["none.toml", "row.toml"].map(|name| folder.path().join(name));
-    type_into(window, "path", &none.display().to_string());
-    press_key(window, Modifiers::NONE, Key::Enter);
-    control(window, &format!("{} does not exist.", none.display()));
-    type_into(window, "path", &row.display().to_string());
-    click_on(window, "Open");
-    assert!(is_asked(window));
-    click_on(window, "Cancel");
-    window.close();
-    click_on(window, "Save first\u{2026}");
-    window.save_without_dialog();
-    click_on(window, "Save");
-    assert!(!window.has_quit());
-    click_on(window, "Replace");
-    assert!(window.has_quit());
+    let told = told(&window);
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert!(told[0].contains("drop files") && told[0].contains("sightline FILE"));
 }

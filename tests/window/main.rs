@@ -1,4 +1,4 @@
-//! For a click, the real window prints what `sightline pick` prints for the same view. The window runs under Xvfb and
+//! For a click, the real window picks what `sightline pick` prints for the same view. The window runs under Xvfb and
 //! gets real pointer events.
 #![cfg(feature = "window")]
 
@@ -73,14 +73,13 @@ impl Drop for Screen {
 /// A running window and the lines it writes.
 struct Viewer {
     process: Child,
-    picks: Receiver<String>,
     log: Receiver<String>,
 }
 
 impl Viewer {
     fn open(screen: &Screen, scale: &str, folder: &Path, arguments: &[&str]) -> Self {
         let mut process = Command::new(SIGHTLINE)
-            .args(["-v", "--print-picks"])
+            .arg("-v")
             .args(arguments)
             .current_dir(folder)
             .env("DISPLAY", &screen.display)
@@ -91,17 +90,11 @@ impl Viewer {
             .env("WINIT_X11_SCALE_FACTOR", scale)
             .env_remove("WAYLAND_DISPLAY")
             .env_remove("WAYLAND_SOCKET")
-            .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()
             .expect("the binary runs");
-        let picks = lines(process.stdout.take().expect("piped"));
         let log = lines(process.stderr.take().expect("piped"));
-        let viewer = Self {
-            process,
-            picks,
-            log,
-        };
+        let viewer = Self { process, log };
         viewer.wait_for("scene shown");
         viewer
     }
@@ -117,15 +110,14 @@ impl Viewer {
         }
     }
 
-    /// The pick that the window printed, and the command that it logs for the same pick.
+    /// The pick that the window logs, and the command that it logs for the same pick.
     fn picked(&self) -> (String, String) {
-        let printed = self
-            .picks
-            .recv_timeout(PATIENCE)
-            .expect("a click prints a pick");
-        let log = self.wait_for("sightline pick");
-        let command = log[log.find("sightline pick").expect("found")..].to_owned();
-        (printed, command)
+        let from = |what: &str| {
+            let line = self.wait_for(what);
+            line[line.find(what).expect("found")..].to_owned()
+        };
+        let command = from("sightline pick");
+        (from("{\"px\":"), command)
     }
 }
 
@@ -203,7 +195,7 @@ fn scene(folder: &Path) -> PathBuf {
     path
 }
 
-fn clicks_print_what_pick_prints(scale: &str) {
+fn clicks_pick_what_the_command_prints(scale: &str) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = scene(folder.path());
     let factor: f64 = scale.parse().expect("a number");
@@ -230,9 +222,9 @@ fn clicks_print_what_pick_prints(scale: &str) {
     let mut hits = 0;
     for (dx, dy) in [(0, 0), (37, 11), (-90, 41), (13, -160), (150, 77)] {
         let at = |middle: u32, by: i32| middle.saturating_add_signed(by);
-        let (printed, command) = click(at(middle_x, dx), at(middle_y, dy));
-        assert_eq!(printed, shell(&command), "{command}");
-        hits += usize::from(!printed.contains("\"hit\":null"));
+        let (picked, command) = click(at(middle_x, dx), at(middle_y, dy));
+        assert_eq!(picked, shell(&command), "{command}");
+        hits += usize::from(!picked.contains("\"hit\":null"));
     }
     assert!(hits >= 3, "only {hits} clicks hit something");
 
@@ -249,62 +241,26 @@ fn clicks_print_what_pick_prints(scale: &str) {
         thread::sleep(APART);
         click(middle_x + aside, middle_y + 9)
     });
-    let (printed, command) = clicks.find(turned).expect("the drag turned the view");
-    assert_eq!(printed, shell(&command), "{command}");
-    assert!(viewer.picks.try_recv().is_err(), "a drag picks nothing");
+    let (picked, command) = clicks.find(turned).expect("the drag turned the view");
+    assert_eq!(picked, shell(&command), "{command}");
+    let mut rest = viewer.log.try_iter();
+    let more = rest.find(|line| line.contains("sightline pick"));
+    assert_eq!(more, None, "a drag picks nothing");
 }
 
 #[test]
-fn clicks_print_what_pick_prints_at_scale_1() {
-    clicks_print_what_pick_prints("1");
+fn clicks_pick_what_the_command_prints_at_scale_1() {
+    clicks_pick_what_the_command_prints("1");
 }
 
 #[test]
-fn clicks_print_what_pick_prints_at_scale_1_5() {
-    clicks_print_what_pick_prints("1.5");
+fn clicks_pick_what_the_command_prints_at_scale_1_5() {
+    clicks_pick_what_the_command_prints("1.5");
 }
 
 #[test]
-fn clicks_print_what_pick_prints_at_scale_2() {
-    clicks_print_what_pick_prints("2");
-}
-
-/// Each pick is printed with all that the file says of the face. The order is that of the clicks, however quickly they
-/// follow each other.
-#[test]
-fn picks_of_a_file_s_faces_are_printed_whole() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("wall.obj");
-    let quads = (0..40).map(|i| {
-        let x = i - 20;
-        let right = x + 1;
-        format!("v {x} -9 0\nv {right} -9 0\nv {right} 9 0\nv {x} 9 0\nf -4 -3 -2 -1\n")
-    });
-    std::fs::write(&path, quads.collect::<String>()).expect("written");
-    let screen = Screen::new(1280, 720);
-    let arguments = [
-        &*path.display().to_string(),
-        "--eye",
-        "0,0,10",
-        "--target",
-        "0,0,0",
-    ];
-    let viewer = Viewer::open(&screen, "1", folder.path(), &arguments);
-    let places = [[500, 300], [560, 380], [640, 350], [700, 420]];
-    for [x, y] in places {
-        screen.xdotool(&format!("mousemove {x} {y} click 1"));
-    }
-    let mut lines = Vec::new();
-    for _ in places {
-        let (printed, command) = viewer.picked();
-        assert_eq!(printed, shell(&command), "{command}");
-        let value: serde_json::Value = serde_json::from_str(&printed).expect("JSON");
-        lines.push(value["hit"]["line"].as_u64().expect("a line of the file"));
-    }
-    assert!(
-        lines.is_sorted() && lines.first() < lines.last(),
-        "{lines:?}"
-    );
+fn clicks_pick_what_the_command_prints_at_scale_2() {
+    clicks_pick_what_the_command_prints("2");
 }
 
 /// Each time it is pressed, the key V finds what `sightline verify` finds for the same view.

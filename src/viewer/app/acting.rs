@@ -1,9 +1,12 @@
-//! Applies actions to the state, and starts what they call for: tree builds, comparisons, snapping, printed picks.
+//! Applies actions to the state, and starts what they call for: tree builds, comparisons, snapping.
 
 use super::program::{App, Host};
-use crate::viewer::{
-    jobs::Checking,
-    model::{Action, Views, pick_command},
+use crate::{
+    json,
+    viewer::{
+        jobs::Checking,
+        model::{Action, Views, pick_command},
+    },
 };
 use std::{mem, time::Instant};
 
@@ -18,11 +21,7 @@ impl App {
         }
         let start = Instant::now();
         let (method, scene) = (self.state.method(), self.state.scene_revision());
-        let points = self.state.points_wanted();
         let picked = self.state.apply(action);
-        if clicks && (points, self.state.points_wanted()) == (Some(1), Some(3)) {
-            self.complain("three points on one line span no plane: pick three others".into());
-        }
         if self.state.scene_revision() != scene {
             self.build_trees();
         }
@@ -39,13 +38,9 @@ impl App {
             self.reveal_selection = true;
             self.snap();
         }
-        if let Some(line) = picked {
-            if let Some(ray) = self.state.hits() {
-                log::info!("{}", pick_command(&self.state, ray));
-            }
-            if self.options.print_picks {
-                self.print(line);
-            }
+        if let (Some(line), Some(ray)) = (picked, self.state.hits()) {
+            log::info!("{}", pick_command(&self.state, ray));
+            log::info!("{}", json::text(&line).unwrap_or_default());
         }
     }
 

@@ -1,16 +1,12 @@
-//! What background threads prepare before it is shown: the scene in NDC, and uploads to graphics memory.
+//! What is prepared before it is shown: a loaded scene, and the scene in NDC.
 
 use super::{
     errands::{Arrival, Pending, Purpose, finished},
     program::App,
 };
-use crate::{
-    render::GpuError,
-    viewer::{
-        jobs::{self, Job, Upload},
-        model::{LITTLE, Stage},
-        ui::{Attempt, Underway},
-    },
+use crate::viewer::{
+    jobs::{self, Job},
+    ui::{Attempt, Underway},
 };
 
 impl App {
@@ -20,55 +16,21 @@ impl App {
         let done = finished(&mut self.projecting, Job::poll);
         if let Some((_, made)) = done {
             // Work that has failed is begun again at the next event, not at once.
-            let Some(made) = made else { return };
-            let uploaded = made.uploaded.map(|uploaded| (Some(Stage::Ndc), uploaded));
-            self.uploaded.extend(uploaded);
-            self.state.take_projected(made.scene, &made.of);
+            let Some((scene, of)) = made else { return };
+            self.state.take_projected(scene, &of);
             self.context.request_repaint();
         }
         if self.projecting.is_none()
             && let Some(what) = self.state.to_project()
         {
-            self.projecting = Some(jobs::project(what, self.gpu.clone(), self.waker()));
+            self.projecting = Some(jobs::project(what, self.waker()));
         }
     }
 
-    /// Uploads a loaded scene in the background, then shows it. A small scene is shown at once, and so is any before
-    /// the first frame.
+    /// Shows a loaded scene, or asks first.
     pub(super) fn arrive(&mut self, arrival: Arrival) {
-        let making = arrival.making(&self.state);
-        match &self.gpu {
-            Some((gpu, meshes)) if making.size() >= LITTLE => {
-                let upload = Upload::start(gpu.clone(), making, meshes.clone(), self.waker());
-                self.arriving = Some((upload, arrival));
-            }
-            _ => {
-                self.ready = Some(arrival);
-                self.take_ready();
-            }
-        }
-    }
-
-    /// Takes the outcome of an upload: shows the scene, or says why it does not fit.
-    pub(super) fn take_uploaded(&mut self) {
-        let done = finished(&mut self.arriving, |(upload, _)| upload.poll());
-        let Some(((_, mut arrival), result)) = done else {
-            return;
-        };
-        match result {
-            Ok(uploaded) => {
-                arrival.uploaded = uploaded;
-                self.ready = Some(arrival);
-            }
-            Err(error @ GpuError::SceneTooLarge { .. }) => {
-                self.give_up_change(&arrival.errand);
-                self.failed(Attempt::Open, error.to_string());
-            }
-            // The next frame reports other errors of the device.
-            Err(_) => self.ready = Some(arrival),
-        }
+        self.ready = Some(arrival);
         self.take_ready();
-        self.context.request_repaint();
     }
 
     /// Shows what has arrived. If that would drop edits that were made while it was loaded, asks first. While a
@@ -97,33 +59,25 @@ impl App {
         if arrival.errand.is_stale(&self.state) {
             return;
         }
-        let mut uploaded = arrival.uploaded;
-        let made = uploaded.as_mut().and_then(|uploaded| uploaded.made.take());
-        (self.uploaded).extend(uploaded.map(|uploaded| (None, uploaded)));
-        match self.show_scene(*arrival.loaded, arrival.errand, made) {
+        match self.show_scene(*arrival.loaded, arrival.errand) {
             Ok(()) => self.build_trees(),
             Err(text) => self.failed(Attempt::Open, text),
         }
     }
 
-    /// Cancels loading and uploading. Returns whether there was anything to cancel.
+    /// Cancels loading. Returns whether there was anything to cancel.
     pub(super) fn stop_arriving(&mut self) -> bool {
-        let loading = self.loading.take().map(|(_, errand)| errand);
-        let arriving = self.arriving.take().map(|(_, arrival)| arrival.errand);
-        let errands: Vec<_> = loading.into_iter().chain(arriving).collect();
-        for errand in &errands {
+        let loading = self.loading.take();
+        if let Some((_, errand)) = &loading {
             self.give_up_change(errand);
         }
-        !errands.is_empty()
+        loading.is_some()
     }
 
-    /// What is being loaded or uploaded, for the progress message.
+    /// What is being loaded, for the progress message.
     pub(super) fn underway(&self) -> Option<Underway> {
         let loading = self.loading.as_ref();
-        let loading = loading.map(|(load, _)| ("loading", Some(load.fraction())));
-        let arriving = self.arriving.as_ref();
-        let arriving = arriving.map(|(upload, _)| ("getting ready", Some(upload.fraction())));
-        loading.or(arriving)
+        loading.map(|(load, _)| ("loading", Some(load.fraction())))
     }
 
     /// A picture that is late, for the progress message.

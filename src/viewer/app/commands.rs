@@ -3,19 +3,23 @@
 use super::{
     errands::Purpose,
     program::{App, Host, Shot},
-    wake::Wake,
+    wake::{PathFor, Wake},
 };
 use crate::{
     camera::CameraChoice,
     json,
-    scene::{self, Scene, description},
+    scene::{Scene, description},
     viewer::{
         jobs::{self, Answer, Checking},
         model::{Action, MeasureAction, RayHits, Views, view_command},
-        ui::{Attempt, Command, Intent, PathFor, PathQuestion, Reply},
+        screen::free_file,
+        ui::{Attempt, Command, Intent, Reply},
     },
 };
-use std::path::Path;
+
+/// What is said where no file dialog can be shown.
+const NO_DIALOG: &str =
+    "this desktop shows no file dialog, which needs an XDG desktop portal or zenity";
 
 /// The part of a clipboard's text that is used; the rest may be objects.
 #[derive(serde::Deserialize)]
@@ -49,7 +53,6 @@ impl App {
             Command::Add(paths) => self.load(paths, Purpose::Add),
             Command::Reload => self.intend(Intent::Reload),
             Command::Reply(reply) => self.reply(reply),
-            Command::TypedPath { take } => self.take_typed_path(take),
             Command::CopyCommandLine => {
                 let command = view_command(&self.state);
                 let done = match self.state.pick_ray() {
@@ -75,7 +78,6 @@ impl App {
                 Ok(()) => self.succeeded(Attempt::Paste),
                 Err(reason) => self.failed(Attempt::Paste, reason),
             },
-            Command::GoTo(to) => self.go_to(to),
             Command::Screenshot { alone } => {
                 self.screenshots.wanted = Some(Shot { alone });
                 self.context.request_repaint();
@@ -129,8 +131,6 @@ impl App {
         let selects_none = self.state.selection().is_none();
         if self.question.is_some() {
             self.reply(Reply::Stay);
-        } else if self.state.points_wanted().is_some() {
-            self.act(Action::SectionByPoints(false));
         } else if self.state.measuring().is_on {
             self.act(Action::Measure(MeasureAction::Toggle));
         } else if self.stop_arriving() {
@@ -159,51 +159,37 @@ impl App {
         self.say(done.into());
     }
 
-    /// Takes the answer of a file dialog.
+    /// Takes the answer of a file dialog. Where none can be shown, the scene is saved to the scene file that it is from,
+    /// or else under a free name beside the screenshots.
     pub fn answered(&mut self, what: PathFor, answer: Answer) {
         self.asks_for_files &= what != PathFor::Open;
         match (what, answer) {
             (PathFor::Open, Answer::Paths(paths)) => self.run_after_typing(Command::Open(paths)),
             (PathFor::Open, Answer::None) => {}
-            (PathFor::Open, Answer::NotShown) => self.ask_path(what, Path::new("")),
+            (PathFor::Open, Answer::NotShown) => self.failed(
+                Attempt::Open,
+                format!("{NO_DIALOG}: drop files on the window, or name them as arguments: sightline FILE"),
+            ),
             (PathFor::Save, Answer::Paths(paths)) => paths.into_iter().for_each(|to| self.save(to)),
             (PathFor::Save, Answer::None) => self.save_nothing(),
             (PathFor::Save, Answer::NotShown) => {
                 let asked = self.to_save.as_ref();
                 let scene = asked.and_then(|(asked, _)| self.state.opened(asked.document));
-                let file = scene.unwrap_or(&self.state).file_to_save();
-                let file = scene::absolute(&file);
-                self.ask_path(what, &file);
+                let own = scene.unwrap_or(&self.state).scene_file().cloned();
+                if let Some(own) = own {
+                    return self.save(own);
+                }
+                match free_file(&self.screenshots.folder, "toml") {
+                    Ok(file) => {
+                        self.remind(format!("{NO_DIALOG}: the scene is saved as {}", file.display()));
+                        self.save(file);
+                    }
+                    Err(text) => {
+                        self.save_nothing();
+                        self.failed(Attempt::Save, text);
+                    }
+                }
             }
-        }
-    }
-
-    /// Asks for a path in the window. One path is asked for at a time: the question for another one stays.
-    fn ask_path(&mut self, what: PathFor, path: &Path) {
-        let new = PathQuestion::new(what, path);
-        let before = self.path_question.replace(new);
-        if before.is_some_and(|before| before.what == PathFor::Save && what == PathFor::Open) {
-            self.save_nothing();
-        }
-        self.context.request_repaint();
-    }
-
-    /// Takes the path that was typed in place of a file dialog, or gives it up.
-    fn take_typed_path(&mut self, take: bool) {
-        let Some(question) = &mut self.path_question else {
-            return;
-        };
-        let what = question.what;
-        let path = take.then(|| question.take());
-        if path == Some(None) {
-            return;
-        }
-        self.path_question = None;
-        match (what, path.flatten()) {
-            (PathFor::Open, Some(path)) => self.intend(Intent::Open(vec![path])),
-            (PathFor::Open, None) => {}
-            (PathFor::Save, Some(path)) => self.save(path),
-            (PathFor::Save, None) => self.save_nothing(),
         }
     }
 

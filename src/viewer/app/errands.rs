@@ -3,7 +3,7 @@
 use crate::{
     scene::Loaded,
     viewer::{
-        jobs::{Making, Stamps, Uploaded},
+        jobs::Stamps,
         model::{State, Version},
         ui::Intent,
     },
@@ -82,24 +82,10 @@ impl Errand {
     }
 }
 
-/// A loaded scene. It is shown once it is in graphics memory.
+/// A loaded scene, to be shown.
 pub(super) struct Arrival {
     pub loaded: Box<Loaded>,
     pub errand: Errand,
-    /// The scene that is shown in graphics memory, if a job has taken it there.
-    pub uploaded: Option<Uploaded>,
-}
-
-impl Arrival {
-    /// How the scene that is shown is made.
-    pub fn making(&self, state: &State) -> Making {
-        let (now, came) = (state.scene().clone(), self.loaded.scene.clone());
-        match self.errand.purpose {
-            Purpose::Open => Making::Scene(came),
-            Purpose::Add => Making::With(now, came),
-            Purpose::Reload | Purpose::Follow => Making::Again(now, came),
-        }
-    }
 }
 
 /// Takes a job that has a result, with that result.

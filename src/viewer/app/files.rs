@@ -2,17 +2,16 @@
 
 use super::{
     errands::{Arrival, Errand, Pending, Purpose, finished},
-    intents::give_up,
     program::{App, Host},
-    wake::{Wake, Waker},
+    wake::{PathFor, Wake, Waker},
 };
 use crate::{
     scene::{self, Loaded, Warning},
     viewer::{
         jobs::{self, Job, Stamps},
-        model::{Made, Source, hide, no_section},
+        model::{Source, hide, no_section},
         options::Options,
-        ui::{Attempt, Filter, PathFor},
+        ui::{Attempt, Filter},
     },
 };
 use std::{mem, path::PathBuf};
@@ -70,7 +69,6 @@ impl App {
             Ok(loaded) => self.arrive(Arrival {
                 loaded: Box::new(loaded),
                 errand,
-                uploaded: None,
             }),
             // The file changed again while it was read: the change is still to be read.
             Err(error) if errand.purpose == Purpose::Follow && error.is_of_change() => {}
@@ -84,25 +82,20 @@ impl App {
         }
     }
 
-    pub(super) fn show_scene(
-        &mut self,
-        mut loaded: Loaded,
-        errand: Errand,
-        made: Option<Made>,
-    ) -> Result<(), String> {
+    pub(super) fn show_scene(&mut self, mut loaded: Loaded, errand: Errand) -> Result<(), String> {
         let (paths, purpose, stamps) = (errand.paths, errand.purpose, errand.stamps);
         let mut warnings = mem::take(&mut loaded.warnings);
         let (mut unused, mut differs) = (Vec::new(), true);
         match purpose {
             Purpose::Add => {
-                self.state.add(loaded, paths, made);
+                self.state.add(loaded, paths);
                 self.succeeded(Attempt::Open);
                 self.warn(&warnings);
                 self.told.extend(warnings.iter().map(Warning::to_string));
                 self.watch(self.state.document(), stamps);
                 return Ok(());
             }
-            Purpose::Reload | Purpose::Follow => differs = self.state.reload_as(loaded, made),
+            Purpose::Reload | Purpose::Follow => differs = self.state.reload_as(loaded),
             Purpose::Open => {
                 if self.first {
                     unused = self.apply_flags(&mut loaded);
@@ -185,9 +178,7 @@ impl App {
             if asked.document == snapshot.document {
                 *asked = snapshot;
             }
-            if let Some(before) = then.and_then(|then| waits.replace(then)) {
-                give_up(before);
-            }
+            *waits = then.or(waits.take());
             return self.say("the dialog to save is open already".into());
         }
         self.to_save = Some((snapshot, then));
@@ -205,9 +196,6 @@ impl App {
         let asked = self.to_save.take();
         let (snapshot, then) = asked.unwrap_or_else(|| (self.state.snapshot(), None));
         if self.state.has_read_since(&snapshot) {
-            if let Some(then) = then {
-                give_up(then);
-            }
             let text = "the scene was read again from its files while you chose a name: nothing was saved, save again";
             return self.failed(Attempt::Save, text.into());
         }
@@ -222,9 +210,7 @@ impl App {
 
     /// Closes the save dialog without a file.
     pub(super) fn save_nothing(&mut self) {
-        if let Some((_, Some(then))) = self.to_save.take() {
-            give_up(then);
-        }
+        self.to_save = None;
     }
 
     /// Takes the outcome of a save. From then on the scene belongs to its new file.

@@ -10,7 +10,6 @@ use super::{
 use crate::{
     render::GpuError,
     viewer::{
-        jobs::let_go,
         model::{Action, Seen, Stage},
         screen::{Canvas, Laid, Motion, PictureProgress, SceneRect, Screen, write_screenshot},
         ui::{self, Attempt, Command, Notices, Shown},
@@ -113,11 +112,11 @@ impl App {
         }
     }
 
-    /// Rasterises a few glyphs or makes a pipeline, which no frame then has to wait for. Returns whether any are left.
+    /// Makes a pipeline, which no frame then has to wait for. Returns whether any may be left.
     pub fn prepare(&mut self, screen: &mut impl Screen) -> bool {
         let view = self.state.view();
         let makes = |canvas: &mut Canvas| canvas.make_ahead(view);
-        self.letters.draw_some(&self.context) || screen.canvas().is_some_and(makes)
+        screen.canvas().is_some_and(makes)
     }
 
     /// Runs a pass without drawing. A press, the moves after it and the release each get a pass of their own, however
@@ -135,7 +134,6 @@ impl App {
     pub fn take_finished(&mut self) {
         self.take_loaded();
         self.take_projected();
-        self.take_uploaded();
         self.take_saved();
         self.take_settled();
         self.take_ready();
@@ -145,10 +143,6 @@ impl App {
         self.take_changed();
         self.take_typefaces();
         self.take_numbers();
-        for scene in self.state.take_unused() {
-            let size = scene.size();
-            let_go(scene, size);
-        }
     }
 
     /// Runs a pass on each part of an input. Returns the last one, with what all of them tell the system.
@@ -194,13 +188,11 @@ impl App {
                 tour: self.tour,
                 offers_tour,
                 question: self.question.as_ref().map(|pending| &pending.intent),
-                path_question: self.path_question.as_mut(),
                 chart: self.chart.as_ref(),
                 checking: &self.checking,
                 marks: painted(&context, &self.state, &self.checking, &mut self.marks),
                 statistics: &self.statistics,
                 docks: &mut self.docks,
-                going_to: self.numbers.said(&self.state),
                 recent: &self.memory.recent,
                 look: self.memory.look,
                 filter: &mut self.filter,
@@ -277,15 +269,10 @@ impl App {
             self.statistics.software = gpu.is_software();
         }
         canvas.take_textures(&mut self.textures.news);
-        for (stage, uploaded) in self.uploaded.drain(..) {
-            canvas.take_uploaded(stage, uploaded);
-        }
         let drawn = screen.draw(&self.state, laid);
         match &drawn {
             Ok(progress) => {
-                if !progress.is_coming {
-                    self.state.accepted();
-                }
+                self.state.accepted();
                 self.picture = *progress;
                 if progress.anew {
                     self.announce();
@@ -299,7 +286,6 @@ impl App {
             Err(_) => {}
         }
         if let Some(canvas) = screen.canvas() {
-            self.gpu = Some((canvas.gpu.clone(), canvas.meshes()));
             let is_late = self.picture.behind.is_some();
             self.state.see(match canvas.on_screen() {
                 _ if !laid.panes.is_empty() || laid.place.is_none() => Seen::Wanted,

@@ -5,7 +5,6 @@ use super::{
     program::App,
 };
 use crate::viewer::{
-    jobs::let_go,
     model::Action,
     ui::{Intent, Reply},
 };
@@ -48,7 +47,7 @@ impl App {
             Reply::Save => self.ask_where_to_save(Some(pending)),
             Reply::GoOn => self.carry_out(pending),
             Reply::Add => self.add_instead(pending),
-            Reply::Stay => give_up(pending),
+            Reply::Stay => {}
         }
         self.take_ready();
     }
@@ -58,7 +57,6 @@ impl App {
         match (pending.intent, pending.arrival) {
             (Intent::Open(_), Some(mut arrival)) => {
                 arrival.errand.purpose = Purpose::Add;
-                arrival.uploaded = None;
                 self.arrive(*arrival);
             }
             (Intent::Open(paths), None) => self.load(paths, Purpose::Add),
@@ -87,13 +85,5 @@ impl App {
                 self.quit = true;
             }
         }
-    }
-}
-
-/// Drops what the user does not want. Large scenes are freed in the background.
-pub(super) fn give_up(pending: Pending) {
-    if let Some(arrival) = pending.arrival {
-        let size = arrival.loaded.scene.size();
-        let_go(arrival.loaded, size);
     }
 }

@@ -1,44 +1,19 @@
-//! Looks things up in the files of meshes: the face of a pick, and faces and vertices to go to. Prints picks as lines on
-//! stdout, in the order of the clicks, each once its file has answered.
+//! Looks up in the files of meshes: the face of a pick, and what a click snaps to.
 
-use super::{
-    errands::finished,
-    numbers::{Found, Triangle, file_of, situation},
-    program::App,
-};
+use super::{errands::finished, numbers::Triangle, program::App};
 use crate::{
-    camera::View,
-    geometry::Mesh,
-    json,
-    pick::{PickLine, Whereabouts},
-    scene::{
-        MeshFile, Scene, Shape,
-        obj::{Again, AgainError, InFile},
-    },
+    scene::{MeshFile, obj::InFile},
     viewer::{
         jobs::{self, Job},
-        model::{Action, Numbered, Sought, State},
-        ui::GoTo,
+        model::State,
     },
 };
-use std::{io::Write, sync::Arc};
 
 impl App {
     /// Asks the file about the pick, and takes the answers that have come.
     pub(super) fn take_numbers(&mut self) {
-        self.print_known(Job::poll);
         self.look_up_pick();
         self.take_snapped();
-        let done = finished(&mut self.numbers.going, |(_, reading)| reading.poll());
-        if let Some(((scene, _), found)) = done
-            && scene == self.state.scene_revision()
-        {
-            match found {
-                Ok(found) => self.arrive_at(found),
-                Err(reason) => self.tell(reason),
-            }
-            self.context.request_repaint();
-        }
     }
 
     fn look_up_pick(&mut self) {
@@ -86,103 +61,6 @@ impl App {
         }
         self.context.request_repaint();
     }
-
-    /// Goes to an object, or asks the file where the face or vertex is.
-    pub(super) fn go_to(&mut self, to: GoTo) {
-        (self.numbers.going, self.numbers.said) = (None, None);
-        self.act(Action::Unmark);
-        let of = match to {
-            GoTo::Object(id) => return self.go_to_object(id),
-            GoTo::Face(number) => Numbered::Face(number),
-            GoTo::Vertex(number) => Numbered::Vertex(number),
-        };
-        match file_in_question(&self.state) {
-            Ok(file) => {
-                let (scene, view) = (self.state.scene().clone(), *self.state.view());
-                let mesh = Arc::clone(&file.mesh);
-                let question = move |again: &mut Again| {
-                    let found = find(of, &scene, &view, &mesh, again);
-                    found.map_err(|error| error.to_string())
-                };
-                let reading = jobs::ask(file, question, self.waker(), Err);
-                self.numbers.going = Some((self.state.scene_revision(), reading));
-            }
-            Err(reason) => self.tell(reason.to_owned()),
-        }
-    }
-
-    fn go_to_object(&mut self, id: usize) {
-        let object = match self.state.scene().index_of(id) {
-            Ok(object) => object,
-            Err(error) => return self.tell(error.to_string()),
-        };
-        let it = &self.state.scene().objects()[object];
-        let hidden = if it.visible { "" } else { "; it is hidden" };
-        let text = format!("object {id}: {}{hidden}", it.name);
-        self.act(Action::Select(Some(object)));
-        self.act(Action::FrameSelection);
-        self.reveal_selection = true;
-        self.tell(text);
-    }
-
-    fn tell(&mut self, text: String) {
-        self.numbers.said = Some((situation(&self.state), text));
-    }
-
-    /// Shows and marks the face or vertex that was found; the panel says how it is seen.
-    fn arrive_at(&mut self, Found { of, text, places }: Found) {
-        let objects = self.state.scene().objects();
-        let is_shown = |place: &&Whereabouts| objects[place.id - 1].visible;
-        let place = places.iter().find(is_shown).or(places.first());
-        let text = match (place, of) {
-            (Some(place), _) => {
-                let sought = Sought {
-                    of,
-                    object: place.id - 1,
-                    triangle: place.triangle,
-                    point: place.point,
-                };
-                self.act(Action::GoTo(sought));
-                self.reveal_selection = true;
-                text
-            }
-            (None, Numbered::Vertex(_)) => format!("{text}: no face uses it"),
-            (None, Numbered::Face(_)) => format!("{text}: nothing of it is shown"),
-        };
-        self.tell(text);
-    }
-
-    /// Queues a pick, to be printed once its file has answered.
-    pub(super) fn print(&mut self, line: PickLine) {
-        let asked = line.hit.as_ref().and_then(|hit| file_of(&self.state, hit));
-        let reading =
-            asked.map(|(triangle, file)| jobs::ask_about_triangle(file, triangle, self.waker()));
-        self.numbers.unprinted.push_back((line, reading));
-        self.print_known(Job::poll);
-    }
-
-    /// Prints queued picks, up to the first whose file has not answered yet.
-    pub(super) fn print_known(&mut self, answer: impl Fn(&Job<InFile>) -> Option<InFile>) {
-        while let Some((line, reading)) = self.numbers.unprinted.front_mut() {
-            if let Some(reading) = reading {
-                let Some(in_file) = answer(reading) else {
-                    return;
-                };
-                if let Some(hit) = &mut line.hit {
-                    hit.in_file = in_file;
-                }
-            }
-            print(line);
-            self.numbers.unprinted.pop_front();
-        }
-    }
-}
-
-impl Drop for App {
-    /// A window that closes waits for the files' answers about its picks.
-    fn drop(&mut self) {
-        self.print_known(Job::wait);
-    }
 }
 
 /// Revisions that change with the scene.
@@ -190,68 +68,12 @@ fn scene_now(state: &State) -> [u64; 2] {
     [state.scene_revision(), state.visibility_revision()]
 }
 
-/// The pick's object, triangle and file; `None` if no file is still to be asked about it.
+/// The pick's object, triangle of the mesh, and file; `None` if there is no file, or it was asked already.
 fn unknown_pick(state: &State) -> Option<(usize, u32, MeshFile)> {
     let hit = state.picked()?;
-    let (triangle, file) = file_of(state, hit)?;
-    Some((hit.id - 1, triangle, file))
-}
-
-/// Finds a face or vertex of a mesh's file, and where a view of a scene has it.
-fn find(
-    of: Numbered,
-    scene: &Scene,
-    view: &View,
-    mesh: &Arc<Mesh>,
-    again: &mut Again,
-) -> Result<Found, AgainError> {
-    let (text, places) = match of {
-        Numbered::Face(number) => {
-            let face = again.face(number)?;
-            let mut text = format!("face {}, line {}", face.face, face.line);
-            if let Some(why) = &face.left_out {
-                text = format!("{text}, left out: {why}");
-            }
-            let places = Whereabouts::of_face(scene, view, mesh, face.triangles);
-            (text, places)
-        }
-        Numbered::Vertex(number) => {
-            let vertex = again.vertex(number)?;
-            let (v, written) = (vertex.vertex, &vertex.written);
-            let text = format!("v {v}: {written}, line {}", vertex.line);
-            let places = match vertex.value {
-                Some(_) => Whereabouts::of_vertex(scene, view, mesh, vertex.position),
-                None => Vec::new(),
-            };
-            (text, places)
-        }
-    };
-    Ok(Found { of, text, places })
-}
-
-/// The file whose faces and vertices are meant: the selected object's, or the only one.
-fn file_in_question(state: &State) -> Result<MeshFile, &'static str> {
-    let files = &state.source().meshes;
-    let selected = state.selected();
-    let of_selected = selected.and_then(|object| match &state.scene().objects()[object].shape {
-        Shape::Mesh { mesh, .. } => MeshFile::of(files, mesh),
-        _ => None,
-    });
-    let mut with_numbers = files.iter().filter(|file| file.contents.is_some());
-    let only = match (with_numbers.next(), with_numbers.next()) {
-        (Some(only), None) => Some(only),
-        (None, _) => return Err("only OBJ files number faces and vertices: none is open"),
-        _ => None,
-    };
-    let file = of_selected.filter(|file| file.contents.is_some()).or(only);
-    file.cloned()
-        .ok_or("the scene has several OBJ files: select an object from the one you mean")
-}
-
-/// Prints a pick as a line on stdout. If the program that reads it is gone, the window goes on all the same.
-fn print(line: &PickLine) {
-    if let Ok(json) = json::text(line) {
-        let mut out = std::io::stdout().lock();
-        let _ = writeln!(out, "{json}").and_then(|()| out.flush());
-    }
+    let shape = &state.scene().objects().get(hit.id - 1)?.shape;
+    let file = MeshFile::of(&state.source().meshes, shape.mesh()?)?;
+    let is_unknown = hit.in_file.file.is_none() && file.contents.is_some();
+    let triangle = shape.first_triangle() + hit.triangle?;
+    is_unknown.then(|| (hit.id - 1, triangle, file.clone()))
 }

@@ -27,4 +27,4 @@ pub(super) use program::{App, Host};
 pub(super) use rest::REST_S;
 #[cfg(feature = "screen-readers")]
 pub(super) use wake::Reader;
-pub(super) use wake::{Wake, Waker};
+pub(super) use wake::{PathFor, Wake, Waker};

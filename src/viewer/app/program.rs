@@ -10,19 +10,15 @@ use super::{
 use crate::{
     camera::{CameraChoice, View, Viewport},
     json::plain,
-    render::{Gpu, MeshStore},
     scene::{Loaded, Warning},
     viewer::{
-        jobs::{
-            self, Chart, Checking, Job, Loading, Projecting, Saving, Typefaces, Upload, Uploaded,
-            Watching,
-        },
-        model::{Action, Snapshot, Stage, State},
+        jobs::{self, Chart, Checking, Job, Loading, Projecting, Saving, Typefaces, Watching},
+        model::{Action, Snapshot, State},
         options::Options,
         screen::{PictureProgress, Textures},
         ui::{
-            self, Attempt, Command, Docks, Drag, Filter, Floating, Kind, Letters, Notice, Notices,
-            PathQuestion, Statistics, Tour,
+            self, Attempt, Command, Docks, Drag, Filter, Floating, Kind, Notice, Notices,
+            Statistics, Tour,
         },
     },
 };
@@ -70,16 +66,10 @@ pub(in crate::viewer) struct App {
     pub context: egui::Context,
     pub textures: Textures,
     pub state: State,
-    /// The device and the meshes on it, once a frame was drawn.
-    pub(super) gpu: Option<(Gpu, MeshStore)>,
     /// The scene that is being projected for NDC.
     pub(super) projecting: Option<Projecting>,
-    /// The upload under way, and what is shown after it.
-    pub(super) arriving: Option<(Upload, Arrival)>,
     /// What is to be shown once no question waits for an answer.
     pub(super) ready: Option<Arrival>,
-    /// Finished uploads for the next frame, each with its stage; `None` is the camera's picture.
-    pub(super) uploaded: Vec<(Option<Stage>, Uploaded)>,
     /// The load under way, and what it is for.
     pub(super) loading: Option<(Loading, Errand)>,
     /// Whether the dialog to open files is open.
@@ -93,8 +83,6 @@ pub(in crate::viewer) struct App {
     pub(super) saving: Vec<(Saving, Option<Pending>)>,
     /// What would drop edits, and waits for the user's answer.
     pub(super) question: Option<Pending>,
-    /// The question for a path, where the desktop shows no file dialog.
-    pub(super) path_question: Option<PathQuestion>,
     /// Commands that wait for the next pass: first the number that is being typed is entered.
     pub(super) late: Vec<Command>,
     /// The build of trees for the scene on screen. Dropping it stops it.
@@ -120,8 +108,6 @@ pub(in crate::viewer) struct App {
     pub(super) watched: u64,
     /// The search for system typefaces with characters that egui's own lack.
     pub(super) typefaces: Typefaces,
-    /// Glyphs of panels that are not open yet, rasterised ahead.
-    pub letters: Letters,
     /// Questions to the files of meshes, and their answers.
     pub(super) numbers: Numbers,
     pub filter: Filter,
@@ -164,18 +150,14 @@ impl App {
         memory.look.apply(&context);
         ui::note_missing(&context, typefaces.missing.clone());
         Self {
-            gpu: None,
             projecting: None,
-            arriving: None,
             ready: None,
-            uploaded: Vec::new(),
             loading: None,
             asks_for_files: false,
             to_save: None,
             save_dialogs: 0,
             saving: Vec::new(),
             question: None,
-            path_question: None,
             late: Vec::new(),
             trees: None,
             first: true,
@@ -190,7 +172,6 @@ impl App {
             gone: Vec::new(),
             watched: 0,
             typefaces,
-            letters: Letters::default(),
             numbers: Numbers::default(),
             filter: Filter::default(),
             checking: Checking::Off,

@@ -1,7 +1,7 @@
 //! Names in any script: loads a typeface of the system when a name first needs it.
 
 use super::program::App;
-use crate::viewer::{jobs::Typeface, ui::Letters};
+use crate::viewer::jobs::Typeface;
 use egui::{
     FontData, FontFamily,
     epaint::text::{FontInsert, FontPriority, InsertFontFamily},
@@ -23,8 +23,6 @@ impl App {
             let families = families.map(last).to_vec();
             self.context
                 .add_font(FontInsert::new(&name, data, families));
-            // egui rasterises all glyphs again.
-            self.letters = Letters::default();
             self.context.request_repaint();
         }
     }

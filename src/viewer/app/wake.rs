@@ -1,7 +1,16 @@
 //! How the host of the program is woken.
 
-use crate::viewer::{jobs::Answer, ui::PathFor};
+use crate::viewer::jobs::Answer;
 use std::{sync::Arc, time::Instant};
+
+/// What a file dialog is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::viewer) enum PathFor {
+    /// To open files.
+    Open,
+    /// To save the scene to a file.
+    Save,
+}
 
 /// Why the host is woken.
 pub(in crate::viewer) enum Wake {

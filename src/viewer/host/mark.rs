@@ -2,10 +2,8 @@
 
 use winit::window::{Icon, WindowAttributes};
 
-/// The name of the program's desktop entry, and of its icon there.
-pub const APP_ID: &str = "sightline";
 /// The program's icon as a PNG file: `assets/icon.svg`, 256 pixels wide.
-pub const ICON_PNG: &[u8] = include_bytes!("../../../assets/icon.png");
+const ICON_PNG: &[u8] = include_bytes!("../../../assets/icon.png");
 
 /// Puts name and icon on a window. Wayland takes the icon from the desktop entry.
 pub(super) fn marked(attributes: WindowAttributes) -> WindowAttributes {
@@ -15,8 +13,10 @@ pub(super) fn marked(attributes: WindowAttributes) -> WindowAttributes {
 #[cfg(all(unix, not(target_os = "macos")))]
 fn named(attributes: WindowAttributes) -> WindowAttributes {
     use winit::platform::{wayland, x11};
-    let attributes = x11::WindowAttributesExtX11::with_name(attributes, APP_ID, APP_ID);
-    wayland::WindowAttributesExtWayland::with_name(attributes, APP_ID, APP_ID)
+    /// The name of the program's desktop entry.
+    const ID: &str = "sightline";
+    let attributes = x11::WindowAttributesExtX11::with_name(attributes, ID, ID);
+    wayland::WindowAttributesExtWayland::with_name(attributes, ID, ID)
 }
 
 /// Other systems go by the program's file.

@@ -14,7 +14,6 @@ mod views_picture;
 mod window;
 
 pub use controls::Control;
-pub use mark::{APP_ID, ICON_PNG};
 pub use offscreen::Offscreen;
 pub use views_picture::picture_of_views;
 pub use window::{display, run};

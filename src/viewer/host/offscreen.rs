@@ -173,7 +173,7 @@ impl Offscreen {
         self.app.screenshots.folder = folder;
     }
 
-    /// Rasterises all glyphs and makes all pipelines ahead, as an idle window does a few at a time.
+    /// Makes all pipelines ahead, as an idle window does one at a time.
     pub fn prepare_all(&mut self) {
         while self.app.prepare(&mut self.picture) {}
     }

@@ -41,12 +41,7 @@ impl Offscreen {
         self.app.picture.drawn
     }
 
-    /// How many objects and triangles the last frame itself uploaded. Those that a job uploaded do not count.
-    pub fn uploaded_work(&self) -> usize {
-        self.app.picture.uploaded
-    }
-
-    /// How many triangles of meshes were uploaded so far, by frames and by jobs.
+    /// How many triangles of meshes were uploaded so far.
     pub fn uploaded_triangles(&self) -> u64 {
         self.gpu().map_or(0, Gpu::uploaded_triangles)
     }

@@ -1,10 +1,7 @@
 //! What the system does to a window that nobody sees: drops files, answers dialogs, closes the window.
 
 use super::offscreen::Offscreen;
-use crate::viewer::{
-    jobs::Answer,
-    ui::{Command, PathFor},
-};
+use crate::viewer::{app::PathFor, jobs::Answer, ui::Command};
 use std::{
     path::{Path, PathBuf},
     sync::Arc,

@@ -1,4 +1,4 @@
-//! Reads a mesh's file again in the background, to answer a question about it.
+//! Reads a mesh's file again in the background, to say where a triangle comes from.
 
 use super::job::Job;
 use crate::scene::{
@@ -13,25 +13,14 @@ pub(in crate::viewer) fn ask_about_triangle(
     wake: impl FnOnce() + Send + 'static,
 ) -> Job<InFile> {
     let name = file.path.display().to_string();
-    let failed = |error| InFile {
-        file: Some(name),
-        file_error: Some(error),
-        ..InFile::default()
-    };
-    ask(file, move |again| again.in_file(triangle), wake, failed)
-}
-
-/// Asks a file; calls `wake` when it has answered. If reading fails, `failed` makes an answer of the reason.
-pub(in crate::viewer) fn ask<T: Send + 'static>(
-    file: MeshFile,
-    question: impl FnOnce(&mut Again) -> T + Send + 'static,
-    wake: impl FnOnce() + Send + 'static,
-    failed: impl FnOnce(String) -> T + Send + 'static,
-) -> Job<T> {
-    let reason = format!("{}: cannot be read again", file.path.display());
     let answer = move |progress: &Progress| {
         let contents = file.contents.clone().unwrap_or_default();
-        question(&mut Again::new(&file.path, &contents, &file.mesh, progress))
+        Again::new(&file.path, &contents, &file.mesh, progress).in_file(triangle)
     };
-    Job::start(answer, wake, || failed(reason))
+    let failed = || InFile {
+        file_error: Some(format!("{name}: cannot be read again")),
+        file: Some(name),
+        ..InFile::default()
+    };
+    Job::start(answer, wake, failed)
 }

@@ -1,8 +1,7 @@
 //! What a user can do to the scene and the view: the window's own event type. Tests replay it.
 
 use super::{
-    matrices::Row, measuring::MeasureAction, overlay::Overlay, sought::Sought, stages::Stage,
-    views::Views,
+    matrices::Row, measuring::MeasureAction, overlay::Overlay, stages::Stage, views::Views,
 };
 use crate::{
     camera::{CameraChoice, DepthMapping, UpAxis, Viewport},
@@ -60,8 +59,6 @@ pub enum Action {
     Section(Option<Section>),
     /// Turn the section off, or on again.
     ToggleSection,
-    /// Lay a section through the next three picks, or stop waiting for them.
-    SectionByPoints(bool),
     /// Pick this surface on the last click's ray, counted from the front.
     StepTo(usize),
     /// Pick the next surface on the last click's ray, or the one before.
@@ -69,10 +66,6 @@ pub enum Action {
         /// The next, further away.
         forward: bool,
     },
-    /// Show, mark and pick the face or vertex with this number in its file, even where something hides it.
-    GoTo(Sought),
-    /// Remove the mark that [`Self::GoTo`] set.
-    Unmark,
     /// Give an object this model matrix; does nothing when the matrix has no inverse.
     Place(usize, DAffine3),
     /// Take over a camera, with all that the choice sets.
@@ -142,7 +135,6 @@ impl Action {
                 | Self::Section(_)
                 | Self::ToggleSection
                 | Self::Recentre(_)
-                | Self::GoTo(_)
         )
     }
 

@@ -1,7 +1,6 @@
 //! Moving, hiding, showing and adding objects; changes to the list of measures.
 
 use super::{
-    made::Made,
     measuring::{MeasureAction, Measuring},
     state::{Chosen, Edit, Edits, State, UndoStep},
     timeline::Gesture,
@@ -62,12 +61,7 @@ impl State {
     }
 
     /// Adds the objects of other files to the scene. View and selection stay.
-    pub(in crate::viewer) fn add(
-        &mut self,
-        loaded: Loaded,
-        paths: Vec<PathBuf>,
-        made: Option<Made>,
-    ) {
+    pub(in crate::viewer) fn add(&mut self, loaded: Loaded, paths: Vec<PathBuf>) {
         let chosen = self.chosen.clone();
         let mut edits = self.edit(|edits| &mut edits.objects);
         let mut source = self.source.clone();
@@ -82,9 +76,9 @@ impl State {
         } else {
             source.paths.extend(paths);
         }
-        let made = made.filter(|made| made.is_of(&self.scene));
-        let made = made.unwrap_or_else(|| Made::with(&self.scene, &loaded.scene));
-        let inverse = self.make(Edit::Compose(made.scene, source));
+        let objects = self.scene.objects().iter().chain(loaded.scene.objects());
+        let scene = objects.cloned().collect();
+        let inverse = self.make(Edit::Compose(scene, source));
         self.record(None, UndoStep::Edited(inverse, edits, chosen));
         self.refresh_panes();
     }

@@ -10,7 +10,7 @@ pub(crate) fn hide(scene: &mut Scene, ids: &[usize]) -> Result<(), String> {
 }
 
 /// Why there is no object, and what to do.
-pub(crate) fn no_such_object(error: NoSuchObject) -> String {
+fn no_such_object(error: NoSuchObject) -> String {
     format!("{error}; see 'sightline list'")
 }
 

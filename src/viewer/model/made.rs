@@ -1,14 +1,13 @@
-//! Makes a scene from the one on show and from loaded files. For large scenes, a background job does this.
+//! Makes a scene from the one on show and from what its files hold now.
 
-use crate::scene::{Object, Scene, SceneKey, Shape};
+use crate::scene::{Object, Scene, Shape};
 use std::{collections::HashMap, sync::Arc};
 
 /// A scene that is made from another.
-pub(in crate::viewer) struct Made {
-    of: SceneKey,
+pub(super) struct Made {
     /// The scene itself.
     pub scene: Scene,
-    /// For each object of the scene that it was made from, its index now; [`Made::with`] leaves this empty.
+    /// For each object of the scene that it was made from, its index now.
     became: Vec<Option<usize>>,
     /// Whether it is the scene that it was made from, because the files hold the same objects, visibility aside.
     pub is_same: bool,
@@ -17,18 +16,6 @@ pub(in crate::viewer) struct Made {
 }
 
 impl Made {
-    /// A scene with the objects of `added` after its own.
-    pub fn with(scene: &Scene, added: &Scene) -> Self {
-        let objects = scene.objects().iter().chain(added.objects());
-        Self {
-            of: scene.key(),
-            scene: objects.cloned().collect(),
-            became: Vec::new(),
-            is_same: false,
-            hides_as_filed: false,
-        }
-    }
-
     /// What the files of a scene hold now. Objects keep their visibility, and are matched by name: an object takes the
     /// place of the old one at the same index if that has the same name, else of the first old one that has it. Meshes
     /// count as equal if they are one in memory: [`Loaded::share_meshes`](crate::scene::Loaded) has put the old ones in
@@ -62,17 +49,11 @@ impl Made {
             }
         }
         Self {
-            of: scene.key(),
             scene: now,
             became,
             is_same,
             hides_as_filed: changed.is_empty(),
         }
-    }
-
-    /// Whether it was made from this scene, as it is now.
-    pub fn is_of(&self, scene: &Scene) -> bool {
-        self.of.is_of(scene)
     }
 
     /// The index that an object of the scene before has now.
@@ -114,17 +95,5 @@ mod tests {
         assert_eq!(visible.collect::<Vec<_>>(), [false, false, false, true]);
         let became = [0, 1, 2].map(|object| made.became(object));
         assert_eq!(became, [Some(3), Some(0), None]);
-        assert!(made.is_of(&old) && !made.is_of(&made.scene));
-    }
-
-    #[test]
-    fn what_is_added_comes_after_what_there_is() {
-        let made = Made::with(&scene(&[("a", false)]), &scene(&[("a", true), ("b", true)]));
-        let objects = made.scene.objects().iter();
-        let all: Vec<_> = objects
-            .map(|object| (&*object.name, object.visible))
-            .collect();
-        assert_eq!(all, [("a", false), ("a", true), ("b", true)]);
-        assert_eq!(made.became(0), None);
     }
 }

@@ -7,7 +7,7 @@ use super::{
     ortho_height::OrthoHeight,
     overlay::Overlays,
     showing::Showing,
-    state::{Chosen, Edit, Edits, SectionMemory, Source, State, UndoStep, Viewpoint},
+    state::{Chosen, Edit, Edits, Source, State, UndoStep, Viewpoint},
     timeline::Timeline,
 };
 use crate::{
@@ -60,9 +60,8 @@ impl State {
             clicked_s: None,
             landmarks: Vec::new(),
             measuring: Measuring::default(),
-            sought: None,
             cleared: None,
-            section_memory: SectionMemory::default(),
+            section_off: None,
             source: Source {
                 paths: Vec::new(),
                 meshes: loaded.meshes,
@@ -80,7 +79,6 @@ impl State {
             panes: None,
             row: None,
             showing: loaded.exhibit.map(Showing::new),
-            unused: Vec::new(),
         })
     }
 
@@ -154,13 +152,7 @@ impl State {
 
     /// The scene was drawn: gives up the one before it.
     pub(in crate::viewer) fn accepted(&mut self) {
-        let before = self.replaced.take();
-        self.unused.extend(before.map(|before| before.scene));
-    }
-
-    /// The scenes that were given up since the last call.
-    pub(in crate::viewer) fn take_unused(&mut self) -> Vec<Scene> {
-        mem::take(&mut self.unused)
+        self.replaced = None;
     }
 
     /// The scene cannot be drawn: goes back to what was shown before. Returns whether there was anything.
@@ -200,10 +192,17 @@ impl State {
     /// The file that is proposed for saving: the scene file that the scene is from, or else `scene.toml` beside its
     /// first file.
     pub fn file_to_save(&self) -> PathBuf {
+        let beside = |first: &PathBuf| first.with_file_name("scene.toml");
+        let first = || self.source.paths.first().map(beside);
+        let own = self.scene_file().cloned().or_else(first);
+        own.unwrap_or_else(|| "scene.toml".into())
+    }
+
+    /// The scene file that the scene is from, if it is from one alone.
+    pub(in crate::viewer) fn scene_file(&self) -> Option<&PathBuf> {
         match self.source.paths.as_slice() {
-            [own] if scene::is_scene_file(own) => own.clone(),
-            [first, ..] => first.with_file_name("scene.toml"),
-            [] => "scene.toml".into(),
+            [own] => scene::is_scene_file(own).then_some(own),
+            _ => None,
         }
     }
 

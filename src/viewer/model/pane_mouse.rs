@@ -7,7 +7,7 @@ use super::{
     state::{Chosen, Cleared, Cursor, DOUBLE_CLICK_S, State},
 };
 use crate::{
-    camera::pixel_centre,
+    camera::{Projected, pixel_centre},
     pick::{self, Pick, PickLine, SceneHit},
 };
 use glam::{DVec2, DVec3};
@@ -47,6 +47,14 @@ impl State {
         Some(placement.point_to_world(followed.point_object))
     }
 
+    /// Where in the picture a point between near and far is; `None` outside.
+    fn in_picture(&self, point_world: DVec3) -> Option<Projected> {
+        let (view, lens) = (&self.view, self.view.camera.lens());
+        let at = view.project(point_world)?;
+        let is_between = (lens.near..lens.far).contains(&at.depth);
+        (view.viewport.contains(at.px) && is_between).then_some(at)
+    }
+
     /// Picks a point of an object through the scene's camera: casts the ray of its pixel and takes the hit at the
     /// point. Where there is no such hit, the object is selected and the point followed all the same.
     fn pick_point(&mut self, object: usize, point_object: DVec3) -> Option<PickLine> {
@@ -80,7 +88,6 @@ impl State {
     /// Selects an object without a point of it, or nothing.
     pub(super) fn select(&mut self, object: Option<usize>) {
         self.chosen = Chosen::object(object);
-        self.sought = None;
         if object.is_none() {
             self.landmarks.clear();
         }
@@ -103,7 +110,6 @@ impl State {
         let kept = is_on_nothing.then(|| Cleared {
             chosen: self.chosen.clone(),
             landmarks: self.landmarks.clone(),
-            sought: self.sought,
             point: self.panes.as_ref().and_then(|panes| panes.point),
         });
         let Some(panes) = &mut self.panes else { return };
@@ -120,7 +126,7 @@ impl State {
             return;
         };
         self.chosen = kept.chosen;
-        (self.landmarks, self.sought) = (kept.landmarks, kept.sought);
+        self.landmarks = kept.landmarks;
         if let Some(panes) = &mut self.panes {
             panes.point = kept.point;
         }

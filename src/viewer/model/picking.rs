@@ -62,7 +62,6 @@ impl State {
         let line = hits.line();
         let object = line.hit.as_ref().map(|hit| hit.id - 1);
         let pick = Some(line);
-        self.sought = None;
         let select = |object| Selection {
             object,
             pick: pick.clone(),
@@ -77,7 +76,6 @@ impl State {
                 });
                 let old = self.landmarks.len().saturating_sub(2);
                 self.landmarks.drain(..old);
-                self.take_point(hit.point_world);
             }
         }
         self.chosen.hits = Some(hits);

@@ -16,18 +16,15 @@ impl State {
     /// the same name. The history forgets steps about objects that are gone, and about matrices if edits of these are
     /// dropped. Where the files hold what they held before, nothing changes.
     pub fn reload(&mut self, loaded: Loaded) {
-        self.reload_as(loaded, None);
+        self.reload_as(loaded);
     }
 
-    /// Does what [`Self::reload`] does. `made` is the resulting scene, if another thread has made it. Returns whether
-    /// any object differs from before.
-    pub(in crate::viewer) fn reload_as(&mut self, loaded: Loaded, made: Option<Made>) -> bool {
+    /// Does what [`Self::reload`] does. Returns whether any object differs from before.
+    pub(in crate::viewer) fn reload_as(&mut self, loaded: Loaded) -> bool {
         if self.showing().map(|showing| showing.exhibit) != loaded.exhibit {
             self.showing = loaded.exhibit.map(Showing::new);
         }
-        let made = made.filter(|made| made.is_of(&self.scene));
-        let made = made.unwrap_or_else(|| Made::again(&self.scene, loaded.scene.clone()));
-        self.unused.push(loaded.scene);
+        let made = Made::again(&self.scene, loaded.scene);
         let before = mem::replace(&mut self.source.meshes, loaded.meshes);
         self.source.materials = loaded.materials;
         let is_as_long = |file: &MeshFile| {
@@ -67,11 +64,10 @@ impl State {
         self.carry_steps(&made, before);
         self.outdate_all_measures();
         self.chosen.carry(&made);
-        self.unused.push(mem::replace(&mut self.scene, made.scene));
+        self.scene = made.scene;
         self.scene_revision += 1;
         self.visibility_revision += 1;
         (self.cursor, self.lit) = (None, None);
-        self.sought = None;
         self.landmarks.clear();
         self.forget_points();
         self.fit();
@@ -103,9 +99,6 @@ impl State {
                 } else {
                     same.push((*edits, nearer));
                     self.filed.rename(edits, &nearer);
-                    if let UndoStep::Edited(Edit::Compose(scene, _), ..) = step {
-                        self.unused.push(scene);
-                    }
                 }
             }
             self.timeline.put_near(back, kept);

@@ -14,16 +14,6 @@ impl State {
         self.showing.is_none()
     }
 
-    /// How many more picks a section by three points waits for; `None` where none is waiting.
-    pub fn points_wanted(&self) -> Option<usize> {
-        Some(3 - self.section_memory.points.as_ref()?.len())
-    }
-
-    /// The points picked so far for a section by three points.
-    pub fn section_points(&self) -> &[DVec3] {
-        self.section_memory.points.as_deref().unwrap_or_default()
-    }
-
     /// A section across an axis of the world, through the middle of what is visible, that cuts away the eye's side.
     pub fn section_across(&self, axis: DVec3) -> Option<Section> {
         let bounds = self.scene.visible_bounds();
@@ -65,9 +55,8 @@ impl State {
         }
         let before = std::mem::replace(&mut self.view.section, section);
         if section.is_none() {
-            self.section_memory.off = before.or(self.section_memory.off);
+            self.section_off = before.or(self.section_off);
         }
-        self.section_memory.points = None;
     }
 
     /// Turns the section off, or on again: where it was, or else across the axis closest to the direction of view.
@@ -77,33 +66,7 @@ impl State {
         }
         let forward = self.view.camera.forward().abs();
         let axis = DVec3::AXES[forward.max_position()];
-        let off = self.section_memory.off;
+        let off = self.section_off;
         self.set_section(off.or_else(|| self.section_across(axis)));
-    }
-
-    /// Starts or stops waiting for three picks.
-    pub(super) fn await_points(&mut self, awaits: bool) {
-        let awaits = awaits && self.takes_sections();
-        self.section_memory.points = awaits.then(Vec::new);
-    }
-
-    /// Takes a pick for a section by three points, if one is waiting. Three points on one line start it over.
-    pub(super) fn take_point(&mut self, point_world: DVec3) {
-        let Some(points) = &mut self.section_memory.points else {
-            return;
-        };
-        points.push(point_world);
-        let Ok(points) = <[DVec3; 3]>::try_from(points.as_slice()) else {
-            return;
-        };
-        let rounded = Section::may_be_on_one_line(points);
-        match Section::through_points(points) {
-            Ok(section) if !rounded => {
-                let was = self.viewpoint();
-                self.set_section(Some(section));
-                self.record_viewpoint(None, &was);
-            }
-            _ => self.section_memory.points = Some(Vec::new()),
-        }
     }
 }

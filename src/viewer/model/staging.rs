@@ -14,9 +14,9 @@ use crate::{
 };
 use glam::{DAffine3, DMat3, DVec3};
 
-/// A scene with fewer objects and triangles than this is projected, uploaded or freed within a pass, as fast as a job
+/// A scene with fewer objects and triangles than this is projected within a pass, as fast as a job
 /// is started.
-pub(in crate::viewer) const LITTLE: usize = 20_000;
+const LITTLE: usize = 20_000;
 /// Farther from the origin than anything in NDC.
 const BEYOND_NDC: f64 = 1e30;
 
@@ -48,12 +48,9 @@ impl State {
 
     pub(super) fn show_views(&mut self, views: Views) {
         if views == Views::Picture {
-            if let Some(panes) = self.panes.take() {
-                self.unused.extend([panes.alone.scene, panes.ndc.scene]);
-                if self.frozen.is_some() {
-                    // The frozen camera shows again, so near and far must enclose it.
-                    self.fit();
-                }
+            if self.panes.take().is_some() && self.frozen.is_some() {
+                // The frozen camera shows again, so near and far must enclose it.
+                self.fit();
             }
             return;
         }
@@ -105,7 +102,7 @@ impl State {
                     ..self.scene.objects()[object].clone()
                 };
                 let alone = Scene::new(vec![alone]);
-                panes.alone.take(alone, &of, &mut self.unused);
+                panes.alone.take(alone, &of);
                 let corners = with_axes(&panes.alone.scene.bounds());
                 panes.observers[Stage::Object as usize].frame(&corners);
             }
@@ -113,7 +110,7 @@ impl State {
         let through = self.projected_of();
         if panes.ndc.of != Some(through) && self.is_projected_at_once() {
             let scene = projected(&self.scene, &self.view);
-            panes.ndc.take(scene, &through, &mut self.unused);
+            panes.ndc.take(scene, &through);
         }
         let is_of_another = panes.of.replace(self.document) != Some(self.document);
         self.panes = Some(panes);
@@ -143,9 +140,8 @@ impl State {
     pub(in crate::viewer) fn take_projected(&mut self, scene: Scene, of: &Source) {
         let is_of_now =
             matches!(of, Source::Through([revision, _], _) if *revision == self.scene_revision);
-        match &mut self.panes {
-            Some(panes) if is_of_now => panes.ndc.take(scene, of, &mut self.unused),
-            _ => self.unused.push(scene),
+        if let Some(panes) = self.panes.as_mut().filter(|_| is_of_now) {
+            panes.ndc.take(scene, of);
         }
     }
 

@@ -9,7 +9,6 @@ use super::{
     ortho_height::OrthoHeight,
     overlay::Overlays,
     showing::Showing,
-    sought::Sought,
     timeline::Timeline,
     views::Panes,
 };
@@ -89,20 +88,10 @@ impl Chosen {
     }
 }
 
-/// What the window remembers about sections, besides the one in the view.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct SectionMemory {
-    /// The section that was turned off last.
-    pub off: Option<Section>,
-    /// The points picked so far, while the window waits for three.
-    pub points: Option<Vec<DVec3>>,
-}
-
 /// What a click on nothing clears.
 pub(super) struct Cleared {
     pub chosen: Chosen,
     pub landmarks: Vec<Landmark>,
-    pub sought: Option<Sought>,
     pub point: Option<(usize, DVec3)>,
 }
 
@@ -193,11 +182,10 @@ pub struct State {
     pub(super) clicked_s: Option<f64>,
     pub(super) landmarks: Vec<Landmark>,
     pub(super) measuring: Measuring,
-    /// The face or vertex that the user went to by its number, until something else is picked.
-    pub(super) sought: Option<Sought>,
     /// What a click on nothing in one of the four views has just cleared, in case it begins a double click.
     pub(super) cleared: Option<Cleared>,
-    pub(super) section_memory: SectionMemory,
+    /// The section that was turned off last.
+    pub(super) section_off: Option<Section>,
     pub(super) source: Source,
     /// Which scene this is among those that were open.
     pub(super) document: u64,
@@ -216,8 +204,6 @@ pub struct State {
     pub(super) panes: Option<Box<Panes>>,
     pub(super) row: Option<Row>,
     pub(super) showing: Option<Showing>,
-    /// Scenes that were given up, to be freed elsewhere: freeing large ones takes long.
-    pub(super) unused: Vec<Scene>,
 }
 
 impl State {

@@ -94,7 +94,6 @@ impl State {
     /// Shows another state; the window's settings and the history stay. Returns the state before.
     pub(super) fn exchange(&mut self, mut other: Box<State>) -> Box<State> {
         other.timeline = mem::take(&mut self.timeline);
-        other.unused = mem::take(&mut self.unused);
         other.scene_revision = self.scene_revision + 1;
         other.visibility_revision = self.visibility_revision + 1;
         (other.grid, other.overlays) = (self.grid, self.overlays);

@@ -102,11 +102,8 @@ impl State {
             }
             Action::Section(section) => self.set_section(section),
             Action::ToggleSection => self.toggle_section(),
-            Action::SectionByPoints(awaits) => self.await_points(awaits),
             Action::StepTo(at) => return self.step_to(at),
             Action::Step { forward } => return self.step(forward),
-            Action::GoTo(sought) => return self.go_to(sought),
-            Action::Unmark => self.sought = None,
             Action::Place(object, model) => self.place(object, model),
             Action::Camera(choice) => self.set_camera(choice),
             Action::Select(object) => self.select(object),

@@ -3,7 +3,6 @@
 use super::{observer::Observer, stages::Stage};
 use crate::{camera::View, geometry::Aabb, scene::Scene};
 use glam::{DVec2, DVec3};
-use std::mem;
 
 /// What the window shows of the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -66,10 +65,9 @@ pub(in crate::viewer) enum Source {
 }
 
 impl Staged {
-    /// Takes another scene, and gives up the one before.
-    pub fn take(&mut self, scene: Scene, of: &Source, unused: &mut Vec<Scene>) {
-        unused.push(mem::replace(&mut self.scene, scene));
-        self.of = Some(*of);
+    /// Takes another scene.
+    pub fn take(&mut self, scene: Scene, of: &Source) {
+        (self.scene, self.of) = (scene, Some(*of));
         self.revision += 1;
     }
 }

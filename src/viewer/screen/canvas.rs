@@ -15,10 +15,7 @@ use crate::{
         Gpu, GpuError, MeshStore, Renderer, SMOOTH_SAMPLES, read_rgb,
         without_depth::{self, extent},
     },
-    viewer::{
-        jobs::{Uploaded, let_go},
-        model::{OnScreen, Stage, State, Subject},
-    },
+    viewer::model::{OnScreen, Stage, State, Subject},
 };
 use egui_wgpu::ScreenDescriptor;
 use std::{sync::Arc, time::Instant};
@@ -35,7 +32,7 @@ pub(in crate::viewer) struct Canvas {
     /// Pictures of the object, view and NDC stages, while any is shown.
     stages: Option<Box<[ScenePicture; 3]>>,
     panels: PanelsPicture,
-    /// The frame. It is kept, and only what changes in it is drawn again.
+    /// The frame, kept until something in it changes.
     page: wgpu::Texture,
     size: Viewport,
     /// The page differs from what was presented last.
@@ -98,18 +95,6 @@ impl Canvas {
         self.scene.read_ids(&self.gpu, wanted)
     }
 
-    /// Takes an uploaded scene that is to be shown next, as a stage or, with `None`, as the camera's picture.
-    pub fn take_uploaded(&mut self, stage: Option<Stage>, uploaded: Uploaded) {
-        self.scene.scenes.meshes = uploaded.meshes.clone();
-        let (picture, ..) = self.picture_of(stage, 1.0, Instant::now());
-        picture.scenes.ready = Some(uploaded);
-    }
-
-    /// The meshes in graphics memory.
-    pub fn meshes(&self) -> MeshStore {
-        self.scene.scenes.meshes.clone()
-    }
-
     /// What the scene's picture on screen shows.
     pub fn on_screen(&self) -> Option<OnScreen> {
         self.scene.shown.as_ref().map(|shown| shown.of.on_screen())
@@ -133,11 +118,8 @@ impl Canvas {
             (self.page, self.size) = (page(&self.gpu, size, self.format), size);
         }
         let places = places(laid);
-        if laid.panes.is_empty()
-            && let Some(stages) = self.stages.take()
-        {
-            let work = stages.iter().map(|stage| stage.scenes.work()).sum();
-            let_go(stages, work);
+        if laid.panes.is_empty() {
+            self.stages = None;
         }
         let (mut progress, mut looks) = (Ok(PictureProgress::default()), Vec::new());
         for (stage, place) in &places {
@@ -158,20 +140,17 @@ impl Canvas {
             size_in_pixels: [size.width(), size.height()],
             pixels_per_point: laid.pixels_per_point,
         };
-        let mut painted = self.panels.update(&self.gpu, &laid.primitives, &screen);
+        let is_painted = self.panels.update(&self.gpu, &laid.primitives, &screen);
         let before = self.shown.iter().map(|(place, _)| place);
         let is_moved = before.ne(places.iter().map(|(_, place)| place));
-        if is_new || is_moved {
-            painted = vec![[[0, 0], screen.size_in_pixels]];
+        let is_anew = is_painted || is_new || is_moved;
+        if is_anew {
+            self.panels.copy(&self.gpu, &self.page);
         }
-        if !painted.is_empty() {
-            self.panels.copy(&self.gpu, &self.page, &painted);
-        }
-        self.unshown |= !painted.is_empty();
-        for (at, (stage, place)) in places.iter().enumerate() {
-            let is_over = painted.iter().any(|rect| place.touches(*rect));
+        self.unshown |= is_anew;
+        for (at, (stage, _)) in places.iter().enumerate() {
             let look = looks[at];
-            if !is_over && self.shown.get(at) == Some(&look) {
+            if !is_anew && self.shown.get(at) == Some(&look) {
                 continue;
             }
             if let (place, Some(look)) = look {

@@ -1,19 +1,14 @@
-//! The panels' picture, kept from frame to frame: only what looks different is painted again. Software adapters take
-//! forty milliseconds for all panels of a window, and next to nothing for a few digits.
+//! The panels' picture, kept from frame to frame: it is painted again when anything in it looks different.
 
-use super::{
-    damage::{damage, disjoint},
-    panel_tiles::PanelTiles,
-    place::{PixelRect, SceneRect},
-};
+use super::place::SceneRect;
 use crate::render::{
     Gpu,
     bindings::bind,
     shader_module,
-    without_depth::{self, at, extent},
+    without_depth::{self, extent},
 };
 use egui::{
-    ClippedPrimitive, Pos2, Rect, TextureId, TexturesDelta,
+    ClippedPrimitive, TextureId, TexturesDelta,
     epaint::{ImageDelta, Primitive},
 };
 use egui_wgpu::{Renderer, RendererOptions, ScreenDescriptor};
@@ -38,8 +33,6 @@ struct Kept {
     size_px: [u32; 2],
     pixels_per_point: f32,
     primitives: Arc<[ClippedPrimitive]>,
-    /// Where the picture is not empty.
-    tiles: PanelTiles,
 }
 
 impl PanelsPicture {
@@ -82,70 +75,48 @@ impl PanelsPicture {
         self.stale.extend(mem::take(&mut textures.free));
     }
 
-    /// Brings the picture up to date. Returns its rectangles that changed, each as its first pixel and the one past its
-    /// last.
+    /// Brings the picture up to date. Returns whether it was painted again.
     pub fn update(
         &mut self,
         gpu: &Gpu,
         primitives: &Arc<[ClippedPrimitive]>,
         screen: &ScreenDescriptor,
-    ) -> Vec<PixelRect> {
+    ) -> bool {
         let (size_px, pixels_per_point) = (screen.size_in_pixels, screen.pixels_per_point);
         #[expect(clippy::float_cmp, reason = "the very same")]
         let fits =
             |kept: &Kept| kept.size_px == size_px && kept.pixels_per_point == pixels_per_point;
         let kept = self.kept.take().filter(fits);
-        let changed = match &kept {
-            Some(kept) => damage(&kept.primitives, primitives),
-            None => vec![Rect::EVERYTHING],
-        };
+        let is_same = kept
+            .as_ref()
+            .is_some_and(|kept| are_same(&kept.primitives, primitives));
         let new = || Kept::new(gpu, &self.over, self.format, screen);
         let kept = self.kept.insert(kept.unwrap_or_else(new));
-        let rects = disjoint(changed.into_iter().filter_map(|rect| pixels(rect, screen)));
-        if rects.is_empty() {
-            // Nothing looks different.
-            return rects;
-        }
-        let corner = |px: [u32; 2]| {
-            #[expect(clippy::cast_precision_loss, reason = "textures are not that large")]
-            let [x, y] = px.map(|px| px as f32 / pixels_per_point);
-            Pos2::new(x, y)
-        };
-        let mut painted = Vec::new();
-        for &[min, max] in &rects {
-            let clip = Rect::from_min_max(corner(min), corner(max));
-            let within = |primitive| within(primitive, clip);
-            painted.extend(primitives.iter().filter_map(within));
+        if is_same {
+            return false;
         }
         gpu.submit(|encoder| {
             self.renderer
-                .update_buffers(&gpu.device, &gpu.queue, encoder, &painted, screen);
+                .update_buffers(&gpu.device, &gpu.queue, encoder, primitives, screen);
             let mut pass = without_depth::begin(encoder, &kept.view, false).forget_lifetime();
             pass.set_pipeline(&self.empty);
-            for &[min, max] in &rects {
-                pass.set_scissor_rect(min[0], min[1], max[0] - min[0], max[1] - min[1]);
-                pass.draw(0..3, 0..1);
-            }
-            self.renderer.render(&mut pass, &painted, screen);
+            pass.draw(0..3, 0..1);
+            self.renderer.render(&mut pass, primitives, screen);
         });
         kept.primitives = primitives.clone();
-        kept.tiles = PanelTiles::under(primitives, screen);
-        rects
+        true
     }
 
-    /// Copies pixels of the picture onto a texture, without blending.
-    pub fn copy(&self, gpu: &Gpu, onto: &wgpu::Texture, rects: &[PixelRect]) {
+    /// Copies the picture onto a texture of its size, without blending.
+    pub fn copy(&self, gpu: &Gpu, onto: &wgpu::Texture) {
         let Some(kept) = &self.kept else { return };
         gpu.submit(|encoder| {
-            for &[[x, y], [right, bottom]] in rects {
-                let [from, to] = [kept.view.texture(), onto].map(|texture| at(texture, [x, y]));
-                let size = extent([right - x, bottom - y]);
-                encoder.copy_texture_to_texture(from, to, size);
-            }
+            let [from, to] = [kept.view.texture(), onto].map(wgpu::Texture::as_image_copy);
+            encoder.copy_texture_to_texture(from, to, extent(kept.size_px));
         });
     }
 
-    /// Blends the picture over a place, where it is not empty.
+    /// Blends the picture over a place. While a window changes its size, a place may reach beyond it.
     pub fn draw_over(&self, gpu: &Gpu, onto: &wgpu::Texture, place: SceneRect) {
         let Some(kept) = &self.kept else { return };
         gpu.submit(|encoder| {
@@ -153,7 +124,16 @@ impl PanelsPicture {
             let mut pass = without_depth::begin(encoder, &view, false);
             pass.set_pipeline(&self.over);
             pass.set_bind_group(0, &kept.bindings, &[]);
-            for [x, y, width, height] in kept.tiles.runs(place) {
+            let [x, y] = place.origin_px;
+            let width = place
+                .viewport
+                .width()
+                .min(kept.size_px[0].saturating_sub(x));
+            let height = place
+                .viewport
+                .height()
+                .min(kept.size_px[1].saturating_sub(y));
+            if width > 0 && height > 0 {
                 pass.set_scissor_rect(x, y, width, height);
                 pass.draw(0..3, 0..1);
             }
@@ -191,7 +171,6 @@ impl Kept {
             size_px,
             pixels_per_point: screen.pixels_per_point,
             primitives: Arc::default(),
-            tiles: PanelTiles::default(),
         }
     }
 }
@@ -202,37 +181,16 @@ fn bindings(gpu: &Gpu, over: &RenderPipeline, picture: &wgpu::TextureView) -> wg
     bind(gpu, "panels", &layout, [resource])
 }
 
-/// The part of a primitive within a clip; `None` where none of it is.
-fn within(primitive: &ClippedPrimitive, clip: Rect) -> Option<ClippedPrimitive> {
-    let clip_rect = primitive.clip_rect.intersect(clip);
-    let is_in = match &primitive.primitive {
-        Primitive::Mesh(mesh) => mesh.calc_bounds().intersects(clip_rect),
-        Primitive::Callback(_) => true,
+/// Whether two frames' triangles are the same.
+fn are_same(before: &[ClippedPrimitive], now: &[ClippedPrimitive]) -> bool {
+    let is_same = |(before, now): (&ClippedPrimitive, &ClippedPrimitive)| match (
+        &before.primitive,
+        &now.primitive,
+    ) {
+        (Primitive::Mesh(was), Primitive::Mesh(is)) => {
+            before.clip_rect == now.clip_rect && was == is
+        }
+        _ => false,
     };
-    (clip_rect.is_positive() && is_in).then(|| ClippedPrimitive {
-        clip_rect,
-        primitive: primitive.primitive.clone(),
-    })
-}
-
-/// The pixels that a rectangle in points touches; `None` if there are none.
-fn pixels(rect: Rect, screen: &ScreenDescriptor) -> Option<PixelRect> {
-    if rect.is_negative() {
-        return None;
-    }
-    let [width, height] = screen.size_in_pixels;
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "such conversions saturate, and sizes bound them"
-    )]
-    let px = |at: Pos2, round: fn(f32) -> f32| {
-        let scaled = at * screen.pixels_per_point;
-        [
-            (round(scaled.x) as u32).min(width),
-            (round(scaled.y) as u32).min(height),
-        ]
-    };
-    let [min, max] = [px(rect.min, f32::floor), px(rect.max, f32::ceil)];
-    (min[0] < max[0] && min[1] < max[1]).then_some([min, max])
+    before.len() == now.len() && before.iter().zip(now).all(is_same)
 }

@@ -9,14 +9,10 @@ pub(in crate::viewer) struct PictureProgress {
     pub anew: bool,
     /// How soon another pass is needed; `None` once the wanted picture is shown.
     pub behind: Option<Duration>,
-    /// Whether its scene is still being uploaded.
-    pub is_coming: bool,
     /// Whether the wanted picture is shown without smooth edges: at rest it needs another pass.
     pub rough: bool,
     /// About how many triangles were drawn.
     pub drawn: u64,
-    /// Objects and triangles that the pass itself uploaded.
-    pub uploaded: usize,
 }
 
 impl PictureProgress {
@@ -25,10 +21,8 @@ impl PictureProgress {
         Self {
             anew: self.anew || other.anew,
             behind: self.behind.into_iter().chain(other.behind).min(),
-            is_coming: self.is_coming || other.is_coming,
             rough: self.rough || other.rough,
             drawn: self.drawn + other.drawn,
-            uploaded: self.uploaded + other.uploaded,
         }
     }
 }

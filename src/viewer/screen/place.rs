@@ -4,9 +4,6 @@ use crate::camera::Viewport;
 use egui::{Pos2, Rect};
 use glam::DVec2;
 
-/// A rectangle of a window's pixels: the first pixel, and the one past the last.
-pub(super) type PixelRect = [[u32; 2]; 2];
-
 /// The rectangle of the window that shows the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::viewer) struct SceneRect {
@@ -36,15 +33,6 @@ impl SceneRect {
             origin_px: [left, top],
             viewport: Viewport::new(size[0], size[1]).ok()?,
             pixels_per_point,
-        })
-    }
-
-    /// Whether it shares pixels with a rectangle of the window.
-    pub fn touches(self, [min, max]: PixelRect) -> bool {
-        let size = [self.viewport.width(), self.viewport.height()];
-        (0..2).all(|axis| {
-            let first = self.origin_px[axis];
-            min[axis] < first + size[axis] && first < max[axis]
         })
     }
 

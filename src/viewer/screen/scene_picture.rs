@@ -128,12 +128,10 @@ impl ScenePicture {
         if motion == Motion::Rests {
             self.patience.rest();
         }
-        let (mut uploaded, mut begun) = (Some(0), Begun::Pieces);
+        let mut begun = Begun::Pieces;
         if self.next.is_none() {
-            uploaded = self.scenes.upload(gpu, subject)?;
-            if uploaded.is_some() {
-                begun = self.begin(brush, subject, &wanted, motion)?;
-            }
+            self.scenes.upload(gpu, subject)?;
+            begun = self.begin(brush, subject, &wanted, motion)?;
         }
         if self.next.is_none() && motion == Motion::Rests {
             self.begin_to_smooth(subject, &wanted);
@@ -147,14 +145,11 @@ impl ScenePicture {
         };
         let shown = self.shown.as_ref().filter(|shown| shown.of == wanted);
         let is_whole = shown.is_some() && self.next.as_ref().is_none_or(|next| next.refines);
-        let waits = waits || uploaded.is_none();
         Ok(PictureProgress {
             anew: anew || begun == Begun::Shown,
             behind: (!is_whole).then_some(if waits { WAIT } else { Duration::ZERO }),
-            is_coming: uploaded.is_none(),
             rough: is_whole && shown.is_some_and(|shown| shown.finish < Finish::Smooth),
             drawn,
-            uploaded: uploaded.unwrap_or(0),
         })
     }
 

@@ -1,13 +1,9 @@
-//! Scenes in graphics memory: the one that is shown, a few before it, and the next. Large ones are uploaded in the
-//! background.
+//! Scenes in graphics memory: the one that is shown, and a few before it.
 
 use crate::{
     render::{Gpu, GpuError, MeshStore, SceneBuffers},
     scene::{Scene, SceneKey},
-    viewer::{
-        jobs::{Making, Upload, Uploaded, let_go},
-        model::{LITTLE, Subject},
-    },
+    viewer::model::Subject,
 };
 
 /// How many earlier scenes are kept: enough for one of the gallery, and for what was open before it.
@@ -21,21 +17,11 @@ pub(super) struct OnGpu {
     visibility: u64,
 }
 
-/// An upload under way, and the scene's revisions when it began.
-struct Coming {
-    revision: u64,
-    visibility: u64,
-    upload: Upload,
-}
-
 /// The scenes of one picture in graphics memory.
 #[derive(Default)]
 pub(super) struct ScenesOnGpu {
     /// The scene on screen; `None` before the first upload.
     pub now: Option<OnGpu>,
-    /// An upload that was done ahead, of a scene that is to be shown next.
-    pub ready: Option<Uploaded>,
-    coming: Option<Coming>,
     /// Scenes before this one that may still come back; the latest first.
     before: Vec<OnGpu>,
     /// The meshes of all pictures.
@@ -47,85 +33,40 @@ pub(super) struct ScenesOnGpu {
 impl ScenesOnGpu {
     /// Drops scenes that cannot come back.
     pub fn forget_unused(&mut self) {
-        let is_unused = |before: &mut OnGpu| !before.key.is_in_use();
-        let unused: Vec<OnGpu> = self.before.extract_if(.., is_unused).collect();
-        if !unused.is_empty() {
+        let count = self.before.len();
+        self.before.retain(|before| before.key.is_in_use());
+        if self.before.len() < count {
             self.meshes.forget_dropped();
-            give_up(unused);
         }
     }
 
-    /// Uploads a picture's scene, or what changed in it. Returns how many objects and triangles this call uploaded;
-    /// `None` while the upload is under way.
-    pub fn upload(&mut self, gpu: &Gpu, subject: &Subject) -> Result<Option<usize>, GpuError> {
-        let mut taken = 0;
+    /// Uploads a picture's scene, or what changed in it.
+    pub fn upload(&mut self, gpu: &Gpu, subject: &Subject) -> Result<(), GpuError> {
         let (revision, visibility) = (subject.revision, subject.visibility);
         if self.now.as_ref().is_none_or(|now| now.revision != revision) {
             if let Some((_, error)) = self.unfit.as_ref().filter(|(of, _)| *of == revision) {
                 return Err(error.clone());
             }
-            let size = subject.scene.size();
-            let scene = if let Some(buffers) = self.known(subject.scene) {
-                Ok(Some(on_gpu(buffers, subject)))
-            } else if size < LITTLE {
-                taken = size;
-                let buffers = SceneBuffers::upload_beside(gpu, subject.scene, &mut self.meshes);
-                buffers.map(|buffers| Some(on_gpu(buffers, subject)))
-            } else {
-                self.come(gpu, subject)
+            let buffers = match self.known(subject.scene) {
+                Some(buffers) => Ok(buffers),
+                None => SceneBuffers::upload_beside(gpu, subject.scene, &mut self.meshes),
             };
-            let scene = scene.inspect_err(|error| self.unfit = Some((revision, error.clone())))?;
-            let Some(scene) = scene else {
-                return Ok(None);
-            };
-            self.before.splice(0..0, self.now.replace(scene));
-            give_up(self.before.split_off(MOST_BEFORE.min(self.before.len())));
+            let buffers =
+                buffers.inspect_err(|error| self.unfit = Some((revision, error.clone())))?;
+            let before = self.now.replace(on_gpu(buffers, subject));
+            self.before.splice(0..0, before);
+            self.before.truncate(MOST_BEFORE);
         }
         if let Some(scene) = self.now.as_mut().filter(|now| now.visibility != visibility) {
             scene.buffers.update(gpu, subject.scene)?;
             scene.visibility = visibility;
             scene.key = subject.scene.key();
         }
-        Ok(Some(taken))
+        Ok(())
     }
 
-    /// Uploads a scene in the background; `None` until that is done.
-    fn come(&mut self, gpu: &Gpu, subject: &Subject) -> Result<Option<OnGpu>, GpuError> {
-        let is_it = |coming: &Coming| coming.revision == subject.revision;
-        let coming = self.coming.take().filter(is_it).unwrap_or_else(|| {
-            let (making, meshes) = (Making::Scene(subject.scene.clone()), self.meshes.clone());
-            Coming {
-                revision: subject.revision,
-                visibility: subject.visibility,
-                upload: Upload::start(gpu.clone(), making, meshes, || ()),
-            }
-        });
-        let Some(uploaded) = coming.upload.poll() else {
-            self.coming = Some(coming);
-            return Ok(None);
-        };
-        Ok(uploaded?.map(|uploaded| {
-            self.meshes = uploaded.meshes;
-            OnGpu {
-                buffers: uploaded.buffers,
-                key: uploaded.key,
-                revision: coming.revision,
-                visibility: coming.visibility,
-            }
-        }))
-    }
-
-    /// The work of drawing all of these scenes once.
-    pub fn work(&self) -> usize {
-        work(self.now.iter().chain(&self.before))
-    }
-
-    /// The buffers of a scene that was uploaded ahead, or was kept from before.
+    /// The buffers of a scene that was kept from before.
     fn known(&mut self, scene: &Scene) -> Option<SceneBuffers> {
-        let ready = self.ready.take().filter(|ready| ready.key.is_of(scene));
-        if let Some(ready) = ready {
-            return Some(ready.buffers);
-        }
         let mut before = self.before.iter();
         let at = before.position(|before| before.key.is_of(scene))?;
         Some(self.before.remove(at).buffers)
@@ -139,14 +80,4 @@ fn on_gpu(buffers: SceneBuffers, subject: &Subject) -> OnGpu {
         revision: subject.revision,
         visibility: subject.visibility,
     }
-}
-
-fn give_up(scenes: Vec<OnGpu>) {
-    let work = work(&scenes);
-    let_go(scenes, work);
-}
-
-fn work<'a>(scenes: impl IntoIterator<Item = &'a OnGpu>) -> usize {
-    let work = scenes.into_iter().map(|scene| scene.buffers.whole.work);
-    usize::try_from(work.sum::<u64>()).unwrap_or(usize::MAX)
 }

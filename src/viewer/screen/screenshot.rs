@@ -1,17 +1,22 @@
-//! Writes a screenshot as a PNG file.
+//! Writes a screenshot as a PNG file, under a name that is free.
 
 use crate::image::{Image, Rgb};
 use std::path::{Path, PathBuf};
 
-/// Writes `sightline-N.png`, N the first number that is free.
+/// The path of `sightline-N` with this extension, N the first number that is free.
+pub(in crate::viewer) fn free_file(folder: &Path, extension: &str) -> Result<PathBuf, String> {
+    let mut names = (1..).map(|number| folder.join(format!("sightline-{number}.{extension}")));
+    let free = names.find(|path| !path.exists());
+    let free = free.ok_or("no number is left for a file's name")?;
+    std::path::absolute(free).map_err(|error| error.to_string())
+}
+
+/// Writes `sightline-N.png`.
 pub(in crate::viewer) fn write_screenshot(
     folder: &Path,
     picture: &Image<Rgb>,
 ) -> Result<PathBuf, String> {
-    let mut names = (1..).map(|number| folder.join(format!("sightline-{number}.png")));
-    let free = names.find(|path| !path.exists());
-    let free = free.ok_or("no number is left for a screenshot")?;
-    let path = std::path::absolute(free).map_err(|error| error.to_string())?;
+    let path = free_file(folder, "png")?;
     let written = picture.write_png(&path);
     written.map_err(|error| error.to_string())?;
     Ok(path)

@@ -31,8 +31,6 @@ pub(in crate::viewer) enum Command {
     CopyCamera,
     /// Take over the camera in this text from the clipboard.
     Paste(String),
-    /// Go to an object, face or vertex by its number.
-    GoTo(GoTo),
     /// Write what is on screen into a PNG file.
     Screenshot {
         /// Without the panels.
@@ -60,13 +58,7 @@ pub(in crate::viewer) enum Command {
     LeaveGallery,
     /// An answer to the question about unsaved edits and measures.
     Reply(Reply),
-    /// An answer to the question for a path, which stands in for a file dialog.
-    TypedPath {
-        /// Take the path that is in the field; else take none.
-        take: bool,
-    },
-    /// The first of these that applies: keep the edits that are asked about, stop waiting for picks of a section or of
-    /// measures, stop loading, close the help, close the latest warning or error, pick by Sightline's own method again,
+    /// The first of these that applies: keep the edits that are asked about, stop measuring, stop loading, close the help, close the latest warning or error, pick by Sightline's own method again,
     /// close the comparison, select nothing, close the four views, leave the gallery.
     Escape,
     /// Show or hide the help.
@@ -100,17 +92,6 @@ impl Command {
             OpenDialog | SaveDialog | Open(_) | Add(_) | Reload | Quit
         )
     }
-}
-
-/// Where to go, by a number from 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::viewer) enum GoTo {
-    /// An object of the scene.
-    Object(usize),
-    /// A face of the file.
-    Face(usize),
-    /// A vertex of the file.
-    Vertex(usize),
 }
 
 /// Something that would drop unsaved edits or measures.

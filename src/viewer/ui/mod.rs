@@ -3,21 +3,17 @@
 mod command;
 mod focus;
 mod keys;
-mod letters;
 mod mouse;
 mod notice;
 mod panels;
-mod path_question;
 mod theme;
 mod tour;
 
-pub(super) use command::{Command, GoTo, Intent, Reply, TourMove};
+pub(super) use command::{Command, Intent, Reply, TourMove};
 pub(super) use focus::leave_text;
-pub(super) use letters::Letters;
 pub(super) use mouse::{Drag, moves_ahead};
 pub(super) use notice::{Attempt, Kind, Notice, Notices};
 pub(super) use panels::{Docks, Filter, Floating, Shown, Statistics, Underway, show};
-pub(super) use path_question::{PathFor, PathQuestion};
 pub(super) use theme::{Look, color32, context, note_missing};
 pub use tour::tour_text;
 pub(super) use tour::{JustDone, Tour};

@@ -1,4 +1,4 @@
-//! Reads a face or a vertex from its file again: its line, its number, and the coordinates as they are written.
+//! Reads a face from its file again: its line, its number, and the coordinates of its vertices as they are written.
 //!
 //! Only some pieces of the file (`contents`) are read: the one with the face, and those with its vertices. They are
 //! parsed by the loader's own rules (`text_lines`, `corners`, `triangulation`), so the face of a triangle is found by
@@ -9,7 +9,7 @@
 use super::{
     AgainError, Contents, FaceInFile, InFile, MOST_BYTES, VertexInFile,
     contents::{Stamp, Start},
-    corners::{MOST_CORNERS, Normal, read_corners, without_comment},
+    corners::{MOST_CORNERS, read_corners, without_comment},
     file,
     pieces::Counts,
     text_lines::{Lines, Text},
@@ -57,14 +57,6 @@ struct Line {
     number: usize,
     /// How many vertices of the file come before it.
     vertices: usize,
-}
-
-/// A face as its line has it.
-struct Face {
-    /// The numbers of its vertices. If it is left out, only those that exist.
-    corners: Vec<u32>,
-    /// Why the loader left it out; `None` if it did not.
-    left_out: Option<String>,
 }
 
 impl<'a> Again<'a> {
@@ -122,37 +114,6 @@ impl<'a> Again<'a> {
         self.face_at(piece, &lines, index.wrapping_sub(1))
     }
 
-    /// A face by its number among the `f` lines of the file, from 1. A face that is left out has no triangles.
-    ///
-    /// # Errors
-    /// When there is none of this number, the file cannot be read, or it has changed since it was loaded.
-    pub fn face(&mut self, number: usize) -> Result<FaceInFile, AgainError> {
-        let before = number.wrapping_sub(1);
-        let piece = self.contents.holding(before, |start| start.counts.faces);
-        let Some(piece) = piece else {
-            return Err(self.no_such("face", number, self.contents.faces()));
-        };
-        self.check()?;
-        let lines = self.piece(piece)?;
-        let index = before - self.contents.piece(piece)[0].counts.faces;
-        self.face_at(piece, &lines, index)
-    }
-
-    /// A vertex by its number, from 1.
-    ///
-    /// # Errors
-    /// When there is none of this number, the file cannot be read, or it has changed since it was loaded.
-    pub fn vertex(&mut self, number: usize) -> Result<VertexInFile, AgainError> {
-        let count = self.contents.vertices();
-        let place = u32::try_from(number).ok().filter(|_| number <= count);
-        let Some(place) = place.filter(|place| *place > 0) else {
-            return Err(self.no_such("vertex", number, count));
-        };
-        self.check()?;
-        let mut found = self.vertices(vec![place])?;
-        found.remove(&place).ok_or_else(|| self.changed())
-    }
-
     /// The face at this index among those of a piece.
     fn face_at(
         &mut self,
@@ -163,24 +124,15 @@ impl<'a> Again<'a> {
         let line = lines.faces.get(index).ok_or_else(|| self.changed())?;
         let before = self.triangles(piece, lines)?;
         let triangles = before[index]..before[index + 1];
-        let (face, written) = lines.read(line, |text| {
-            let words = fields(text).map(|word| String::from_utf8_lossy(&text[word]));
-            let written = words.collect::<Vec<_>>().join(" ");
-            (self.face_line(text, line), written)
-        });
-        let known = self.vertices(face.corners.clone())?;
-        let (left_out, corners) = match face.split(&known, &mut Splitter::default()) {
-            Ok(corners) => (None, corners),
-            Err(why) => (Some(why), Vec::new()),
-        };
-        let vertices = face.corners.iter().map(|number| known.get(number).cloned());
+        let face = lines.read(line, |text| self.face_line(text, line));
+        let known = self.vertices(face.clone())?;
+        let corners = split(&face, &known, &mut Splitter::default());
+        let vertices = face.iter().map(|number| known.get(number).cloned());
         let vertices: Vec<_> = (vertices.collect::<Option<_>>()).ok_or_else(|| self.changed())?;
         let [start, _] = self.contents.piece(piece);
         let found = FaceInFile {
             face: start.counts.faces + index + 1,
             line: line.number,
-            written,
-            left_out,
             vertices,
             triangles,
             corners,
@@ -238,21 +190,19 @@ impl<'a> Again<'a> {
     /// How many triangles each face of a piece has.
     fn counts_by_splitting(&mut self, lines: &Piece) -> Result<Vec<usize>, AgainError> {
         let faces = lines.faces.iter();
-        let faces: Vec<Face> = faces
+        let faces: Vec<Vec<u32>> = faces
             .map(|line| lines.read(line, |text| self.face_line(text, line)))
             .collect();
-        let corners = faces.iter().flat_map(|face| &face.corners).copied();
-        let known = self.vertices(corners.collect())?;
+        let known = self.vertices(faces.concat())?;
         let mut splitter = Splitter::default();
-        let counts = faces.iter().map(|face| {
-            let corners = face.split(&known, &mut splitter);
-            corners.map_or(0, |corners| corners.len())
-        });
+        let counts = faces
+            .iter()
+            .map(|face| split(face, &known, &mut splitter).len());
         Ok(counts.collect())
     }
 
-    /// Reads the face in the text after a line's keyword.
-    fn face_line(&self, text: &[u8], line: &Line) -> Face {
+    /// The numbers of a face's vertices, in the text after a line's keyword; none if the loader left the face out.
+    fn face_line(&self, text: &[u8], line: &Line) -> Vec<u32> {
         let before = Counts {
             vertices: line.vertices,
             ..Counts::default()
@@ -260,22 +210,11 @@ impl<'a> Again<'a> {
         let known = Some(self.contents.vertices());
         let mut corners = Vec::new();
         let read = read_corners(text, before, known, &mut corners);
-        let left_out = read.map_or_else(
-            |bad| Some(bad.to_string()),
-            |()| match corners.len() {
-                0..3 => Some("it has less than three corners".to_owned()),
-                3..=MOST_CORNERS => None,
-                more => Some(format!("it has {more} corners, the most is {MOST_CORNERS}")),
-            },
-        );
-        if left_out.is_some() {
-            corners = those_there(text, before, known);
+        if read.is_err() || !(3..=MOST_CORNERS).contains(&corners.len()) {
+            return Vec::new();
         }
         let numbers = corners.iter().map(|(vertex, _)| u32::try_from(*vertex));
-        Face {
-            corners: numbers.map_while(Result::ok).collect(),
-            left_out,
-        }
+        numbers.map_while(Result::ok).collect()
     }
 
     /// Reads vertices by their numbers, from 1.
@@ -389,26 +328,6 @@ impl<'a> Again<'a> {
             file: self.path.to_owned(),
         }
     }
-
-    fn no_such(&self, what: &'static str, number: usize, count: usize) -> AgainError {
-        AgainError::NoSuch {
-            file: self.path.to_owned(),
-            what,
-            number,
-            count,
-        }
-    }
-}
-
-/// The corners of a left-out face that can be read, at most [`MOST_CORNERS`].
-fn those_there(text: &[u8], before: Counts, known: Option<usize>) -> Vec<(usize, Normal)> {
-    let (mut all, mut one) = (Vec::new(), Vec::new());
-    for word in fields(text).take(MOST_CORNERS) {
-        if read_corners(&text[word], before, known, &mut one).is_ok() {
-            all.append(&mut one);
-        }
-    }
-    all
 }
 
 impl Piece {
@@ -450,33 +369,24 @@ impl Piece {
     }
 }
 
-impl Face {
-    /// Splits the face as the loader does. The triangles are indices into its corners.
-    ///
-    /// # Errors
-    /// Why it has no triangle.
-    fn split(
-        &self,
-        vertices: &HashMap<u32, VertexInFile>,
-        splitter: &mut Splitter,
-    ) -> Result<Vec<[u32; 3]>, String> {
-        if let Some(why) = &self.left_out {
-            return Err(why.clone());
-        }
-        let value = |vertex: &u32| vertices.get(vertex).and_then(|known| known.value);
-        if let Some(vertex) = (self.corners.iter()).find(|vertex| value(vertex).is_none()) {
-            return Err(format!("vertex {vertex} is not three finite numbers"));
-        }
-        let position = |vertex: u32| vertices.get(&vertex).map(|known| known.position);
-        let at = |vertex| position(vertex).unwrap_or_default();
-        let split = splitter.face(&self.corners, at);
-        let split = split.ok_or("it has too many corners that repeat a vertex")?;
-        let corner = |corner: u32| at(self.corners[corner as usize]);
-        let with_area = split.iter().filter(|corners| has_area(corners.map(corner)));
-        let with_area: Vec<_> = with_area.copied().collect();
-        if with_area.is_empty() {
-            return Err("it has no area".to_owned());
-        }
-        Ok(with_area)
+/// Splits a face as the loader does. The triangles are indices into its corners; there is none if the loader left it out.
+fn split(
+    face: &[u32],
+    vertices: &HashMap<u32, VertexInFile>,
+    splitter: &mut Splitter,
+) -> Vec<[u32; 3]> {
+    let is_number = |vertex: &u32| {
+        vertices
+            .get(vertex)
+            .is_some_and(|known| known.value.is_some())
+    };
+    if !face.iter().all(is_number) {
+        return Vec::new();
     }
+    let position = |vertex: u32| vertices.get(&vertex).map(|known| known.position);
+    let at = |vertex| position(vertex).unwrap_or_default();
+    let corner = |corner: u32| at(face[corner as usize]);
+    let split = splitter.face(face, at).unwrap_or_default();
+    let with_area = split.iter().filter(|corners| has_area(corners.map(corner)));
+    with_area.copied().collect()
 }

@@ -136,11 +136,6 @@ impl Contents {
         self.starts.len().saturating_sub(1)
     }
 
-    /// How many faces the file has. Every `f` line counts, valid or not.
-    pub fn faces(&self) -> usize {
-        self.starts.last().map_or(0, |end| end.counts.faces)
-    }
-
     /// How many vertices the file has.
     pub fn vertices(&self) -> usize {
         self.starts.last().map_or(0, |end| end.counts.vertices)

@@ -5,7 +5,7 @@ use crate::scene::{Cancelled, FileError, VertexInFile};
 use glam::DVec3;
 use std::{io, path::PathBuf};
 
-/// Why a face or vertex could not be read again from its file.
+/// Why a face could not be read again from its file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum AgainError {
@@ -28,18 +28,6 @@ pub enum AgainError {
     Changed {
         /// The file.
         file: PathBuf,
-    },
-    /// The file has fewer faces or vertices than the number that was asked for.
-    #[error("{}: there is no {what} {number}: they run from 1 to {count}", file.display())]
-    NoSuch {
-        /// The file.
-        file: PathBuf,
-        /// The word `face` or `vertex`.
-        what: &'static str,
-        /// The number that was asked for.
-        number: usize,
-        /// How many faces or vertices the file has.
-        count: usize,
     },
 }
 

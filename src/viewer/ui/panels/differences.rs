@@ -1,7 +1,7 @@
 //! What a comparison of the picture with its picks found: marks on the pixels that differ, and how many there are of
 //! each class.
 
-use super::{hyphens::apart, messages::plate, prelude::*};
+use super::{messages::plate, prelude::*};
 use crate::{
     verify::{COLOURS, Class, IN_ONE_PLACE, Verdict},
     viewer::jobs::{Check, Checked, Checking},
@@ -70,7 +70,6 @@ fn table(ui: &mut Ui, check: &Check, found: &Checked) {
         ui.weak(format!("{differ} of {all} outline pixels{elsewhere}"))
             .hint("how many differ, of all pixels next to another object's: outlines are where a rasteriser rounds");
         if let Some(advice) = advice(report.verdict()) {
-            let advice = apart(ui, advice, ui.visuals().text_color());
             ui.label(advice).hint("what can be trusted here");
         }
     }

@@ -1,4 +1,4 @@
-//! Where panels stand beside the picture, and how much of the window they leave to it.
+//! Where panels stand beside the picture, which are folded, and how much of the window they leave to the picture.
 
 use serde::{Deserialize, Serialize};
 use std::mem;
@@ -14,11 +14,10 @@ pub(in crate::viewer) enum Side {
 impl Side {
     pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
 
-    pub fn other(self) -> Self {
-        match self {
-            Self::Left => Self::Right,
-            Self::Right => Self::Left,
-        }
+    /// Those of `panels` that stand at this side.
+    pub fn of(self, panels: &[PanelKind]) -> Vec<PanelKind> {
+        let here = panels.iter().copied();
+        here.filter(|panel| panel.side() == self).collect()
     }
 }
 
@@ -52,6 +51,14 @@ impl PanelKind {
             Self::Pick => "Pick",
             Self::Measure => "Measure",
             Self::Objects => "Objects",
+        }
+    }
+
+    /// Where it stands.
+    pub(super) fn side(self) -> Side {
+        match self {
+            Self::Camera | Self::Pick => Side::Right,
+            Self::Gallery | Self::Pipeline | Self::Measure | Self::Objects => Side::Left,
         }
     }
 
@@ -94,14 +101,6 @@ pub(super) const MATRIX: f32 = 267.0;
 /// Narrower than this, in points, a side is folded.
 const NARROWEST: f32 = 100.0;
 
-/// Where a panel stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(in crate::viewer) struct Place {
-    pub side: Side,
-    /// Only its heading shows.
-    pub folded: bool,
-}
-
 /// A side's panels together.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(in crate::viewer) struct Wing {
@@ -120,10 +119,11 @@ struct Before {
     takers: [bool; PanelKind::ALL.len()],
 }
 
-/// Where all panels stand.
+/// What shows beside the picture, and how wide.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(in crate::viewer) struct Docks {
-    pub(super) places: [Place; PanelKind::ALL.len()],
+    /// Of which panels only the heading shows.
+    pub(super) folded: [bool; PanelKind::ALL.len()],
     wings: [Wing; 2],
     /// The side that was opened last. It shows where there is no room for both.
     first: Side,
@@ -140,19 +140,9 @@ pub(in crate::viewer) struct Docks {
 
 impl Default for Docks {
     fn default() -> Self {
-        let place = |panel| Place {
-            side: match panel {
-                PanelKind::Camera | PanelKind::Pick => Side::Right,
-                PanelKind::Gallery
-                | PanelKind::Pipeline
-                | PanelKind::Measure
-                | PanelKind::Objects => Side::Left,
-            },
-            folded: panel == PanelKind::Measure,
-        };
         let wing = |width| Wing { open: true, width };
         Self {
-            places: PanelKind::ALL.map(place),
+            folded: PanelKind::ALL.map(|panel| panel == PanelKind::Measure),
             wings: [wing(210.0), wing(310.0)],
             first: Side::Right,
             before: None,
@@ -180,7 +170,7 @@ impl Docks {
         }
     }
 
-    /// Makes the matrices visible, wherever their panel stands. If they are visible already, they are no longer wanted.
+    /// Makes the matrices visible. If they are visible already, they are no longer wanted.
     /// Returns whether they are wanted.
     pub fn toggle_matrices(&mut self, are_wanted: bool) -> bool {
         let are_visible = self.shows_matrices(are_wanted);
@@ -202,8 +192,7 @@ impl Docks {
         self.give_back(PanelKind::Pipeline);
     }
 
-    /// How wide each side is, as [`Self::widths`] says. As the gallery is entered, its panel becomes visible, wherever
-    /// it stands. As it is left, the sides are as they were before, unless the user has arranged them since.
+    /// How wide each side is, as [`Self::widths`] says. As the gallery is entered, its panel becomes visible. As it is left, the sides are as they were before, unless the user has arranged them since.
     pub(super) fn lay_out(&mut self, panels: &[PanelKind], room: f32) -> [Option<f32>; 2] {
         let in_gallery = panels.contains(&PanelKind::Gallery);
         let was = mem::replace(&mut self.in_gallery, in_gallery);
@@ -228,8 +217,7 @@ impl Docks {
     }
 
     fn is_visible(&self, panel: PanelKind) -> bool {
-        let Place { side, folded } = self.places[panel as usize];
-        !folded && self.showing[side as usize]
+        !self.folded[panel as usize] && self.showing[panel.side() as usize]
     }
 
     /// Makes a panel visible that comes and goes, and keeps how the sides were before.
@@ -257,17 +245,10 @@ impl Docks {
         }
     }
 
-    /// Those of `panels` that stand at a side.
-    pub fn at(&self, side: Side, panels: &[PanelKind]) -> Vec<PanelKind> {
-        let here = panels.iter().copied();
-        here.filter(|panel| self.places[*panel as usize].side == side)
-            .collect()
-    }
-
-    /// Makes a panel visible, wherever it stands.
+    /// Makes a panel visible.
     pub fn show(&mut self, panel: PanelKind) {
-        self.places[panel as usize].folded = false;
-        self.open(self.places[panel as usize].side);
+        self.folded[panel as usize] = false;
+        self.open(panel.side());
     }
 
     /// How wide each side is in points, both together at most `room`; `None` for a side that does not show: it is
@@ -275,12 +256,12 @@ impl Docks {
     /// last shows.
     pub fn widths(&self, panels: &[PanelKind], room: f32) -> [Option<f32>; 2] {
         let least = Side::BOTH.map(|side| {
-            let widths = self.at(side, panels).into_iter();
-            let open = widths.filter(|panel| !self.places[*panel as usize].folded);
+            let here = side.of(panels).into_iter();
+            let open = here.filter(|panel| !self.folded[*panel as usize]);
             open.map(PanelKind::least_width).fold(NARROWEST, f32::max)
         });
         let wing = |side: Side| self.wings[side as usize];
-        let shows = |side: Side| wing(side).open && !self.at(side, panels).is_empty();
+        let shows = |side: Side| wing(side).open && !side.of(panels).is_empty();
         // NaN, which a file may hold, becomes the least.
         let wanted = |side: Side| wing(side).width.max(least[side as usize]);
         let alone = |side| Some(wanted(side).min(room)).filter(|width| *width >= NARROWEST);

@@ -220,6 +220,12 @@ pub(super) fn value_text(text: impl Into<String>) -> RichText {
     RichText::new(text).monospace().size(11.0)
 }
 
+/// How wide a text is on one line, in points.
+pub(super) fn text_width(ui: &Ui, text: &str, font: &FontId) -> f32 {
+    let galley = (ui.painter()).layout_no_wrap(text.to_owned(), font.clone(), Color32::WHITE);
+    galley.size().x
+}
+
 /// Width in points of each character of a [`value_text`].
 pub(super) fn char_width(ui: &Ui) -> f32 {
     ui.fonts_mut(|fonts| fonts.glyph_width(&FontId::monospace(11.0), '0'))

@@ -1,6 +1,6 @@
 //! The help: keys, from the table that dispatches them, and what the mouse does.
 
-use super::{elided, prelude::*, tour_card};
+use super::{field::text_width, prelude::*, tour_card};
 use crate::viewer::ui::{command::TourMove, keys};
 use egui::{Context, ScrollArea, TextStyle, Window};
 
@@ -55,9 +55,7 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
 fn table(ui: &mut Ui, column: usize, rows: &[(&str, &str)]) {
     // In a narrow window, words wrap.
     let font = TextStyle::Monospace.resolve(ui.style());
-    let inputs = rows
-        .iter()
-        .map(|(input, _)| elided::width(ui, (*input).to_owned(), &font));
+    let inputs = rows.iter().map(|(input, _)| text_width(ui, input, &font));
     let inputs = inputs.fold(0.0, f32::max);
     let room = ui.available_width() - ui.spacing().item_spacing.x;
     Grid::new(column)

@@ -4,7 +4,7 @@
 use super::{
     axis_cross, banner, differences,
     docks::{PanelKind, Side, room},
-    help, marks, menu, messages, panes, path_field,
+    help, marks, menu, messages, panes,
     prelude::*,
     question, section_handle,
     shown::Shown,
@@ -39,7 +39,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     let window = ui.max_rect().size();
     let wanted = panels(shown);
     if !shown.is_bare {
-        Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &wanted, &mut of_toolbar));
+        Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &mut of_toolbar));
         Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
     }
     if let Some(tour) = shown.tour.filter(|_| !shown.is_bare) {
@@ -94,15 +94,12 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     }
     if let Some(intent) = shown.question {
         question::show(ui.ctx(), shown.state, intent, &mut commands);
-    } else if let Some(question) = &mut shown.path_question {
-        path_field::show(ui.ctx(), question, &mut commands);
     }
     commands.append(&mut of_toolbar);
     if has_menu {
         keys::take_escape(ui.ctx());
     }
-    let has_question = shown.question.is_some() || shown.path_question.is_some();
-    commands.extend(keys::pressed(ui.ctx(), has_question));
+    commands.extend(keys::pressed(ui.ctx(), shown.question.is_some()));
     let (place, panes) = place.inner.unzip();
     Asked {
         place,

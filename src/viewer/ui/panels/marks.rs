@@ -1,12 +1,12 @@
 //! Marks over the picture: the point that the pick's ray hits, the triangle there with its corners and barycentrics,
-//! the distance from the previous pick, snapped points, and the face or vertex that the user went to.
+//! the distance from the previous pick, and snapped points.
 
 use super::{field::short, prelude::*};
 use crate::{
     camera::View,
     geometry::clip,
     look,
-    pick::{Pick, Sight, snap::Snap},
+    pick::{Pick, snap::Snap},
     viewer::{
         model::{Overlay, PickView, triangle},
         ui::theme::rimmed,
@@ -17,8 +17,6 @@ use glam::DVec2;
 
 /// Radius of the mark at a hit, in points.
 const MARK: f32 = 6.0;
-/// Side of the square around the face or vertex that the user went to, in points.
-const SOUGHT: f32 = 18.0;
 /// A triangle that is smaller than this in the picture, in points, has no names at its corners: they would hide it.
 const LEGIBLE: f32 = 36.0;
 
@@ -49,10 +47,6 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
         page.hit(pick);
     }
     page.snapped(&state.measuring().points);
-    for point in state.section_points() {
-        page.diamond(*point);
-    }
-    page.sought(state);
 }
 
 struct Page<'a> {
@@ -101,40 +95,6 @@ impl Page<'_> {
                 }
             }
         }
-    }
-
-    /// A square around the face or vertex that the user went to, dashed if it is not seen, with its name and what hides
-    /// it.
-    fn sought(&mut self, state: &State) {
-        let Some(sought) = state.sought() else { return };
-        let Some(at) = self.at(sought.point.world()) else {
-            return;
-        };
-        let is_seen = matches!(state.sight_of_sought(), Some(Sight::Seen(_)));
-        // On whole points its sides are sharp.
-        let square = Rect::from_center_size(at.round(), vec2(SOUGHT, SOUGHT));
-        let rim = [
-            square.left_top(),
-            square.right_top(),
-            square.right_bottom(),
-            square.left_bottom(),
-            square.left_top(),
-        ];
-        for (colour, more) in rimmed(self.colour) {
-            let stroke = Stroke::new(2.0 + more, colour);
-            if is_seen {
-                self.painter.circle_filled(at, 2.0 + 0.5 * more, colour);
-                self.painter.line(rim.to_vec(), stroke);
-            } else {
-                let dashes = Shape::dashed_line(&rim, stroke, 6.0, 6.0);
-                self.painter.extend(dashes);
-            }
-        }
-        let mut text = sought.of.name();
-        if let Some(Sight::Hidden(_)) = state.sight_of_sought() {
-            text = format!("{text}, {}", state.says_of_sought().unwrap_or_default());
-        }
-        self.text(at - vec2(0.0, SOUGHT + 8.0), text);
     }
 
     /// A diamond around each point that a click snapped to, and the distance between them.

@@ -5,7 +5,6 @@ use super::{
     field::{DIGITS, LEAST, char_width, short, short_in, value_text},
     hints::described,
     prelude::*,
-    visual_order::visual_order,
 };
 use crate::{
     camera::{DepthMapping, Projection},
@@ -29,7 +28,7 @@ pub(super) fn title(matrix: Matrix, object: Option<&Object>) -> (String, String)
         Matrix::Model => object.map_or_else(
             || ("model: no object, so the identity".into(), "click an object or point at one to see its matrix".into()),
             |object| {
-                let text = format!("model: object to world, {}", visual_order(&object.name));
+                let text = format!("model: object to world, {}", object.name);
                 (text, "puts the object into its place in the world".into())
             },
         ),

@@ -1,6 +1,6 @@
 //! The menu of the right mouse button: what can be done with what is under the cursor.
 
-use super::{prelude::*, visual_order::visual_order};
+use super::prelude::*;
 use egui::{Id, PointerButton, Popup};
 use glam::DVec2;
 
@@ -49,8 +49,7 @@ pub(super) fn of_object(
 ) {
     Popup::context_menu(on).show(|ui| {
         let object = &state.scene().objects()[index];
-        ui.strong(visual_order(&object.name))
-            .hint("what is under the cursor");
+        ui.strong(&object.name).hint("what is under the cursor");
         ui.separator();
         let mut lines = Lines { ui, commands };
         if let Some(px) = px {

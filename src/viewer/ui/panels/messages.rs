@@ -1,6 +1,6 @@
 //! Messages and progress over the picture.
 
-use super::{hyphens::apart, prelude::*, shown::Shown};
+use super::{prelude::*, shown::Shown};
 use crate::viewer::{
     model::EmptiedBy,
     ui::notice::{Kind, Notices},
@@ -83,7 +83,7 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
                 } else {
                     "this message goes away by itself"
                 };
-                let text = apart(ui, &notice.text, colour);
+                let text = RichText::new(&notice.text).color(colour);
                 ui.add(Label::new(text).wrap())
                     .hint(format!("{what}: {goes}"));
             });

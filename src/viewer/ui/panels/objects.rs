@@ -1,7 +1,10 @@
 //! The list of objects: visibility and selection.
 
-use super::{docks::GUTTER, elided::elided, menu, prelude::*, visual_order::visual_order};
-use egui::{Key, Role, ScrollArea, StrokeKind, TextStyle, UiBuilder, WidgetInfo};
+use super::{docks::GUTTER, menu, prelude::*};
+use egui::{
+    Key, Role, ScrollArea, StrokeKind, TextStyle, UiBuilder, WidgetInfo,
+    text::{LayoutJob, TextWrapping},
+};
 
 /// What is typed to narrow the list, and the rows that are left.
 #[derive(Default)]
@@ -173,10 +176,12 @@ fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
     };
     let font = TextStyle::Body.resolve(ui.style());
     let left = rest.left() + ui.spacing().item_spacing.x;
-    let text = elided(ui, &object.name, &font, rest.right() - left - 4.0);
-    let at = pos2(left, rect.center().y);
+    let mut text = LayoutJob::simple_singleline(object.name.clone(), font, colour);
+    text.wrap = TextWrapping::truncate_at_width(rest.right() - left - 4.0);
     let painter = ui.painter();
-    painter.text(at, Align2::LEFT_CENTER, text, font, colour);
+    let text = painter.layout_job(text);
+    let at = pos2(left, rect.center().y - 0.5 * text.size().y);
+    painter.galley(at, text, colour);
     if name.has_focus() {
         painter.rect_stroke(rest, 3.0, selection.stroke, StrokeKind::Inside);
     }
@@ -186,8 +191,8 @@ fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
     let triangles = object.shape.triangles();
     let triangles = triangles.map(|range| format!(", {} triangles", range.len()));
     let (kind, triangles) = (object.shape.kind(), triangles.unwrap_or_default());
-    let (number, reads) = (index + 1, visual_order(&object.name));
-    let name = name.hint(format!("{number} {reads}: {kind}{triangles}"));
+    let (number, called) = (index + 1, &object.name);
+    let name = name.hint(format!("{number} {called}: {kind}{triangles}"));
     menu::of_object(&name, state, index, None, commands);
     if name.clicked() {
         let selected = (!is_selected).then_some(index);

@@ -5,7 +5,6 @@ use super::{field::short, pane_page::Page, prelude::*};
 use crate::{
     camera::{DepthMapping, View},
     look,
-    pick::Sight,
     viewer::model::{NDC_DRAWN, Stage, Steps},
 };
 use glam::DVec2;
@@ -38,7 +37,6 @@ pub(super) fn show(
     };
     page.lit_row();
     page.followed();
-    page.sought();
     match stage {
         Stage::Object => page.object_axes(),
         Stage::World | Stage::View => page.camera(),
@@ -98,29 +96,6 @@ impl Page<'_> {
         let [x, y, z] = [x, y, z].map(|value| format!("{value:.3}"));
         let hint = "the followed point in this view's own coordinates: the same point in all four";
         self.name(at, format!("({x}, {y}, {z})"), colour, hint);
-    }
-
-    /// The name of the face or vertex that the user went to, and whether the scene's camera sees it.
-    fn sought(&mut self) {
-        let Some(sought) = self.state.sought() else {
-            return;
-        };
-        if self.stage == Stage::Object && self.state.pane_object() != Some(sought.object) {
-            return;
-        }
-        let Some(at) = self.at_stage(sought.point.world()) else {
-            return;
-        };
-        let colour = color32(look::HIT);
-        self.dot(at, 3.5, colour);
-        let sight = match self.state.sight_of_sought() {
-            Some(Sight::Seen(_)) => "seen",
-            Some(Sight::Hidden(_)) => "hidden",
-            _ => "not shown",
-        };
-        let text = format!("{}, {sight}", sought.of.name());
-        let hint = "what you went to by its number, and whether the scene's camera sees it";
-        self.name(at, text, colour, hint);
     }
 
     /// The object's own axes. They start at its origin, or at a corner of its box if the origin is far from it.

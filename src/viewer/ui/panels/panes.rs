@@ -1,6 +1,6 @@
 //! The four views side by side, or one of them large, each with its heading, its mouse actions and its axes.
 
-use super::{axis_cross, menu, pane_labels, prelude::*, visual_order::visual_order};
+use super::{axis_cross, menu, pane_labels, prelude::*};
 use crate::{
     camera::{DepthMapping, View},
     viewer::{
@@ -149,8 +149,7 @@ fn about(state: &State, stage: Stage) -> (String, &'static str) {
             } else {
                 ""
             };
-            let name = visual_order(&object.name);
-            (format!("{name}, before M{mirrors}"), hint)
+            (format!("{}, before M{mirrors}", object.name), hint)
         }
         Stage::World => (
             "depth runs along F; right-handed, after M".into(),

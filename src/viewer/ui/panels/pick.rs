@@ -1,30 +1,21 @@
 //! All that is known about the pick.
 
 use super::{
-    elided::elided,
     in_file, inspect, model_matrix,
     prelude::*,
     value_rows::{Digits, rows},
 };
 use crate::{pick::Pick, viewer::model::PickView};
-use egui::{Role, WidgetInfo};
 
-/// `going_to` is the outcome of the last "go to".
-pub(super) fn show(
-    ui: &mut Ui,
-    state: &State,
-    going_to: Option<&str>,
-    commands: &mut Vec<Command>,
-) {
+pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     if state.method().is_some() {
-        ui.label("Another method picks now. What it says is beside the picture and is not copied or printed.")
+        ui.label("Another method picks now. What it says is beside the picture and is not copied.")
             .hint("Esc: pick by Sightline's own method again");
         return;
     }
     let Some(selection) = state.selection() else {
         ui.weak("Click a surface.")
             .hint("a ray from the eye through the clicked pixel finds what that pixel shows");
-        in_file::go_to(ui, state, going_to, commands);
         return;
     };
     let object = &state.scene().objects()[selection.object];
@@ -34,16 +25,14 @@ pub(super) fn show(
             let id = ui.weak(format!("object {}", selection.object + 1));
             id.hint("its number in the list, and in what is copied");
             ui.with_layout(Layout::left_to_right(Align::Max), |ui| {
-                let font = FontId::proportional(18.0);
-                let text = elided(ui, &object.name, &font, ui.available_width());
-                let name = ui.add(Label::new(RichText::new(text).font(font).strong()).extend());
-                name.widget_info(|| WidgetInfo::labeled(Role::Label, true, &object.name));
+                let text = RichText::new(&object.name).size(18.0).strong();
+                let name = Label::new(text).truncate().show_tooltip_when_elided(false);
+                let name = ui.add(name);
                 let hint = "the selected object, as its file calls it";
                 name.hint(format!("{}: {hint}", object.name));
             });
         });
     });
-    in_file::go_to(ui, state, going_to, commands);
     // It comes first, so that it stays in place while edits change the rest.
     model_matrix::show(ui, state, selection.object, commands);
     let digits = Digits::of(&state.scene().bounds());

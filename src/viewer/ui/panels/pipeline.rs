@@ -8,7 +8,6 @@ use super::{
     matrix_rows::{columns, determinant, fitted, rows, title},
     plane_slider,
     prelude::*,
-    visual_order::visual_order,
 };
 use crate::{
     camera::View,
@@ -59,7 +58,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let (title, values) = match (of_point, followed, state.cursor()) {
         (Some(object), Some(followed), _) => {
             let what = ["Under the cursor", "The pick"][usize::from(followed.is_picked)];
-            let title = format!("{what}: {}", visual_order(&object.name));
+            let title = format!("{what}: {}", object.name);
             let behind = "The picked point lies behind the eye now";
             Steps::follow(view, object, followed.point_object).map_or_else(
                 || (behind.into(), Values::default()),

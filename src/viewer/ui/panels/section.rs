@@ -49,16 +49,6 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let to = || lay(state.section_along_pick());
     let has_face = state.picked_face().is_some();
     button("face", "section along the face", hint, has_face, &to);
-    let wanted = state.points_wanted();
-    let word = match wanted {
-        None => "3 points".to_owned(),
-        Some(1) => "1 more pick".to_owned(),
-        Some(more) => format!("{more} more picks"),
-    };
-    let hint = "lay the plane through the next three picks; the side from which they run counter-clockwise is kept; click again to cancel";
-    let name = "section by three points";
-    let next = Action::SectionByPoints(wanted.is_none());
-    button(&word, name, hint, true, &|| Some(next));
     if let Some(section) = section {
         let hint = "keep the other side";
         let to = || lay(Some(section.flipped()));

@@ -4,7 +4,7 @@ use super::{docks::Docks, objects::Filter, status::Statistics};
 use crate::viewer::{
     jobs::{Chart, Checking},
     model::State,
-    ui::{command::Intent, notice::Notices, path_question::PathQuestion, theme::Look, tour::Tour},
+    ui::{command::Intent, notice::Notices, theme::Look, tour::Tour},
 };
 use egui::TextureId;
 use std::path::PathBuf;
@@ -39,8 +39,6 @@ pub(in crate::viewer) struct Shown<'a> {
     pub offers_tour: bool,
     /// What would drop edits, while the question about that is open.
     pub question: Option<&'a Intent>,
-    /// The question for a path, where the desktop shows no file dialog.
-    pub path_question: Option<&'a mut PathQuestion>,
     /// The study's chart of what breaks, in the gallery.
     pub chart: Option<&'a Chart>,
     /// The comparison of drawn and picked.
@@ -53,8 +51,6 @@ pub(in crate::viewer) struct Shown<'a> {
     pub docks: &'a mut Docks,
     /// The look that the user chose for the panels.
     pub look: Look,
-    /// The outcome of the last "go to" of an object, a face or a vertex.
-    pub going_to: Option<&'a str>,
     /// The files of scenes that were opened before, the last first.
     pub recent: &'a [Vec<PathBuf>],
     /// What narrows the list of objects.

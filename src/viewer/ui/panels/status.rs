@@ -1,7 +1,6 @@
 //! The line at the bottom: times, the adapter, the projection, and what is under the cursor.
 
-use super::{elided::elided, prelude::*};
-use egui::TextStyle;
+use super::prelude::*;
 use std::time::Duration;
 
 /// For so long after a picture the line says how long it took, in seconds.
@@ -28,10 +27,12 @@ pub(super) fn show(ui: &mut Ui, state: &State, statistics: &Statistics) {
     let from_right = Layout::right_to_left(Align::Center);
     ui.allocate_ui_with_layout(whole, from_right, |ui| {
         if let Some(object) = state.hover() {
-            let font = TextStyle::Body.resolve(ui.style());
             let name = &state.scene().objects()[object].name;
-            let name = elided(ui, name, &font, 0.5 * ui.available_width());
-            ui.label(name).hint("what is under the cursor");
+            ui.scope(|ui| {
+                ui.set_max_width(0.5 * ui.available_width());
+                let name = Label::new(name).truncate();
+                ui.add(name).hint("what is under the cursor");
+            });
             ui.separator();
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {

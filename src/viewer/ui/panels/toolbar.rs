@@ -2,8 +2,8 @@
 //! its end.
 
 use super::{
-    docks::{PanelKind, Side},
-    elided,
+    docks::Side,
+    field::text_width,
     prelude::*,
     shown::Shown,
     tools::{Does, Tool, groups},
@@ -23,12 +23,7 @@ const ICON: f32 = 18.0;
 /// Width in points of what stands at the end: the menu and the buttons that fold sides.
 const END: f32 = 100.0;
 
-pub(super) fn show(
-    ui: &mut Ui,
-    shown: &mut Shown,
-    panels: &[PanelKind],
-    commands: &mut Vec<Command>,
-) {
+pub(super) fn show(ui: &mut Ui, shown: &mut Shown, commands: &mut Vec<Command>) {
     let groups = groups(shown);
     let shows = fit(ui, &groups, ui.available_width() - END);
     ui.horizontal(|ui| {
@@ -54,10 +49,9 @@ pub(super) fn show(
                 (Side::Right, "\u{25e8}", "right side"),
                 (Side::Left, "\u{25e7}", "left side"),
             ] {
-                let has_any = !shown.docks.at(side, panels).is_empty();
                 let on = shown.docks.showing[side as usize];
                 let fold = Button::selectable(on, icon(picture)).frame_when_inactive(true);
-                let fold = ui.add_enabled(has_any, fold).named(name);
+                let fold = ui.add(fold).named(name);
                 let hint =
                     "show or fold the panels at this side; the picture keeps half of the window";
                 if fold.hint(hint).clicked() {
@@ -77,7 +71,7 @@ fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> Vec<Shows> {
     let font = TextStyle::Button.resolve(ui.style());
     let width = |group: &[Tool], named: bool| -> f32 {
         let tool = |tool: &Tool| {
-            let name = || elided::width(ui, tool.name.to_owned(), &font) + spacing.icon_spacing;
+            let name = || text_width(ui, tool.name, &font) + spacing.icon_spacing;
             padding + gap + ICON + if named { name() } else { 0.0 }
         };
         group.iter().map(tool).sum::<f32>() + 6.0 + gap

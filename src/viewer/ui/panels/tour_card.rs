@@ -1,11 +1,11 @@
 //! The tour's step, in a strip below picture and panels, and the offer of the tour to a new user.
 
-use super::{hyphens::apart, messages::plate, prelude::*};
+use super::{messages::plate, prelude::*};
 use crate::viewer::ui::{
     command::TourMove,
     tour::{Step, Tour},
 };
-use egui::{Frame, Panel, ScrollArea};
+use egui::{Frame, Panel, ScrollArea, TextStyle};
 
 /// The gaps between the offer and the picture's corner, in points. The grid's step stands below the offer.
 const MARGIN: Vec2 = vec2(12.0, 28.0);
@@ -45,20 +45,21 @@ pub(super) fn strip(ui: &mut Ui, tour: Tour, state: &State, commands: &mut Vec<C
 
 /// How high a step's text is, in points.
 fn height(ui: &Ui, step: &Step, state: &State, width: f32) -> f32 {
+    let font = TextStyle::Body.resolve(ui.style());
     let now = step.now(state).unwrap_or_default();
     let paragraphs = [step.task, step.why, &now].into_iter();
     let heights = paragraphs.filter(|text| !text.is_empty()).map(|text| {
-        let mut job = apart(ui, text, Color32::WHITE);
-        job.wrap.max_width = width;
-        ui.painter().layout_job(job).size().y + GAP
+        let galley = ui
+            .painter()
+            .layout(text.to_owned(), font.clone(), Color32::WHITE, width);
+        galley.size().y + GAP
     });
     heights.sum()
 }
 
 fn text(ui: &mut Ui, step: &Step, state: &State) {
     let hint = "what to do now: the window notices when it is done";
-    let task = apart(ui, step.task, ui.visuals().strong_text_color());
-    ui.label(task).hint(hint);
+    ui.strong(step.task).hint(hint);
     if let Some(now) = step.now(state) {
         let now = RichText::new(now).strong().italics();
         ui.label(now).hint("with the view in this window now");

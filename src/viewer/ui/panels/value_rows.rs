@@ -1,8 +1,7 @@
 //! Tables with a name and a value in each row, and how their numbers are written.
 
 use super::{
-    elided::width,
-    field::{char_width, value_text},
+    field::{char_width, text_width, value_text},
     prelude::*,
 };
 use crate::geometry::Aabb;
@@ -90,7 +89,7 @@ fn stacked(value: &str) -> String {
 /// room side by side.
 pub(super) fn rows(ui: &mut Ui, salt: &str, rows: &[(&str, String, &str)]) {
     let font = TextStyle::Body.resolve(ui.style());
-    let names = (rows.iter()).map(|(name, ..)| width(ui, (*name).to_owned(), &font));
+    let names = (rows.iter()).map(|(name, ..)| text_width(ui, name, &font));
     // A column of a grid is at least as wide as a button.
     let names = names.fold(ui.spacing().interact_size.x, f32::max);
     let room = ui.available_width() - names - ui.spacing().item_spacing.x;

@@ -27,7 +27,7 @@ pub(super) fn show(
         Side::Left => (Panel::left("left side"), TO_BORDER, TO_PICTURE),
         Side::Right => (Panel::right("right side"), TO_PICTURE, TO_BORDER),
     };
-    let here = shown.docks.at(side, panels);
+    let here = side.of(panels);
     let mut frame = Frame::side_top_panel(ui.style());
     (frame.inner_margin.left, frame.inner_margin.right) = (left, right);
     let panel = panel.exact_size(width?).resizable(false).frame(frame);
@@ -81,7 +81,7 @@ fn wing(ui: &mut Ui, here: &[PanelKind], shown: &mut Shown, commands: &mut Vec<C
 /// The least height of panels, one below the other, in points.
 fn least_height(panels: &[PanelKind], docks: &Docks) -> f32 {
     let each = panels.iter().map(|panel| {
-        let open = !docks.places[*panel as usize].folded;
+        let open = !docks.folded[*panel as usize];
         HEADING + if open { panel.least_height() } else { 0.0 }
     });
     each.sum()
@@ -116,26 +116,15 @@ fn body(
     });
 }
 
-/// A panel's heading: it folds the panel and moves it to the other side. Returns whether the panel is open.
+/// A panel's heading, which folds the panel. Returns whether the panel is open.
 fn header(ui: &mut Ui, panel: PanelKind, shown: &mut Shown, commands: &mut Vec<Command>) -> bool {
-    let place = shown.docks.places[panel as usize];
+    let folded = shown.docks.folded[panel as usize];
     let title = match shown.state.showing() {
         Some(showing) if panel == PanelKind::Gallery => showing.exhibit.title(),
         _ => panel.name().to_owned(),
     };
     ui.horizontal(|ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let other = match place.side {
-                Side::Left => ("\u{27a1}", "to the right"),
-                Side::Right => ("\u{2b05}", "to the left"),
-            };
-            let over = ui.add(Button::new(other.0).small().frame_when_inactive(false));
-            let over = over.named(&format!("move {} {}", panel.name(), other.1));
-            let hint = "move this panel to the other side of the picture";
-            if over.hint(hint).clicked() {
-                shown.docks.places[panel as usize].side = place.side.other();
-                shown.docks.open(place.side.other());
-            }
             if panel == PanelKind::Camera {
                 camera::copy(ui, commands);
             }
@@ -143,7 +132,7 @@ fn header(ui: &mut Ui, panel: PanelKind, shown: &mut Shown, commands: &mut Vec<C
                 pipeline::close(ui, commands);
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let (mark, hint) = if place.folded {
+                let (mark, hint) = if folded {
                     ("\u{23f5}", "show this panel")
                 } else {
                     ("\u{23f7}", "fold this panel")
@@ -151,12 +140,12 @@ fn header(ui: &mut Ui, panel: PanelKind, shown: &mut Shown, commands: &mut Vec<C
                 let text = RichText::new(format!("{mark} {title}")).heading();
                 let heading = ui.add(Button::new(text).frame(false).truncate());
                 if heading.named(panel.name()).hint(hint).clicked() {
-                    shown.docks.places[panel as usize].folded = !place.folded;
+                    shown.docks.folded[panel as usize] = !folded;
                 }
             });
         });
     });
-    !place.folded
+    !folded
 }
 
 fn contents(ui: &mut Ui, panel: PanelKind, shown: &mut Shown, commands: &mut Vec<Command>) {
@@ -169,7 +158,7 @@ fn contents(ui: &mut Ui, panel: PanelKind, shown: &mut Shown, commands: &mut Vec
         }
         PanelKind::Camera => camera::show(ui, state, commands),
         PanelKind::Pipeline => pipeline::show(ui, state, commands),
-        PanelKind::Pick => pick::show(ui, state, shown.going_to, commands),
+        PanelKind::Pick => pick::show(ui, state, commands),
         PanelKind::Measure => measure::show(ui, state, commands),
         PanelKind::Objects => {
             objects::show(ui, state, shown.filter, shown.reveal_selection, commands);
