@@ -112,9 +112,9 @@ complete -c sightline -n "__fish_sightline_using_subcommand pick" -s h -l help -
 complete -c sightline -n "__fish_sightline_using_subcommand list" -s v -l verbose -d 'Say on stderr what is being done'
 complete -c sightline -n "__fish_sightline_using_subcommand list" -l json -d 'Print one line of JSON for each object, with all digits'
 complete -c sightline -n "__fish_sightline_using_subcommand list" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c sightline -n "__fish_sightline_using_subcommand study" -s o -l out -d 'A folder for study.csv, summary.csv and the charts, with separate ones for SCENE; created if missing' -r -F
+complete -c sightline -n "__fish_sightline_using_subcommand study" -s o -l out -d 'A folder for study.csv, summary.csv and the charts; created if missing' -r -F
 complete -c sightline -n "__fish_sightline_using_subcommand study" -l seed -d 'The seed of the random numbers; the same seed gives the same verdicts on every machine' -r
-complete -c sightline -n "__fish_sightline_using_subcommand study" -l budget -d 'Instead of the study, say which precision keeps the scene\'s errors within PX pixels' -r
+complete -c sightline -n "__fish_sightline_using_subcommand study" -l budget -d 'Instead of the study, say which precision keeps SCENE\'s errors within PX pixels' -r
 complete -c sightline -n "__fish_sightline_using_subcommand study" -l size -d 'Size of the picture, or of the window, in pixels [default: 1280x720]' -r
 complete -c sightline -n "__fish_sightline_using_subcommand study" -l eye -d 'Where the eye stands' -r
 complete -c sightline -n "__fish_sightline_using_subcommand study" -l target -d 'The point that the eye looks at' -r

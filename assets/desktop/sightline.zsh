@@ -116,10 +116,10 @@ _arguments "${_arguments_options[@]}" : \
 ;;
 (study)
 _arguments "${_arguments_options[@]}" : \
-'-o+[A folder for study.csv, summary.csv and the charts, with separate ones for SCENE; created if missing]:DIR:_files' \
-'--out=[A folder for study.csv, summary.csv and the charts, with separate ones for SCENE; created if missing]:DIR:_files' \
+'-o+[A folder for study.csv, summary.csv and the charts; created if missing]:DIR:_files' \
+'--out=[A folder for study.csv, summary.csv and the charts; created if missing]:DIR:_files' \
 '--seed=[The seed of the random numbers; the same seed gives the same verdicts on every machine]:N:_default' \
-'(-o --out --quick)--budget=[Instead of the study, say which precision keeps the scene'\''s errors within PX pixels]:PX:_default' \
+'(-o --out --quick)--budget=[Instead of the study, say which precision keeps SCENE'\''s errors within PX pixels]:PX:_default' \
 '--size=[Size of the picture, or of the window, in pixels \[default\: 1280x720\]]:WxH:_default' \
 '--eye=[Where the eye stands]:X,Y,Z:_default' \
 '--target=[The point that the eye looks at]:X,Y,Z:_default' \
@@ -139,7 +139,7 @@ _arguments "${_arguments_options[@]}" : \
 '--cull[Show and hit front faces only]' \
 '-h[Print help (see more with '\''--help'\'')]' \
 '--help[Print help (see more with '\''--help'\'')]' \
-'*::scenes -- What to study besides the study'\''s own workloads\: .obj or scene .toml files, or gallery\:NAME \[default\: none; with --budget the demo\]:_files' \
+'*::scenes -- .obj or .toml files, or gallery\:NAME; ids run on \[default\: the demo\]:_files' \
 && ret=0
 ;;
 (verify)

@@ -275,7 +275,8 @@ impl Camera {
 
 /// The unit vector along `v`; `None` where it has no length.
 fn unit(v: DVec3) -> Option<DVec3> {
-    (v != DVec3::ZERO).then(|| v.normalize())
+    let size = v.abs().max_element();
+    (size > 0.0).then(|| (v / size).normalize())
 }
 
 fn in_range(vector: DVec3, name: &'static str) -> Result<DVec3, CameraError> {

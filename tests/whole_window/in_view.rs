@@ -269,10 +269,11 @@ fn esc_ends_a_comparison_that_waits_and_nothing_else() {
     assert_eq!(selected(&window), None);
 }
 
-/// `f32` cannot hold such near planes. V says what follows from that, and what to do.
+/// In standard depth `f32` cannot hold such near planes. V says what follows from that, and what to do.
 #[test]
 fn a_view_beyond_f32_says_what_to_do() {
     let (mut window, _folder) = row(1.0);
+    click_on(&mut window, "standard");
     let views = [
         ("1", None),
         ("1e-33", Some("f32 is too coarse to draw this view.")),
