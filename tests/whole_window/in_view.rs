@@ -276,7 +276,8 @@ fn a_view_beyond_f32_says_what_to_do() {
     click_on(&mut window, "standard");
     let views = [
         ("1", None),
-        ("1e-33", Some("f32 is too coarse to draw this view.")),
+        ("1e-6", Some("f32 is too coarse to draw this view.")),
+        ("1e-33", Some("Nothing is drawn where picks hit.")),
     ];
     for (near, said) in views {
         type_into(&mut window, "near", near);
