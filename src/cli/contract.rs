@@ -9,6 +9,8 @@ What a pick is:
   picture's height h (in perspective at depth 1), near, far and the size W x H.
   Each object stores the 12 numbers of its matrix M; each mesh its vertices, f32
   about an f64 origin, which lie at M (origin + vertex). --stored prints them.
+  Numbers larger than 2^110 (about 1.3e33) are refused, or in a file left out;
+  those smaller than 2^-110 are stored as 0.
   With a = (h / H) ((2 X - W) R + (H - 2 Y) U) the ray of a position X,Y is
     eye + t (F + a)      in perspective
     eye + a + t F        with --ortho
@@ -32,7 +34,7 @@ What a hit is, in the object's own space:
   sphere    radius 1/2 about 0,0,0: the ray enters (front) and leaves (back). A
             ray that only touches it hits it once, and not from the front.
   Front and back stay what they are there under a matrix that mirrors. A matrix
-  without an inverse that f64 holds is refused.";
+  without an inverse in the range of numbers is refused.";
 
 /// What the fields of a pick's line mean.
 pub(super) const FIELDS: &str = "\
@@ -92,12 +94,12 @@ The lines of --snap R, one for each --at, with px:
   file_error       where snap is null: why edges that are near did not count
   Vertices are measured as the file writes them, an object's area as its mesh
   is stored. The nearest visible vertex is taken, else the nearest visible point
-  of an edge, else the pick; edges that only
-  split a polygon into triangles do not count, nor do any of a file that does
-  not say which those are. Of several that are exactly as near, the one with the
-  least depth is taken, then the first object, then the first triangle. The area
-  of a face is the sum over its triangles in the mesh: the face's own area, if
-  it is flat and does not cross itself.";
+  of an edge, else the pick; edges that only split a polygon into triangles do
+  not count, nor do any of a file that does not say which those are. Of several
+  that are exactly as near, the one with the least depth is taken, then the
+  first object, then the first triangle. The area of a face is the sum over its
+  triangles in the mesh: the face's own area, if it is flat and does not cross
+  itself.";
 
 /// What the line of `--stored` holds.
 pub(super) const NUMBERS: &str = "\

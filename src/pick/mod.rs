@@ -9,7 +9,8 @@
 //! in perspective), near and far; a [`View`] adds the picture's W x H pixels. An object stores its model matrix M, a
 //! mesh its `f32` vertices about one `f64` origin, which lie at M (origin + vertex) in the world. They count exactly as
 //! stored: the axes as rounded, h and not the angle that it came from, the matrix and not its inverse.
-//! `sightline pick --stored` prints them with all digits.
+//! `sightline pick --stored` prints them with all digits. They have a [`range`](crate::geometry::range): a larger number
+//! is refused, a smaller one is stored as 0.
 //!
 //! **The ray** of a position x, y in pixels, with nothing rounded:
 //!
@@ -40,7 +41,7 @@
 //!   it once, and not from the front.
 //!
 //! **Front** is decided in object space: a hit is at the front where the ray runs against the outward normal there,
-//! also under a mirroring matrix. A singular matrix is refused, as is one whose inverse does not fit into `f64`
+//! also under a mirroring matrix. A singular matrix is refused, as is one whose inverse is beyond the range of numbers
 //! ([`PlacementError`](crate::geometry::PlacementError)).
 //!
 //! # What a record adds

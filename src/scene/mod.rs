@@ -227,7 +227,7 @@ impl Scene {
     /// Hides these objects. An index may occur more than once.
     ///
     /// # Panics
-    /// When an index names no object.
+    /// When an index names no object. No object is then hidden.
     pub fn hide(&mut self, objects: &[usize]) {
         let is_shown = |object: &usize| self.objects[*object].visible;
         let shown: BTreeSet<usize> = objects.iter().copied().filter(is_shown).collect();
