@@ -9,7 +9,7 @@
 //! Hits, orders and the numbers of a pick's record (parameters, points, distances in the picture) are first tried in
 //! pairs of `f64` with bounds ([`enclosure`]). These pairs count where they round to what integers would.
 //!
-//! Integers have 128, 256, 512 or 1024 bits where that is enough, else any number. (Floating-point expansions, Shewchuk
+//! Integers have 128 or 512 bits where that is enough, else any number. (Floating-point expansions, Shewchuk
 //! 1997, fail as soon as a product underflows.)
 
 mod big_number;
