@@ -230,6 +230,22 @@ fn what_is_not_finite_is_missed() {
                 assert_eq!(t_of(test, RAY, corners), None, "{bad} as corner {i}");
             }
         }
+        // Nor is a ray hit whose numbers are beyond the range; small ones are stored as 0.
+        for (beyond, stored) in [(1.3e33, None), (-1.3e33, None), (1e-34, Some(3.0))] {
+            let mut ray = RAY;
+            ray[0] = beyond;
+            assert_eq!(t_of(test, ray, TRIANGLE), None, "{beyond}");
+            let [x, y, z, dx, dy, dz, t_min, t_max] = ray;
+            let ray = Ray {
+                origin: DVec3::new(x, y, z),
+                direction: DVec3::new(dx, dy, dz),
+                t_min,
+                t_max,
+            };
+            let ray = ray.stored().map(VertexRay::exact);
+            let hit = ray.and_then(|ray| test(&ray, TRIANGLE.map(DVec3::from)));
+            assert_eq!(hit.map(|hit| hit.t), stored, "{beyond}");
+        }
     }
 }
 

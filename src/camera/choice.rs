@@ -100,12 +100,11 @@ impl CameraChoice {
             depth: self.depth.unwrap_or_default(),
         };
         lens.check()?;
-        if let Some(look) = self.look {
-            in_range(look, "direction")?;
-        }
+        let look = self.look.map(|look| in_range(look, "direction"));
+        let look = look.transpose()?;
         check_size(bounds_world)?;
         let framing = Orbit::framing(bounds_world, up_axis, fov_y, viewport.aspect());
-        let camera = |up: DVec3| match (self.look, self.target) {
+        let camera = |up: DVec3| match (look, self.target) {
             (Some(look), _) => {
                 let along = unit(look).map_or(look, |unit| unit * framing.distance());
                 let eye = self.eye.unwrap_or(framing.target() - along);

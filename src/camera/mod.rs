@@ -42,7 +42,7 @@ pub struct Camera {
 #[non_exhaustive]
 pub enum CameraError {
     /// Eye, target, direction or up has a number beyond the range of numbers; see [`range`].
-    #[error("the camera's {0} has a number that is not one up to 1.29e33")]
+    #[error("the numbers of the camera's {0} must be at most 1.29e33 in size")]
     OutOfRange(&'static str),
     /// There is no direction to look along.
     #[error(

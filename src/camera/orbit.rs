@@ -53,7 +53,8 @@ impl Orbit {
     const FRAMING: DVec3 = DVec3::new(1.0, 0.8, 1.6);
     /// The margin around a framed scene, as a factor.
     const MARGIN: f64 = 1.08;
-    /// The least and greatest zoom distance, in world units. Near, far and eye then stay within the range of numbers.
+    /// The least and greatest zoom distance, in world units. Near, far and eye then stay within the range of
+    /// numbers, unless the target is near its end.
     pub(super) const DISTANCES: (f64, f64) = (1e-27, 5e32);
 
     /// The view of a camera. Its own up becomes the orbit's axis, unless the camera is upright for `up_axis`.
@@ -164,7 +165,8 @@ impl Orbit {
     /// The camera that shows this view. Its up is the view's own U.
     ///
     /// # Errors
-    /// When the lens is not valid, or the target is so far from the origin that the eye rounds to the same point.
+    /// When the lens is not valid, the target is so far from the origin that the eye rounds to the same point, or the eye
+    /// is beyond the range of numbers.
     pub fn camera(&self, lens: Lens) -> Result<Camera, CameraError> {
         Camera::new(self.eye(), self.target, self.axes().y_axis, lens)
     }

@@ -9,8 +9,8 @@ What a pick is:
   picture's height h (in perspective at depth 1), near, far and the size W x H.
   Each object stores the 12 numbers of its matrix M; each mesh its vertices, f32
   about an f64 origin, which lie at M (origin + vertex). --stored prints them.
-  Numbers larger than 2^110 (about 1.3e33) are refused, or in a file left out;
-  those smaller than 2^-110 are stored as 0.
+  Numbers larger than 2^110 (about 1.3e33) are refused; of an OBJ file the faces
+  that use one are left out. Those smaller than 2^-110 are stored as 0.
   With a = (h / H) ((2 X - W) R + (H - 2 Y) U) the ray of a position X,Y is
     eye + t (F + a)      in perspective
     eye + a + t F        with --ortho

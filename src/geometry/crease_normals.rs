@@ -72,7 +72,6 @@ pub fn crease_normals(
     triangles: &[[u32; 3]],
     crease: f32,
 ) -> CornerNormals {
-    // There are four passes through all triangles or vertices.
     let face = |corners: &[u32; 3]| face_normal(corners.map(|i| positions[i as usize]));
     let of_faces = in_pieces(triangles.len(), |piece| {
         triangles[piece].iter().map(face).collect::<Vec<_>>()

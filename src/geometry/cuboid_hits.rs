@@ -66,7 +66,7 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     }
 }
 
-/// Whether the bounds on a slab's entry and exit hold; false for NaN.
+/// Whether the bounds on a slab's entry and exit hold; false for NaN, which an exact 0 of the direction gives.
 #[inline]
 fn is_bounded_across(d: f64, d_error: f64, [enter, leave]: [Approximate; 2]) -> bool {
     d_error <= SMALL * d.abs() && enter.error + leave.error < f64::INFINITY

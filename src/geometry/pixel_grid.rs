@@ -1,6 +1,6 @@
 //! The numbers that a pixel's ray is made of, and how the ray changes from pixel to pixel.
 
-use super::{double_double::Number, vector::V3};
+use super::{double_double::Number, range, vector::V3};
 use glam::{DVec2, DVec3};
 use std::ops::Add;
 
@@ -57,6 +57,20 @@ impl PixelGrid {
             right: DVec3::X,
             up: DVec3::Y,
             forward: DVec3::Z,
+            ..*self
+        }
+    }
+
+    /// Its numbers as they are stored; NaN in place of one that is too large.
+    #[inline]
+    pub(super) fn stored(&self) -> Self {
+        let axis = |v: DVec3| range::stored_vector(v).unwrap_or(DVec3::NAN);
+        Self {
+            eye: axis(self.eye),
+            right: axis(self.right),
+            up: axis(self.up),
+            forward: axis(self.forward),
+            half_height: range::stored(self.half_height).unwrap_or(f64::NAN),
             ..*self
         }
     }

@@ -1,6 +1,6 @@
 //! The rays through a picture's pixels, rounded, with bounds on their errors.
 
-use super::{PixelGrid, Ray, RayError, Section, U, WorldRay, line::Line};
+use super::{PixelGrid, Ray, RayError, Section, U, WorldRay, line::Line, range};
 use glam::{DVec2, DVec3};
 
 impl PixelGrid {
@@ -14,13 +14,15 @@ impl PixelGrid {
         self.rays(interval).ray(px)
     }
 
-    /// The rays of the whole picture, with the interval of view depth that counts.
+    /// The rays of the whole picture, with the interval of view depth that counts. The grid's numbers are
+    /// [`stored`](range::stored); with one that is too large they hit nothing.
     #[inline]
     pub fn rays(&self, interval: [f64; 2]) -> PixelRays {
-        let per_half_px = self.per_half_px::<f64>();
-        let [right, up] = [self.right, self.up].map(|axis| per_half_px * axis);
+        let grid = self.stored();
+        let per_half_px = grid.per_half_px::<f64>();
+        let [right, up] = [grid.right, grid.up].map(|axis| per_half_px * axis);
         PixelRays {
-            grid: *self,
+            grid,
             interval,
             section: None,
             right,
@@ -64,7 +66,8 @@ impl PixelRays {
         let size = a.abs() + b.abs();
         let rounded_base = DVec3::select(size.cmpgt(DVec3::ZERO), U * moved.abs(), DVec3::ZERO);
         let [right, up] = self.grid.half_pixels::<f64>(px);
-        let error = if right.is_finite() && up.is_finite() {
+        // A position beyond the range of numbers has no bound.
+        let error = if right.abs().max(up.abs()) <= range::LARGEST {
             7.0 * U * size + rounded_base
         } else {
             DVec3::INFINITY

@@ -138,11 +138,10 @@ impl Placement {
     }
 
     /// The outward unit normal in world space, from an outward normal in object space. The inverse transpose keeps it
-    /// outward under mirroring.
+    /// outward under mirroring. Zero stays zero.
     #[inline]
     pub fn normal_to_world(&self, normal_object: DVec3) -> DVec3 {
-        let normal = self.inverse_linear.transpose() * normal_object;
-        normal * normal.length_squared().sqrt().recip()
+        (self.inverse_linear.transpose() * normal_object).normalize_or_zero()
     }
 }
 

@@ -5,13 +5,13 @@ use glam::DVec3;
 
 /// A half-line with an interval of its parameter. Its numbers are taken as exact.
 ///
-/// In any space, with lengths in that space's units. Origin and direction are in the range of numbers ([`range`]): a
-/// shape is missed by a ray with a number that is not, smaller ones too. [`Ray::stored`] makes those 0.
+/// In any space, with lengths in that space's units. The numbers of origin and direction are in range ([`range`]). A ray
+/// with one that is larger, or smaller and not 0, hits no shape; [`Ray::stored`] makes small ones 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// Where `t = 0` lies.
     pub origin: DVec3,
-    /// Step for one unit of `t`; any finite, non-zero length.
+    /// Step for one unit of `t`; any non-zero length.
     pub direction: DVec3,
     /// Hits before this do not count.
     pub t_min: f64,

@@ -29,7 +29,7 @@ pub struct Section {
 #[non_exhaustive]
 pub enum SectionError {
     /// A number is beyond the range of numbers; see [`range`].
-    #[error("a section's numbers must be numbers up to 1.29e33")]
+    #[error("a section's numbers, and what follows from them, must be at most 1.29e33 in size")]
     OutOfRange,
     /// A normal of 0 has no direction.
     #[error("a section's normal must not be 0,0,0")]
@@ -73,6 +73,7 @@ impl Section {
         let points = [a, b, c];
         let normal = exact::normal_of(points).ok_or(SectionError::OneLine)?;
         let normal = normal.normalize() + DVec3::ZERO;
+        let normal = range::stored_vector(normal).unwrap_or(normal);
         let offsets = points.into_iter().map(|point| -normal.dot(point));
         Self::new(normal, offsets.fold(f64::NEG_INFINITY, f64::max))
     }
@@ -81,7 +82,7 @@ impl Section {
     /// first step is the largest rounding error of c.
     ///
     /// # Errors
-    /// When no finite c keeps them.
+    /// When no c in range keeps them.
     pub(crate) fn moved_to_keep(
         mut self,
         placement: &Placement,
@@ -96,7 +97,7 @@ impl Section {
             if self.side(world) > 16.0 * U * terms {
                 continue;
             }
-            let mut step = (U * terms).max(f64::from_bits(1));
+            let mut step = (U * terms).max(range::LEAST);
             while !exact::keeps_point((self.normal, self.offset), placement, [origin, point]) {
                 self = Self::new(self.normal, self.offset + step)?;
                 step *= 2.0;

@@ -122,7 +122,7 @@ impl Pick {
             normal_world: placement.normal_to_world(normal) + DVec3::ZERO,
             point_object,
             // Adding 0 turns -0 into 0.
-            normal_object: normal.normalize() + DVec3::ZERO,
+            normal_object: normal.normalize_or_zero() + DVec3::ZERO,
             barycentric: hit.on_triangle.map(barycentric),
             edge_px: edge::edge_px(object, view, px, &hit),
             gap: next.map(|next| order::gap(scene, &ray, (found, &at), next)),

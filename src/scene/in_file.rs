@@ -16,7 +16,7 @@ pub struct VertexInFile {
     /// The stored position in object space: the mesh's origin plus an `f32` offset. `None` where it equals the written
     /// position as `f64`.
     pub stored: Option<DVec3>,
-    /// The written coordinates as `f64`; `None` unless they are three finite numbers.
+    /// The written coordinates as `f64`; `None` unless they are three numbers in range.
     #[serde(skip)]
     pub value: Option<DVec3>,
     /// The stored position, relative to the mesh's origin.

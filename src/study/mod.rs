@@ -17,9 +17,9 @@
 //!
 //! # What the charts teach
 //!
-//! **Precision is not slow.** In a chart of speed against error, a formula takes the same time in `f32` and in `f64`,
+//! **Precision is not slow.** A formula takes the same time in `f32` and in `f64`,
 //! and its errors are nine powers of ten apart. A processor with both in hardware saves next to nothing by `f32` on
-//! single rays; `f32` pays where many rays are computed at once.
+//! single rays.
 //!
 //! **Coordinates lose more than formulas do.** Most digits are lost before any shape is tested. A ray made from a point
 //! in the world, or by the inverse of a matrix that holds the eye's position, loses more digits the further the eye is

@@ -191,9 +191,7 @@ impl Step for PlacedCase {
                 t_min: ray.t_min * stretch,
                 t_max: ray.t_max * stretch,
             };
-            if !(origin.is_finite() && direction.is_finite()) {
-                return None;
-            }
+            let local = local.stored()?;
             let [entry, exit] = match &object.shape {
                 Shape::Sphere => Sphere::hits(&local),
                 Shape::Cube => Cuboid::hits(&local),

@@ -28,6 +28,22 @@ fn folder() -> Folder {
     folder
 }
 
+/// A coordinate that is too small for the range of numbers is 0, also when the file is read again for a pick.
+#[test]
+fn a_coordinate_that_counts_as_0_is_no_other_one_when_read_again() {
+    let folder = Folder::new();
+    let small = "v -1 -1 1e-40\nv 1 -1 0\nv 1e-34 1 0\nf 1 2 3\n";
+    std::fs::write(folder.path("small.obj"), small).unwrap();
+    let lines = folder.json(&format!("pick small.obj {LOOK} --at 100,50"));
+    let hit = &lines[0]["hit"];
+    assert_eq!(
+        [&hit["line"], &hit["file_error"]],
+        [&json!(4), &Value::Null]
+    );
+    assert_eq!(hit["vertices"][2]["written"], "1e-34 1 0");
+    assert_eq!(hit["vertices"][2]["stored"], json!([0.0, 1.0, 0.0]));
+}
+
 #[test]
 fn a_pick_names_file_line_face_and_corners() {
     let folder = folder();

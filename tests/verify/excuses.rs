@@ -165,7 +165,7 @@ fn bumpy_mesh() -> Shape {
     }
 }
 
-/// However large or small the world is: products of lengths leave the range of `f64`.
+/// However large or small the world is: products of lengths leave the range of `f32`.
 #[test]
 fn a_shape_missing_in_worlds_of_any_size() {
     for exponent in [-24, -15, -8, 8, 15, 29] {

@@ -251,6 +251,12 @@ fn planes_farther_off_than_f32_can_hold() {
             assert_eq!(counts.code, Some(1), "{planes}: {}", counts.line);
             assert!(counts.get("picked") > 10_000, "{planes}: {}", counts.line);
             assert!(counts.get("beyond_f32") > 5000, "{planes}: {}", counts.line);
+            assert!(
+                counts.stderr.contains("render --by raycast"),
+                "{}",
+                counts.stderr
+            );
+            assert_eq!(counts.stderr.lines().count(), 1, "{}", counts.stderr);
         }
     }
 }

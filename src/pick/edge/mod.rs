@@ -23,18 +23,17 @@ pub(super) use picture_space::{PictureSpace, Shown};
 
 /// Distance in pixels from `px` to the nearest edge of the triangle or face that was hit there, or to a sphere's
 /// outline. Only what lies at or behind the near plane and is kept by the section counts. `None` when nothing does, as
-/// inside a sphere, or when the distance overflows `f64`.
+/// inside a sphere.
 pub(super) fn edge_px(object: &Object, view: &View, px: DVec2, hit: &Hit) -> Option<f64> {
     let placement = &object.placement;
-    let nearest = if matches!(object.shape, Shape::Sphere) {
+    if matches!(object.shape, Shape::Sphere) {
         sphere_outline::distance_px(&PictureSpace::new(view, px).ok()?, placement)
     } else {
         let (origin, corners) = face_of(object, hit)?;
         polygon_px::<Enclosure>(view, px, placement, origin, &corners)
             .or_else(|InDoubt| polygon_px::<BigInt>(view, px, placement, origin, &corners))
             .ok()?
-    };
-    nearest.filter(|px| px.is_finite())
+    }
 }
 
 /// The triangle or face that was hit: an origin in object space and the corners about it; `None` on a sphere.

@@ -1,4 +1,4 @@
-//! The progress of a load or an upload and its cancellation, shared by the working thread and the window's.
+//! The progress of a load and its cancellation, shared by the working thread and the window's.
 
 use crate::geometry::shares::on_all_cores;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};

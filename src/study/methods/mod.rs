@@ -121,14 +121,15 @@ fn placement(linear: M3<f64>, translation: V3<f64>) -> Option<Placement> {
     Placement::new(DAffine3::from_mat3_translation(matrix, translation.into())).ok()
 }
 
-/// The ray with `t` from 0 to infinity.
+/// The ray with `t` from 0 to infinity, as it is stored.
 fn from_start(origin: V3<f64>, direction: V3<f64>) -> Ray {
-    Ray {
+    let ray = Ray {
         origin: origin.into(),
         direction: direction.into(),
         t_min: 0.0,
         t_max: f64::INFINITY,
-    }
+    };
+    ray.stored().unwrap_or(ray)
 }
 
 /// The first of two parameters that is not negative.

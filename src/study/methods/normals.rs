@@ -74,7 +74,7 @@ impl Case for NormalCase {
         &[Method::ours(F64, OURS, |c: &Self| {
             c.placement.normal_to_world(c.wide.normal.into()).to_array()
         })
-        .because("No size of matrix or normal overflows.")],
+        .because("A normal of 0 stays 0.")],
     ];
     const FAMILIES: &'static [Family<Self>] = &[
         family!("rigid", "-" [1.0] => |random, _| make(random, [1.0; 3], 0.0, false)),

@@ -5,11 +5,11 @@ use crate::{
     colour::Srgb,
     geometry::{
         ColourRun, Cuboid, Mesh, MeshData, Part, Placement, Sphere, Square, clip_points,
-        crease_normals, sin_cos_quarters,
+        crease_normals, range, sin_cos_quarters,
     },
     scene::{Object, Scene, Shape},
 };
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 use std::{collections::HashMap, f64::consts::PI, sync::Arc};
 
 /// How far along the pipeline something is shown.
@@ -126,7 +126,8 @@ fn project(object: &Object, view: &View, rings: u32, data: &mut MeshData) -> Opt
         if object.placement.mirrors() {
             polygon.reverse();
         }
-        if polygon.is_empty() || !polygon.iter().all(|corner| corner.is_finite()) {
+        let in_range = |corner: &Vec3| range::stored_vector(corner.as_dvec3()).is_some();
+        if polygon.is_empty() || !polygon.iter().all(in_range) {
             continue;
         }
         let first = count(data)?;

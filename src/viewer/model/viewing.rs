@@ -104,7 +104,7 @@ impl State {
         if let Shape::Mesh { mesh, part } = shape {
             let corners = mesh.part_bounds(*part).corners();
             let about = Aabb::around(corners.map(|corner| placement.point_to_world(corner)));
-            if (1e-90..1e90).contains(&others.union(about).radius()) {
+            if (1e-20..1e25).contains(&others.union(about).radius()) {
                 return Ok(());
             }
         }

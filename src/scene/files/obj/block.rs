@@ -222,7 +222,7 @@ impl Sorted {
 
     fn normal(&mut self, values: &[u8]) {
         let words = fields(values).take(3);
-        let numbers = words.filter(|word| Number::of(&values[word.clone()]) >= Number::Endless);
+        let numbers = words.filter(|word| Number::of(&values[word.clone()]) >= Number::OutOfRange);
         let ends: Vec<usize> = numbers.map(|word| word.end).collect();
         let numbers = if let [_, _, end] = *ends {
             text(&values[..end])
@@ -275,7 +275,7 @@ fn read_vertex(values: &[u8]) -> Result<(usize, Option<usize>), BadLine> {
     if coordinates.contains(&Number::Not) {
         return Err(BadLine::Vertex);
     }
-    if coordinates.contains(&Number::Endless) {
+    if coordinates.contains(&Number::OutOfRange) {
         return Err(BadLine::OutOfRange);
     }
     let is_coloured = !colour.contains(&Number::Not);

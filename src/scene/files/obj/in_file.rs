@@ -1,6 +1,9 @@
 //! Parses a vertex as the loader does, for [`VertexInFile`]. Also the errors of reading a file again.
 
-use super::words::{Number, fields};
+use super::{
+    vertices::position,
+    words::{Number, fields},
+};
 use crate::scene::{Cancelled, FileError, VertexInFile};
 use glam::DVec3;
 use std::{io, path::PathBuf};
@@ -47,13 +50,13 @@ impl VertexInFile {
         let number_of = |word: &&[u8]| {
             let text = std::str::from_utf8(word).ok();
             let value = text.and_then(|text| text.parse::<f64>().ok());
-            value.filter(|_| Number::of(word) == Number::Finite)
+            value.filter(|_| Number::of(word) == Number::InRange)
         };
         let values: Option<Vec<f64>> = words.iter().map(number_of).collect();
         let value = values.and_then(|values| <[f64; 3]>::try_from(values).ok());
         let value = value.map(DVec3::from_array);
-        let position = value.map(|value| (value - origin).as_vec3().as_dvec3());
-        let position = position.unwrap_or_default();
+        let position = value.and_then(|value| position(value, origin));
+        let position = position.unwrap_or_default().as_dvec3();
         let stored =
             Some(origin + position).filter(|stored| value.is_some_and(|value| value != *stored));
         let words = words.iter().map(|word| String::from_utf8_lossy(word));

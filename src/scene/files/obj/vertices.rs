@@ -87,11 +87,11 @@ impl Stored {
         } = &block.0;
         let mut nowhere = HashSet::new();
         let positions = (0..).zip(used_of(block, positions)).map(|(index, v)| {
-            let Some(v) = range::stored_vector(v) else {
+            let position = position(v, origin);
+            if position.is_none() {
                 nowhere.insert(index);
-                return [0.0; 3];
-            };
-            (v - origin).as_vec3().to_array()
+            }
+            position.unwrap_or_default().to_array()
         });
         let positions: Vec<_> = positions.collect();
         let colours = if coloured && colours.is_empty() {
@@ -143,6 +143,12 @@ impl Stored {
     pub fn any_nowhere(&self, places: &[u32]) -> bool {
         !self.nowhere.is_empty() && places.iter().any(|place| self.nowhere.contains(place))
     }
+}
+
+/// The position that a mesh stores of a vertex, relative to the origin; `None` for a number beyond the range.
+pub(super) fn position(vertex: DVec3, origin: DVec3) -> Option<Vec3> {
+    let position = (range::stored_vector(vertex)? - origin).as_vec3();
+    Some(range::stored_vector(position.as_dvec3())?.as_vec3())
 }
 
 /// For each vertex, whether a face uses it.

@@ -21,9 +21,9 @@ pub(super) enum Number {
     /// The word is no number.
     Not,
     /// `nan`, `inf` or beyond the range of numbers.
-    Endless,
+    OutOfRange,
     /// A number in range.
-    Finite,
+    InRange,
 }
 
 impl Number {
@@ -37,11 +37,11 @@ impl Number {
         let few =
             whole.len() < MOST_WHOLE && whole.len() + part.len() > usize::from(point.is_some());
         if few && digits.all(u8::is_ascii_digit) {
-            return Self::Finite;
+            return Self::InRange;
         }
         match std::str::from_utf8(word).map(str::parse::<f64>) {
-            Ok(Ok(value)) if range::stored(value).is_some() => Self::Finite,
-            Ok(Ok(_)) => Self::Endless,
+            Ok(Ok(value)) if range::stored(value).is_some() => Self::InRange,
+            Ok(Ok(_)) => Self::OutOfRange,
             _ => Self::Not,
         }
     }

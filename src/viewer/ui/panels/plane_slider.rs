@@ -17,11 +17,12 @@ pub(super) fn hint_at_rest(slider: Response, hint: impl AsRef<str>) -> Response 
 
 /// How large the visible scene is. The sliders cover ten decades around that.
 pub(super) fn size(state: &State) -> f64 {
-    let bounds = state.scene().visible_bounds();
-    if bounds.is_empty() {
-        1.0
+    let radius = state.scene().visible_bounds().radius();
+    // Of nothing it is infinite, of a point 0.
+    if radius > 0.0 && radius.is_finite() {
+        radius
     } else {
-        bounds.radius().max(f64::MIN_POSITIVE)
+        1.0
     }
 }
 
