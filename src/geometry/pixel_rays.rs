@@ -67,7 +67,7 @@ impl PixelRays {
         let rounded_base = DVec3::select(size.cmpgt(DVec3::ZERO), U * moved.abs(), DVec3::ZERO);
         let [right, up] = self.grid.half_pixels::<f64>(px);
         // A position beyond the range of numbers has no bound.
-        let error = if right.abs().max(up.abs()) <= range::LARGEST {
+        let error = if right.abs() <= range::LARGEST && up.abs() <= range::LARGEST {
             7.0 * U * size + rounded_base
         } else {
             DVec3::INFINITY
