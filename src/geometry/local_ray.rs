@@ -130,14 +130,30 @@ impl<'a> LocalRay<'a> {
     }
 }
 
+/// The error of a ray that is exact as it stands.
+const NONE: &RayError = &RayError {
+    origin: DVec3::ZERO,
+    direction: DVec3::ZERO,
+};
+
+/// A ray that hits nothing, in place of one with a number that is not in range.
+#[cold]
+fn nowhere() -> LocalRay<'static> {
+    LocalRay {
+        ray: &Ray::NOWHERE,
+        error: NONE,
+        limit: f64::NEG_INFINITY,
+        errors: [0.0; 2],
+        source: None,
+    }
+}
+
 impl<'a> From<&'a Ray> for LocalRay<'a> {
     #[inline]
     fn from(ray: &'a Ray) -> Self {
-        const NONE: &RayError = &RayError {
-            origin: DVec3::ZERO,
-            direction: DVec3::ZERO,
-        };
-        let ray = ray.in_range();
+        if !ray.is_in_range() {
+            return nowhere();
+        }
         Self {
             ray,
             error: NONE,

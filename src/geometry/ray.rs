@@ -48,15 +48,16 @@ impl Ray {
         })
     }
 
-    /// Itself, or [`Ray::NOWHERE`] if a number is not in range.
+    /// Whether its numbers are in range.
     #[inline]
-    pub(super) fn in_range(&self) -> &Self {
-        let is_stored = |v: DVec3| range::stored_vector(v) == Some(v);
-        if is_stored(self.origin) && is_stored(self.direction) {
-            self
-        } else {
-            &Self::NOWHERE
-        }
+    pub(super) fn is_in_range(&self) -> bool {
+        // Without branches: it is asked for each ray.
+        let is_stored = |v: DVec3| {
+            let size = v.abs();
+            let is_large = size.cmpge(DVec3::splat(range::LEAST)) | size.cmpeq(DVec3::ZERO);
+            (size.cmple(DVec3::splat(range::LARGEST)) & is_large).all()
+        };
+        is_stored(self.origin) & is_stored(self.direction)
     }
 
     /// The point at parameter `t`.

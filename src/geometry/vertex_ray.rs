@@ -40,7 +40,8 @@ impl<'a> VertexRay<'a> {
 
     /// An exact ray, as vertices about (0, 0, 0) see it.
     pub fn exact(ray: Ray) -> Self {
-        Self::of(*ray.in_range(), DVec3::ZERO)
+        let ray = if ray.is_in_range() { ray } else { Ray::NOWHERE };
+        Self::of(ray, DVec3::ZERO)
     }
 
     #[inline]
