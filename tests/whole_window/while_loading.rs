@@ -9,8 +9,10 @@ use glam::DVec3;
 use sightline::scene::{self, Progress};
 use std::{fs, io::Write as _, thread, time::Duration};
 
-/// Cells along each side of a ground whose load takes longer than a few frames.
-const SIDE: u32 = 450;
+/// Cells along each side of a ground whose load takes longer than a few frames of a small window.
+const SIDE: u32 = 700;
+/// The size of a window whose frames take far less time than that load.
+const SMALL: [u32; 2] = [320, 200];
 
 fn redo() -> Event {
     key_event(CTRL, Key::Y, true)
@@ -79,7 +81,15 @@ fn place(window: &Offscreen) -> DVec3 {
     object.placement.model().translation
 }
 
-/// A window that shows a large file. Redo moves its object to x = 1.5.
+/// Redoes the move, in a frame that shows that a load is under way.
+#[track_caller]
+fn redo_during_load(window: &mut Offscreen) {
+    window.draw([redo()]).expect("a frame");
+    assert!(has_control(window, "Cancel"), "it is still read");
+    assert_eq!(place(window).x, 1.5);
+}
+
+/// A small window that shows a large file. Redo moves its object to x = 1.5.
 fn large_with_a_move() -> (Offscreen, TempDir) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = stalls::ground(folder.path(), SIDE);
@@ -91,6 +101,7 @@ fn large_with_a_move() -> (Offscreen, TempDir) {
     assert_eq!(place(&window).x, 1.5);
     press_key(&mut window, CTRL, Key::Z);
     assert!(!is_marked(&window));
+    window.resize(px(SMALL, 1.0));
     window.picture().expect("a picture");
     (window, folder)
 }
@@ -100,8 +111,7 @@ fn moves_while_the_files_are_read_again_are_asked_about() {
     let (mut window, _folder) = large_with_a_move();
     window.draw([press(Key::R)]).expect("a frame");
     assert!(!is_asked(&window));
-    window.draw([redo()]).expect("a frame");
-    assert_eq!(place(&window).x, 1.5);
+    redo_during_load(&mut window);
     window.send([]);
     assert!(is_asked(&window));
     click_on(&mut window, "Cancel");
@@ -114,9 +124,7 @@ fn moves_while_the_files_are_read_again_are_asked_about() {
 /// Draws frames until a changed file is being read again.
 fn wait_for_load(window: &mut Offscreen) {
     for _ in 0..500 {
-        window
-            .draw([Event::PointerMoved(pos2(480.0, 80.0))])
-            .expect("a frame");
+        window.draw([Event::PointerGone]).expect("a frame");
         if has_control(window, "Cancel") {
             return;
         }
@@ -163,7 +171,7 @@ fn moves_while_a_changed_file_is_read_are_kept() {
     let text = fs::read_to_string(&path).expect("a file");
     fs::write(&path, text + "# changed\n").expect("writable");
     wait_for_load(&mut window);
-    window.draw([redo()]).expect("a frame");
+    redo_during_load(&mut window);
     window.send([]);
     assert_eq!(place(&window).x, 1.5);
     assert!(!is_asked(&window) && is_marked(&window));
