@@ -11,9 +11,9 @@ fn main() -> ExitCode {
     sightline::cli::run(env::args_os())
 }
 
-/// Mesa's layer for choosing a device looks for a Wayland compositor whenever an adapter is opened. Without a folder for
-/// its socket, as in containers and for root, the Wayland library prints an error, although nothing is wrong. There the
-/// layer is switched off, unless the user tells it which device to take.
+/// Mesa's layer for choosing a device looks for a Wayland compositor whenever an adapter is opened. Without a folder
+/// for its socket, as in containers and for root, the Wayland library prints an error, although nothing is wrong. There
+/// the layer is switched off, unless the user tells it which device to take.
 #[cfg_attr(target_os = "linux", expect(unsafe_code, reason = "see SAFETY"))]
 fn keep_mesa_quiet() {
     #[cfg(target_os = "linux")]

@@ -59,8 +59,8 @@ impl Lens {
     ///
     /// # Errors
     /// When the field of view lies outside (0, 180) degrees, a number is beyond the range of numbers (of the field of
-    /// view, half its tangent; of the height, half of it), near is not positive in perspective, or near does not lie
-    /// before far.
+    /// view, the tangent of half of it; of the height, half of it), near is not positive in perspective, or near does
+    /// not lie before far.
     pub fn check(&self) -> Result<(), CameraError> {
         let Self { near, far, .. } = *self;
         let has_size = |number: f64| (range::LEAST..=range::LARGEST).contains(&number);

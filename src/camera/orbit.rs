@@ -165,8 +165,8 @@ impl Orbit {
     /// The camera that shows this view. Its up is the view's own U.
     ///
     /// # Errors
-    /// When the lens is not valid, the target is so far from the origin that the eye rounds to the same point, or the eye
-    /// is beyond the range of numbers.
+    /// When the lens is not valid, the target is so far from the origin that the eye rounds to the same point, or the
+    /// eye is beyond the range of numbers.
     pub fn camera(&self, lens: Lens) -> Result<Camera, CameraError> {
         Camera::new(self.eye(), self.target, self.axes().y_axis, lens)
     }

@@ -75,8 +75,8 @@ impl Placement {
                 (inverse, U, exact::mirrors(linear))
             }
         };
-        let is_in_range = |entry: f64| entry.abs() <= range::LARGEST;
-        if !inverse_linear.to_cols_array().into_iter().all(is_in_range) {
+        let inverse = inverse_linear.to_cols_array().map(range::stored);
+        if inverse.contains(&None) {
             return Err(PlacementError::Singular);
         }
         Ok(Self {

@@ -26,6 +26,14 @@ pub fn stored_vector(vector: DVec3) -> Option<DVec3> {
     Some(DVec3::new(x?, y?, z?))
 }
 
+/// Whether each number of a vector is stored as it is. Without branches: it is asked for each ray.
+#[inline]
+pub(super) fn is_stored(vector: DVec3) -> bool {
+    let size = vector.abs();
+    let is_large = size.cmpge(DVec3::splat(LEAST)) | size.cmpeq(DVec3::ZERO);
+    (size.cmple(DVec3::splat(LARGEST)) & is_large).all()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -45,6 +53,13 @@ mod tests {
                 assert_eq!(stored_vector(vector), Some(DVec3::new(1.0, 0.0, 2.0)));
                 vector[axis] = beyond;
                 assert_eq!(stored_vector(vector), None);
+                for (number, is_as_it_is) in
+                    [(1e-40, false), (0.0, true), (LEAST, true), (beyond, false)]
+                {
+                    let mut vector = DVec3::new(-LARGEST, 1.0, -0.0);
+                    vector[axis] = number;
+                    assert_eq!(is_stored(vector), is_as_it_is, "{vector}");
+                }
             }
         }
     }

@@ -5,8 +5,8 @@ use glam::DVec3;
 
 /// A half-line with an interval of its parameter. Its numbers are taken as exact.
 ///
-/// In any space, with lengths in that space's units. The numbers of origin and direction are in range ([`range`]). A ray
-/// with one that is larger, or smaller and not 0, hits no shape; [`Ray::stored`] makes small ones 0.
+/// In any space, with lengths in that space's units. The numbers of origin and direction are in range ([`range`]). A
+/// ray with one that is larger, or smaller and not 0, hits no shape; [`Ray::stored`] makes small ones 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// Where `t = 0` lies.
@@ -51,13 +51,7 @@ impl Ray {
     /// Whether its numbers are in range.
     #[inline]
     pub(super) fn is_in_range(&self) -> bool {
-        // Without branches: it is asked for each ray.
-        let is_stored = |v: DVec3| {
-            let size = v.abs();
-            let is_large = size.cmpge(DVec3::splat(range::LEAST)) | size.cmpeq(DVec3::ZERO);
-            (size.cmple(DVec3::splat(range::LARGEST)) & is_large).all()
-        };
-        is_stored(self.origin) & is_stored(self.direction)
+        range::is_stored(self.origin) & range::is_stored(self.direction)
     }
 
     /// The point at parameter `t`.

@@ -74,8 +74,8 @@ pub(super) fn reaches_plane(ray: &VertexRay, corners: [DVec3; 3], limit: f64) ->
 /// sizes. An error `f` of each component of `d` adds `6 (m + o) s f`. Using 20 for 16 and 7 for 6 more than covers
 /// terms in `U^2` and the rounding of the bound itself. (A static filter in the sense of Shewchuk 1997.) The bound
 /// grows with the distance times the size, not with the distance squared. Numbers have a range
-/// ([`range`](super::range)): where an edge has a length and the ray a direction, the bound is above `2^-600`, and what underflow loses is far
-/// below that.
+/// ([`range`](super::range)): where an edge has a length and the ray a direction, the bound is above `2^-600`, and what
+/// underflow loses is far below that.
 #[inline(always)]
 fn volume_bound(ray: &VertexRay, m: f64, s: f64) -> f64 {
     let [o, f] = ray.errors;

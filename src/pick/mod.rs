@@ -8,9 +8,9 @@
 //! **The stored numbers.** A camera stores the eye, the axes R, U and F, half the picture's height h (at view depth 1
 //! in perspective), near and far; a [`View`] adds the picture's W x H pixels. An object stores its model matrix M, a
 //! mesh its `f32` vertices about one `f64` origin, which lie at M (origin + vertex) in the world. They count exactly as
-//! stored: the axes as rounded, h and not the angle that it came from, the matrix and not its inverse.
-//! `sightline pick --stored` prints them with all digits. They have a [`range`](crate::geometry::range): a larger number
-//! is refused, a smaller one is stored as 0.
+//! stored: the axes as rounded, h and not the angle that it came from, the matrix and not its inverse. `sightline pick
+//! --stored` prints them with all digits. They have a [`range`](crate::geometry::range): a larger number is refused, a
+//! smaller one is stored as 0.
 //!
 //! **The ray** of a position x, y in pixels, with nothing rounded:
 //!

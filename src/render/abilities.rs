@@ -139,8 +139,8 @@ mod tests {
         (TextureFormat::R8Unorm, "8-bit grey to draw into"),
     ];
 
-    /// What the error says of an adapter without these flags, which draws edges or does not, and whose textures of these
-    /// formats cannot be drawn into.
+    /// What the error says of an adapter without these flags, which draws edges or does not, and whose textures of
+    /// these formats cannot be drawn into.
     fn said(
         without: DownlevelFlags,
         draws_edges: bool,

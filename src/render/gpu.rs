@@ -165,7 +165,7 @@ impl Gpu {
                 mapped_at_creation: false,
             })
         })?;
-        // In pieces, so that drawing can come between them.
+        // In pieces: what waits in memory for its submission is one of them.
         let mut at = 0;
         let bytes = bytemuck::cast_slice::<T, u8>(elements);
         for piece in bytes.chunks(PIECE_BYTES) {

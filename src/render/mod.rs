@@ -9,9 +9,8 @@
 //! Renderer::composite       the picture with marks   whenever something is to be shown
 //! ```
 //!
-//! Only the batches that a view may show are drawn ([`SceneBuffers`] culls them by block). Batches of a kind share a
-//! draw call where that does not change the picture. If there are many batches, a background thread composes their
-//! table rows for the view, and drawing takes the rows that are ready.
+//! Only the batches that a view may show are drawn. Batches of a kind share a draw call where that does not change the
+//! picture. All cores compose their table rows for the view ([`SceneBuffers`]).
 //!
 //! Where the adapter has no primitive index, triangles are numbered by their corners ([`Numbers`]). Meshes are split to
 //! fit into buffers. The grid that the rasteriser snaps corners to is measured ([`Rasteriser`]).

@@ -138,7 +138,7 @@ impl SceneBuffers {
         let tables = Tables::new(gpu, rows)?;
         Ok(Self {
             objects: gpu.buffer("objects", BufferUsages::STORAGE, &states)?,
-            seen: RefCell::new(Seen::new(tables.clone())),
+            seen: RefCell::default(),
             tables,
             whole,
             all: ToDraw::new(scene, kinds, batches),
@@ -147,6 +147,11 @@ impl SceneBuffers {
             key: scene.key(),
             meshes: meshes.clone(),
         })
+    }
+
+    /// The key of the scene that it holds.
+    pub(crate) fn key(&self) -> &SceneKey {
+        &self.key
     }
 
     /// Takes over whatever changed in the scene: visibility, colours, placements, objects. Meshes that were uploaded
@@ -164,7 +169,7 @@ impl SceneBuffers {
     /// What a view shows of it.
     pub(super) fn seen_in(&self, view: &View) -> RefMut<'_, Seen> {
         let mut seen = self.seen.borrow_mut();
-        seen.prepare(&self.all, view);
+        seen.prepare(&self.tables, &self.all, view);
         seen
     }
 

@@ -12,7 +12,7 @@ use std::mem::offset_of;
 use wgpu::BufferUsages;
 
 /// The tables that shaders read, each with an extra row for an object drawn by itself.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Tables {
     gpu: Gpu,
     /// [`shader_structs::Batch`] of each batch of triangles that is seen.
@@ -73,29 +73,19 @@ impl Tables {
 }
 
 /// What the tables hold: the rows of a view.
+#[derive(Default)]
 pub(super) struct Seen {
-    pub tables: Tables,
     view: Option<View>,
     pub draws: Vec<Draw>,
 }
 
 impl Seen {
-    /// The state before the first view.
-    pub fn new(tables: Tables) -> Self {
-        Self {
-            tables,
-            view: None,
-            draws: Vec::new(),
-        }
-    }
-
-    /// Writes the rows of a view, unless they are there.
-    pub fn prepare(&mut self, all: &ToDraw, view: &View) {
+    /// Writes the rows of a view to the tables, unless they are there.
+    pub fn prepare(&mut self, tables: &Tables, all: &ToDraw, view: &View) {
         if self.view == Some(*view) {
             return;
         }
         let rows = all.seen_in(view);
-        let tables = &self.tables;
         tables.write_rows(&tables.triangles, 0, &rows.triangles);
         tables.write_rows(&tables.spheres, 0, &rows.spheres);
         (self.view, self.draws) = (Some(*view), rows.draws);

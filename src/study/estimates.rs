@@ -181,8 +181,8 @@ fn shapes(rays: &SceneRays, step: &str, u: f64) -> f64 {
     each.fold(0.0, f64::max)
 }
 
-/// How much larger an error may look in the world than among an object's own axes, as a share of distances: 1 where these
-/// stay at right angles, so that errors act axis by axis; under a shear the condition of the matrix.
+/// How much larger an error may look in the world than among an object's own axes, as a share of distances: 1 where
+/// these stay at right angles, so that errors act axis by axis; under a shear the condition of the matrix.
 fn shear(placement: &Placement) -> f64 {
     let linear = placement.model().matrix3;
     if Trs::of(placement.model()).is_some() {

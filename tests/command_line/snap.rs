@@ -69,7 +69,8 @@ fn positions_are_led_to_vertices_edges_and_faces() {
         (numbers(&lines[1]), &lines[1]["snap"]["object"]),
         (vec![3], &json!("Wall"))
     );
-    // From vertex 1 to vertex 3, by the numbers in the file, which are kept as `f32` about an origin; `f64` holds them to 1e-9.
+    // From vertex 1 to vertex 3, by the numbers in the file, which are kept as `f32` about an origin; `f64` holds them
+    // to 1e-9.
     is(&lines[1]["distance"], 116.0_f64.sqrt(), 2e-9);
     assert_eq!(numbers(&lines[2]), [1, 2]);
     is(&lines[2]["snap"]["length"], 10.0, 2e-9);

@@ -110,8 +110,8 @@ pub fn far_eyes(random: &mut Random) -> Sample {
     sample(random, scene, view, POSITIONS)
 }
 
-/// Models of size 1e-26 to 1e28, as large and small as the range of numbers lets an eye see whole: by their coordinates,
-/// by their placements or by both.
+/// Models of size 1e-26 to 1e28, as large and small as the range of numbers lets an eye see whole: by their
+/// coordinates, by their placements or by both.
 pub fn sizes(random: &mut Random) -> Sample {
     let exponent = random.within(-26.0, 28.0);
     let size = 10_f64.powf(exponent);

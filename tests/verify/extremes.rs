@@ -288,8 +288,8 @@ fn the_widest_lenses() {
     }
 }
 
-/// Vertices of 1e8 under a matrix of 1e-33, whose products a driver may flush to 0. Drawing holds such numbers with near and
-/// far planes that fit. With a distant far plane it may lose them, and verify says so.
+/// Vertices of 1e8 under a matrix of 1e-33, whose products a driver may flush to 0. Drawing holds such numbers with
+/// near and far planes that fit. With a distant far plane it may lose them, and verify says so.
 #[test]
 fn matrices_below_what_f32_holds() {
     let (folder, file) = scene(

@@ -235,8 +235,8 @@ fn told(window: &Offscreen) -> Vec<&str> {
     window.messages().collect()
 }
 
-/// Where the desktop shows no dialog, a scene is saved to its own scene file, or else to one with a free name. A message
-/// says which.
+/// Where the desktop shows no dialog, a scene is saved to its own scene file, or else to one with a free name. A
+/// message says which.
 #[test]
 fn without_a_dialog_nothing_is_lost() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -19,7 +19,7 @@ pub(super) fn check(data: &MeshData) -> Result<(), MeshError> {
         ..
     } = data;
     let is_finite = |v: &[f32; 3]| v.iter().all(|c| c.is_finite());
-    let has_size = |v: &[f32; 3]| v.iter().all(|&c| f64::from(c).abs() <= range::LARGEST);
+    let has_size = |v: &[f32; 3]| v.iter().all(|&c| range::stored(c.into()).is_some());
     let in_range = |corners: &[u32; 3], limit: usize| corners.iter().all(|&i| (i as usize) < limit);
     if range::stored_vector(data.origin).is_none() {
         return Err(MeshError::OutOfRange(0));
@@ -58,7 +58,7 @@ pub(super) fn check(data: &MeshData) -> Result<(), MeshError> {
 /// Stores what is too small for the range of numbers as 0.
 pub(super) fn store_small(data: &mut MeshData) {
     data.origin = range::stored_vector(data.origin).unwrap_or(data.origin);
-    let is_small = |c: f32| c != 0.0 && f64::from(c).abs() < range::LEAST;
+    let is_small = |c: f32| c != 0.0 && range::stored(c.into()) == Some(0.0);
     let has_none = |i: usize| !data.positions[i].into_iter().any(is_small);
     if first_without(data.positions.len(), has_none).is_some() {
         for c in data.positions.as_flattened_mut() {

@@ -3,8 +3,9 @@
 //! Within a radius in pixels, the nearest *visible* vertex wins ([`sight`] decides, exactly). Failing that, the nearest
 //! visible point of an edge: the foot of the perpendicular in the picture, or an end of what near, far and section
 //! leave of the edge. The foot's fraction along the edge is rounded to `f64`. That point lies exactly on the stored
-//! edge, and [`sight`] decides whether it is seen. A surface may hide the point. It is then replaced by the nearest points along the edge, to either side, that this surface does not
-//! hide. Where no edge shows, the position snaps to the pick.
+//! edge, and [`sight`] decides whether it is seen. A surface may hide the point. It is then replaced by the nearest
+//! points along the edge, to either side, that this surface does not hide. Where no edge shows, the position snaps to
+//! the pick.
 //!
 //! Corners and edges are those of the file's polygons. Edges added by triangulation do not count; if the file can no
 //! longer be read to tell, none of its edges counts. Cubes and squares have corners and edges; spheres have none. Of

@@ -111,8 +111,9 @@ impl Snap {
             Some(places.into_iter().map(vertex).collect::<Vec<_>>())
         });
         let ends: Option<Vec<DVec3>> = of_file.as_deref().and_then(|all| {
-            let each = all.iter().map(|vertex| written_world(placement, vertex));
-            each.collect()
+            let each = all.iter().map(|vertex| vertex.value);
+            each.map(|value| Some(placement.point_to_world(value?)))
+                .collect()
         });
         let measured_from = match (to, ends.as_deref()) {
             (SnapTo::Vertex, Some([vertex])) => *vertex,
@@ -196,18 +197,10 @@ fn asked(
     }
 }
 
-/// Where a placement puts a vertex as its file writes it; `None` where that is not three numbers.
-fn written_world(placement: &Placement, vertex: &VertexInFile) -> Option<DVec3> {
-    let numbers = vertex.written.split_whitespace().map(str::parse);
-    let numbers: Vec<f64> = numbers.collect::<Result<_, _>>().ok()?;
-    let object = DVec3::from_array(numbers.try_into().ok()?);
-    Some(placement.point_to_world(object))
-}
-
 /// The area of a face as its file writes it; `None` where a corner is not three numbers.
 fn area_of(face: &FaceInFile, placement: &Placement) -> Option<f64> {
-    let written = |vertex: &VertexInFile| written_world(&Placement::IDENTITY, vertex);
-    let corners: Vec<_> = face.vertices.iter().map(written).collect::<Option<_>>()?;
+    let corners = face.vertices.iter().map(|vertex| vertex.value);
+    let corners: Vec<_> = corners.collect::<Option<_>>()?;
     let triangles = face.corners.iter();
     let triangles = triangles.map(|triangle| triangle.map(|at| corners[at as usize]));
     Some(triangles_area(placement, triangles))

@@ -159,8 +159,8 @@ impl App {
         self.say(done.into());
     }
 
-    /// Takes the answer of a file dialog. Where none can be shown, the scene is saved to the scene file that it is from,
-    /// or else under a free name beside the screenshots.
+    /// Takes the answer of a file dialog. Where none can be shown, the scene is saved to the scene file that it is
+    /// from, or else under a free name beside the screenshots.
     pub fn answered(&mut self, what: PathFor, answer: Answer) {
         self.asks_for_files &= what != PathFor::Open;
         match (what, answer) {

@@ -95,7 +95,7 @@ impl App {
                 self.watch(self.state.document(), stamps);
                 return Ok(());
             }
-            Purpose::Reload | Purpose::Follow => differs = self.state.reload_as(loaded),
+            Purpose::Reload | Purpose::Follow => differs = self.state.reload(loaded),
             Purpose::Open => {
                 if self.first {
                     unused = self.apply_flags(&mut loaded);

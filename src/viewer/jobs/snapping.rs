@@ -9,7 +9,8 @@ use crate::{
 };
 use glam::DVec2;
 
-/// A click that is being snapped: the point, and the area of the object there if it is known; `None` if nothing is near.
+/// A click that is being snapped: the point, and the area of the object there if it is known; `None` if nothing is
+/// near.
 pub(in crate::viewer) type Snapping = Job<Option<(Snap, Option<f64>)>>;
 
 /// Begins to snap a click at a position of a view; calls `wake` when done.

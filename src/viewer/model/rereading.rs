@@ -14,13 +14,9 @@ use std::mem;
 impl State {
     /// Shows what the same files hold now. View and section stay, and selection and visibility stay with the objects of
     /// the same name. The history forgets steps about objects that are gone, and about matrices if edits of these are
-    /// dropped. Where the files hold what they held before, nothing changes.
-    pub fn reload(&mut self, loaded: Loaded) {
-        self.reload_as(loaded);
-    }
-
-    /// Does what [`Self::reload`] does. Returns whether any object differs from before.
-    pub(in crate::viewer) fn reload_as(&mut self, loaded: Loaded) -> bool {
+    /// dropped. Where the files hold what they held before, nothing changes. Returns whether any object differs from
+    /// before.
+    pub fn reload(&mut self, loaded: Loaded) -> bool {
         if self.showing().map(|showing| showing.exhibit) != loaded.exhibit {
             self.showing = loaded.exhibit.map(Showing::new);
         }

@@ -2,7 +2,7 @@
 
 use crate::{
     render::{Gpu, GpuError, MeshStore, SceneBuffers},
-    scene::{Scene, SceneKey},
+    scene::Scene,
     viewer::model::Subject,
 };
 
@@ -12,9 +12,7 @@ const MOST_BEFORE: usize = 2;
 /// A scene on the GPU and which one it is.
 pub(super) struct OnGpu {
     pub buffers: SceneBuffers,
-    key: SceneKey,
     pub revision: u64,
-    visibility: u64,
 }
 
 /// The scenes of one picture in graphics memory.
@@ -34,7 +32,8 @@ impl ScenesOnGpu {
     /// Drops scenes that cannot come back.
     pub fn forget_unused(&mut self) {
         let count = self.before.len();
-        self.before.retain(|before| before.key.is_in_use());
+        self.before
+            .retain(|before| before.buffers.key().is_in_use());
         if self.before.len() < count {
             self.meshes.forget_dropped();
         }
@@ -42,7 +41,7 @@ impl ScenesOnGpu {
 
     /// Uploads a picture's scene, or what changed in it.
     pub fn upload(&mut self, gpu: &Gpu, subject: &Subject) -> Result<(), GpuError> {
-        let (revision, visibility) = (subject.revision, subject.visibility);
+        let revision = subject.revision;
         if self.now.as_ref().is_none_or(|now| now.revision != revision) {
             if let Some((_, error)) = self.unfit.as_ref().filter(|(of, _)| *of == revision) {
                 return Err(error.clone());
@@ -53,14 +52,12 @@ impl ScenesOnGpu {
             };
             let buffers =
                 buffers.inspect_err(|error| self.unfit = Some((revision, error.clone())))?;
-            let before = self.now.replace(on_gpu(buffers, subject));
+            let before = self.now.replace(OnGpu { buffers, revision });
             self.before.splice(0..0, before);
             self.before.truncate(MOST_BEFORE);
         }
-        if let Some(scene) = self.now.as_mut().filter(|now| now.visibility != visibility) {
-            scene.buffers.update(gpu, subject.scene)?;
-            scene.visibility = visibility;
-            scene.key = subject.scene.key();
+        if let Some(now) = &mut self.now {
+            now.buffers.update(gpu, subject.scene)?;
         }
         Ok(())
     }
@@ -68,16 +65,7 @@ impl ScenesOnGpu {
     /// The buffers of a scene that was kept from before.
     fn known(&mut self, scene: &Scene) -> Option<SceneBuffers> {
         let mut before = self.before.iter();
-        let at = before.position(|before| before.key.is_of(scene))?;
+        let at = before.position(|before| before.buffers.key().is_of(scene))?;
         Some(self.before.remove(at).buffers)
-    }
-}
-
-fn on_gpu(buffers: SceneBuffers, subject: &Subject) -> OnGpu {
-    OnGpu {
-        buffers,
-        key: subject.scene.key(),
-        revision: subject.revision,
-        visibility: subject.visibility,
     }
 }

@@ -58,8 +58,9 @@ pub(in crate::viewer) enum Command {
     LeaveGallery,
     /// An answer to the question about unsaved edits and measures.
     Reply(Reply),
-    /// The first of these that applies: keep the edits that are asked about, stop measuring, stop loading, close the help, close the latest warning or error, pick by Sightline's own method again,
-    /// close the comparison, select nothing, close the four views, leave the gallery.
+    /// The first of these that applies: keep the edits that are asked about, stop measuring, stop loading, close the
+    /// help, close the latest warning or error, pick by Sightline's own method again, close the comparison, select
+    /// nothing, close the four views, leave the gallery.
     Escape,
     /// Show or hide the help.
     ToggleHelp,

@@ -369,7 +369,8 @@ impl Piece {
     }
 }
 
-/// Splits a face as the loader does. The triangles are indices into its corners; there is none if the loader left it out.
+/// Splits a face as the loader does. The triangles are indices into its corners; there is none if the loader left it
+/// out.
 fn split(
     face: &[u32],
     vertices: &HashMap<u32, VertexInFile>,

@@ -192,7 +192,8 @@ impl Docks {
         self.give_back(PanelKind::Pipeline);
     }
 
-    /// How wide each side is, as [`Self::widths`] says. As the gallery is entered, its panel becomes visible. As it is left, the sides are as they were before, unless the user has arranged them since.
+    /// How wide each side is, as [`Self::widths`] says. As the gallery is entered, its panel becomes visible. As it is
+    /// left, the sides are as they were before, unless the user has arranged them since.
     pub(super) fn lay_out(&mut self, panels: &[PanelKind], room: f32) -> [Option<f32>; 2] {
         let in_gallery = panels.contains(&PanelKind::Gallery);
         let was = mem::replace(&mut self.in_gallery, in_gallery);

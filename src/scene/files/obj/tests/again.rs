@@ -47,8 +47,8 @@ fn loaded(piece: usize, bytes: &[u8]) -> (TempDir, PathBuf, ObjFile) {
     (folder, path, file)
 }
 
-/// Reads every `step`th triangle again, and every face that has one if there are not too many. Counts the triangles, and the faces
-/// that do not have three corners.
+/// Reads every `step`th triangle again, and every face that has one if there are not too many. Counts the triangles,
+/// and the faces that do not have three corners.
 fn assert_read_again(path: &Path, bytes: &[u8], piece: usize, step: usize) -> [usize; 2] {
     let Ok(mut file) = read_in(piece, path, bytes) else {
         return [0, 0];
