@@ -7,13 +7,13 @@ use super::{
 };
 use crate::camera::Viewport;
 use std::sync::{
-    Arc, Mutex, PoisonError,
+    Arc, Mutex,
     atomic::{AtomicBool, AtomicU64, Ordering},
 };
 
 pub use super::gpu_error::GpuError;
 
-/// Bytes that are copied to the adapter at a time, which takes a millisecond or two.
+/// Bytes that are copied to the adapter at a time: what waits in memory for a submission is not a whole mesh.
 const PIECE_BYTES: usize = 1 << 23;
 
 /// A graphics device that can draw ids.
@@ -27,8 +27,6 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
     reports: Arc<Reports>,
-    /// Held by the thread that submits.
-    submitting: Arc<Mutex<()>>,
     /// How many triangles of meshes were uploaded.
     triangles: Arc<AtomicU64>,
     /// How ids name triangles.
@@ -74,7 +72,6 @@ impl Gpu {
             device,
             queue,
             reports,
-            submitting: Arc::default(),
             triangles: Arc::default(),
             numbers,
             rasteriser: Rasteriser::COMMON,
@@ -165,12 +162,11 @@ impl Gpu {
                 mapped_at_creation: false,
             })
         })?;
-        // In pieces: what waits in memory for its submission is one of them.
         let mut at = 0;
         let bytes = bytemuck::cast_slice::<T, u8>(elements);
         for piece in bytes.chunks(PIECE_BYTES) {
             if at > 0 {
-                self.alone(|| self.queue.submit([]));
+                self.queue.submit([]);
             }
             self.queue.write_buffer(&buffer, at, piece);
             at += piece.len() as u64;
@@ -183,24 +179,17 @@ impl Gpu {
         self.triangles.fetch_add(count as u64, Ordering::Relaxed);
     }
 
-    /// How many triangles of meshes were uploaded so far, by any thread.
+    /// How many triangles of meshes were uploaded so far.
     pub(crate) fn uploaded_triangles(&self) -> u64 {
         self.triangles.load(Ordering::Relaxed)
     }
 
-    /// Submits the commands that `record` records. Threads do so in turn.
+    /// Submits the commands that `record` records.
     pub(crate) fn submit(&self, record: impl FnOnce(&mut wgpu::CommandEncoder)) {
         let descriptor = wgpu::CommandEncoderDescriptor::default();
         let mut encoder = self.device.create_command_encoder(&descriptor);
         record(&mut encoder);
-        self.alone(|| self.queue.submit([encoder.finish()]));
-    }
-
-    /// Runs `act` while no other thread submits.
-    pub(crate) fn alone<T>(&self, act: impl FnOnce() -> T) -> T {
-        let turn = self.submitting.lock();
-        let _turn = turn.unwrap_or_else(PoisonError::into_inner);
-        act()
+        self.queue.submit([encoder.finish()]);
     }
 
     /// Runs an allocation. Running out of memory is an error for the user, not a panic.

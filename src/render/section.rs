@@ -14,12 +14,7 @@ use super::{
 };
 use crate::{
     camera::View,
-    geometry::{
-        Section,
-        binary::{power_of_two_below, split, times_power_of_two},
-        double_double::DoubleDouble,
-        vector::V3,
-    },
+    geometry::{Section, double_double::DoubleDouble, vector::V3},
 };
 use glam::DVec2;
 
@@ -30,9 +25,6 @@ pub(super) const KEPT_BEFORE: f64 = 16.0;
 /// The largest of the test's coefficients lies between 1 and this, with that of q taken times the largest q. So all
 /// terms stay in the range of `f32`.
 const LARGEST: f64 = 1e30;
-
-/// Offsets are clamped to this: beyond it only the sign matters.
-const LARGEST_OFFSET: f64 = 1e200;
 
 /// A section in the picture of a view. It keeps points with `start + per_px . (px - middle) + per_q q >= 0`.
 #[derive(Clone, Copy, Debug)]
@@ -57,12 +49,8 @@ impl ScreenSection {
 
     /// Computes in double-double, so that eye and plane may lie far from the origin.
     fn new(view: &View, section: &Section) -> Self {
-        // The normal may have any length. Scaled, it neither underflows nor overflows.
-        let (_, exponent) = split(power_of_two_below(section.normal().abs().max_element()));
-        let scaled = |value: f64| times_power_of_two(value, -exponent);
-        let normal: V3<DoubleDouble> = section.normal().map(scaled).into();
-        let offset = scaled(section.offset()).clamp(-LARGEST_OFFSET, LARGEST_OFFSET);
-        let offset = DoubleDouble::from(offset);
+        let normal: V3<DoubleDouble> = section.normal().into();
+        let offset = DoubleDouble::from(section.offset());
         let middle_px = 0.5 * view.viewport.size_px();
         let grid = view.camera.pixel_grid(view.viewport);
         let ray = grid.differential::<DoubleDouble>(middle_px, glam::DVec3::ZERO);

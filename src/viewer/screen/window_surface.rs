@@ -83,12 +83,10 @@ impl WindowSurface {
         Ok(None)
     }
 
-    /// Configures the surface, unless it is empty. wgpu waits for all that was submitted, and refuses while another
-    /// thread submits: so an upload waits meanwhile.
+    /// Configures the surface, unless it is empty.
     fn configure(&self) {
         if self.config.width > 0 && self.config.height > 0 {
-            let gpu = &self.canvas.gpu;
-            gpu.alone(|| self.screen.configure(&gpu.device, &self.config));
+            self.screen.configure(&self.canvas.gpu.device, &self.config);
         }
     }
 }
@@ -163,12 +161,7 @@ fn configuration(
 mod tests {
     use super::*;
     use crate::{camera::CameraChoice, geometry::Sides, scene::Loaded, viewer::screen::Motion};
-    use std::{
-        env,
-        process::Command,
-        sync::atomic::{AtomicBool, AtomicU32, Ordering},
-        thread,
-    };
+    use std::{env, process::Command};
     use winit::{
         application::ApplicationHandler,
         event::WindowEvent,
@@ -207,34 +200,11 @@ mod tests {
             let drawn = surface.draw(&state.expect("nothing is framed"), &laid);
             drawn.unwrap_or_else(|error| panic!("{error}"));
             assert!(!surface.canvas.unshown, "it is presented");
-            is_resized_while_others_submit(&mut surface);
             self.is_done = true;
             event_loop.exit();
         }
 
         fn window_event(&mut self, _: &ActiveEventLoop, _: WindowId, _: WindowEvent) {}
-    }
-
-    /// Uploads submit on threads of their own.
-    fn is_resized_while_others_submit(surface: &mut WindowSurface) {
-        const MANY: u32 = 400;
-        let gpu = surface.canvas.gpu.clone();
-        let (submitted, is_over) = (AtomicU32::new(0), AtomicBool::new(false));
-        thread::scope(|scope| {
-            scope.spawn(|| {
-                while !is_over.load(Ordering::Relaxed) {
-                    gpu.submit(|_| ());
-                    submitted.fetch_add(1, Ordering::Relaxed);
-                }
-            });
-            let mut resized = 0;
-            while resized < MANY || submitted.load(Ordering::Relaxed) < MANY {
-                surface.resize(100 + resized % 100, 100);
-                resized += 1;
-            }
-            is_over.store(true, Ordering::Relaxed);
-        });
-        assert_eq!(gpu.check(), Ok(()));
     }
 
     /// A window whose device is lost goes on with another, on the same window. Windows need a display: the test runs
