@@ -13,7 +13,7 @@
 //!
 //! ```text
 //! winit event -> host::window    -> app::frame -> ui (panels, keys, mouse) -> Command -> app -> Action -> model::State
-//! egui event  -> host::Offscreen -> the same
+//! egui event  -> host::Offscreen -> the same, run by whoever has the events: tests, `render --views`
 //! State -> screen::Canvas (scene, lines, panels) -> a window's surface, or a picture
 //! ```
 //!
@@ -32,7 +32,7 @@ mod options;
 mod screen;
 mod ui;
 
-pub use app::memory_file;
-pub use host::{Control, Offscreen, display, picture_of_views, run};
+pub use app::{Frame, REST_S, memory_file};
+pub use host::{Offscreen, display, picture_of_views, run};
 pub use options::{Options, ViewerError};
 pub use ui::tour_text;

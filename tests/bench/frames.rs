@@ -12,17 +12,18 @@
 mod f3d;
 mod terrain;
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, pos2, vec2};
+use egui::{Context, Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
 use f3d::F3d;
 use rustix::time::{ClockId, clock_gettime};
 use sightline::{
     camera::Viewport,
-    viewer::{Offscreen, Options},
+    viewer::{Frame, Offscreen, Options},
 };
 use std::{
     fmt::Write,
     fs,
     path::{Path, PathBuf},
+    sync::Arc,
     time::{Duration, Instant},
 };
 
@@ -111,9 +112,116 @@ fn grid(folder: &Path, objects: u32) -> PathBuf {
     file
 }
 
+/// The program, run as a window runs it, with a clock of its own.
+struct Window {
+    program: Offscreen,
+    context: Context,
+    time_s: f64,
+}
+
+impl Window {
+    /// It shows the demo, and all its pipelines are made: a window does this in its first seconds.
+    fn open() -> Self {
+        let context = Context::default();
+        let mut window = Self {
+            program: Offscreen::open(Options::default(), context.clone()),
+            context,
+            time_s: 0.0,
+        };
+        window.settle();
+        window.program.prepare_all();
+        window
+    }
+
+    /// The frame after these events.
+    fn draw(&mut self, events: Vec<Event>) -> Frame {
+        self.draw_after(RawInput {
+            events,
+            ..RawInput::default()
+        })
+    }
+
+    fn draw_after(&mut self, input: RawInput) -> Frame {
+        self.time_s += 1.0 / 60.0;
+        #[expect(clippy::cast_precision_loss, reason = "small")]
+        let sides = [SIZE.width(), SIZE.height()].map(|px| px as f32);
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, sides.into())),
+            time: Some(self.time_s),
+            ..input
+        };
+        let frame = self.program.frame(input, SIZE);
+        if let Err(error) = &frame.drawn {
+            panic!("{error}");
+        }
+        frame
+    }
+
+    /// Draws a frame after each event, and then until nothing is left to do except smooth edges.
+    fn send(&mut self, events: impl IntoIterator<Item = Event>) {
+        for event in events {
+            self.draw(vec![event]);
+        }
+        self.settle();
+    }
+
+    fn settle(&mut self) {
+        loop {
+            while self.program.is_busy() {
+                self.program.wait_for_jobs();
+            }
+            self.draw(Vec::new());
+            if self.program.is_settled() {
+                return;
+            }
+        }
+    }
+
+    fn wait_s(&mut self, seconds: f64) {
+        self.time_s += seconds;
+        self.settle();
+    }
+
+    /// Drops a file on the window, and waits for nothing.
+    fn begin_to_drop(&mut self, path: PathBuf) {
+        self.draw_after(RawInput {
+            dropped_files: vec![Arc::new(Dropped(path))],
+            ..RawInput::default()
+        });
+    }
+
+    /// Where a control is. No assistive program asks for the controls at other times.
+    fn named(&mut self, name: &str) -> Rect {
+        self.context.enable_accesskit();
+        let tree = self.draw(Vec::new()).platform.accesskit_update;
+        self.context.disable_accesskit();
+        let nodes = tree.expect("a tree").nodes;
+        let node = nodes.iter().find(|(_, node)| node.label() == Some(name));
+        let bounds = node.and_then(|(_, node)| node.bounds());
+        let bounds = bounds.unwrap_or_else(|| panic!("no {name}"));
+        #[expect(clippy::cast_possible_truncation, reason = "egui made them of f32")]
+        let [left, top, right, bottom] =
+            [bounds.x0, bounds.y0, bounds.x1, bounds.y1].map(|at| at as f32);
+        Rect::from_min_max(pos2(left, top), pos2(right, bottom))
+    }
+}
+
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
+
 /// A window, and what its gestures cost.
 struct Bench {
-    window: Offscreen,
+    window: Window,
     /// Events of each gesture.
     events: u16,
     /// The thread's time of each pass so far, in milliseconds.
@@ -123,21 +231,16 @@ struct Bench {
 /// All gestures on a file's scene, which is opened over the demo, or on the demo.
 fn scene(file: Option<PathBuf>) {
     let mut bench = Bench {
-        window: Offscreen::open(Options::default(), SIZE, 1.0),
+        window: Window::open(),
         events: EVENTS,
         cpu: Vec::new(),
     };
-    let drawn = bench.window.draw([]);
-    drawn.unwrap_or_else(|error| panic!("{error}"));
-    // A window does this in its first seconds. No assistive program asks for its controls.
-    bench.window.prepare_all();
-    bench.window.tell_controls(false);
     if let Some(file) = file {
         bench.window.begin_to_drop(file);
     }
     let mut costs = Costs::default();
     costs.of(&mut bench.window, Event::PointerMoved(MIDDLE));
-    let scene = bench.window.state().scene();
+    let scene = bench.window.program.state().scene();
     let (objects, triangles) = (scene.objects().len(), scene.triangle_count());
     println!("{objects} objects, {triangles} triangles, 1280x720");
     if triangles > MANY {
@@ -167,7 +270,7 @@ fn scene(file: Option<PathBuf>) {
     bench.report("click", costs);
 
     bench.press(Key::F);
-    if bench.window.state().selection().is_some() {
+    if bench.window.program.state().selection().is_some() {
         bench.place();
         bench.keyed(
             "hide",
@@ -184,7 +287,7 @@ fn scene(file: Option<PathBuf>) {
     bench.press(Key::P);
     for stage in ["object", "world", "view", "NDC", "four", "picture"] {
         let mut costs = Costs::default();
-        let at = named(&mut bench.window, &format!("show {stage}")).center();
+        let at = bench.window.named(&format!("show {stage}")).center();
         (bench.window).send([Event::PointerMoved(at), button(at, true)]);
         costs.of(&mut bench.window, button(at, false));
         bench.report(stage, costs);
@@ -200,7 +303,7 @@ fn scene(file: Option<PathBuf>) {
     let [most, worst] = [0.99, 1.0].map(|share| at_share(&bench.cpu, share));
     let passes = bench.cpu.len();
     println!("all gestures: {passes} passes, 99 % {most:.2} ms, worst {worst:.2}");
-    println!("on {}\n", bench.window.adapter_name());
+    println!("on {}\n", bench.window.program.adapter_name());
 }
 
 impl Bench {
@@ -215,14 +318,14 @@ impl Bench {
 
     /// Drags at a letter of the selected object's matrix.
     fn place(&mut self) {
-        let header = named(&mut self.window, "Model matrix").center();
+        let header = self.window.named("Model matrix").center();
         self.window.send([
             Event::PointerMoved(header),
             button(header, true),
             button(header, false),
         ]);
         // The letter is to the left of its field.
-        let field = named(&mut self.window, "position x");
+        let field = self.window.named("position x");
         let letter = field.left_center() - vec2(6.0, 0.0);
         (self.window).send([Event::PointerMoved(letter), button(letter, true)]);
         self.moves("matrix", |i| letter + vec2(f32::from(i + 4), 0.0));
@@ -268,15 +371,6 @@ fn button(pos: Pos2, pressed: bool) -> Event {
     }
 }
 
-/// Where a control is.
-fn named(window: &mut Offscreen, name: &str) -> Rect {
-    window.tell_controls(true);
-    window.tell_controls(false);
-    let mut controls = window.controls().iter();
-    let control = controls.find(|control| control.name == name);
-    control.unwrap_or_else(|| panic!("no {name}")).rect
-}
-
 /// Times of passes, in milliseconds.
 #[derive(Default)]
 struct Costs {
@@ -292,21 +386,20 @@ struct Costs {
 
 impl Costs {
     /// Runs an event's pass and those that follow from it.
-    fn of(&mut self, window: &mut Offscreen, event: Event) {
+    fn of(&mut self, window: &mut Window, event: Event) {
         let (start, worked) = (Instant::now(), worked_ms(ClockId::ProcessCPUTime));
         let (mut event, mut shown) = (Some(event), None);
         for _ in 0..MOST_PASSES {
             let before = worked_ms(ClockId::ThreadCPUTime);
-            let drawn = window.draw(event.take());
-            drawn.unwrap_or_else(|error| panic!("{error}"));
+            window.draw(event.take().into_iter().collect());
             self.cpu.push(worked_ms(ClockId::ThreadCPUTime) - before);
-            if shown.is_none() && window.shows_scene() {
+            if shown.is_none() && window.program.shows_scene() {
                 shown = Some(1e3 * start.elapsed().as_secs_f64());
             }
-            if window.is_at_rest() {
+            if window.program.is_settled() {
                 break;
             }
-            if window.drawn_work() == 0 && !window.looks_different() {
+            if window.program.drawn_work() == 0 && !window.program.looks_different() {
                 std::thread::sleep(PAUSE);
             }
         }

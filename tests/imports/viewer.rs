@@ -94,9 +94,9 @@ fn files_of(folder: &str) -> Vec<PathBuf> {
     files_under(&src.join(folder))
 }
 
-/// One file orders the steps of a frame, for windows and for pictures of them. Hosts ask it for a whole frame, to
-/// prepare what later frames need, for a pass without a picture, or for the results of jobs. They ask for no step in
-/// between.
+/// One file orders the steps of a frame, for windows and for pictures of them. Hosts ask it for a whole frame, or for a
+/// pass without a picture and for a picture of a pass; to prepare what later frames need, or for the results of jobs. Who
+/// runs egui asks it for the panels. They ask for no step in between.
 #[test]
 fn one_driver_orders_the_steps_of_a_frame() {
     let driver = files_of("app")
@@ -115,7 +115,17 @@ fn one_driver_orders_the_steps_of_a_frame() {
         is_offered.then(|| name.split('(').next().unwrap_or_default())
     });
     let offered: Vec<_> = offered.collect();
-    assert_eq!(offered, ["frame", "prepare", "pass", "take_finished"]);
+    assert_eq!(
+        offered,
+        [
+            "frame",
+            "pass",
+            "draw_frame",
+            "prepare",
+            "take_finished",
+            "ui"
+        ]
+    );
 }
 
 /// Where files of the panels and of the screen name all objects or all batches: the list and its filter, which goes

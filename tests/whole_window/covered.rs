@@ -3,8 +3,8 @@
 
 use super::*;
 
-fn demo(points: [u32; 2]) -> Offscreen {
-    Offscreen::open(Options::default(), px(points, 1.0), 1.0)
+fn demo(points: [u32; 2]) -> Window {
+    Window::open(Options::default(), px(points, 1.0), 1.0)
 }
 
 /// A tooltip goes when Help covers what it explains.
@@ -14,7 +14,7 @@ fn no_tooltip_lies_over_help() {
     let at = control(&window, "front").rect.center();
     window.send([Event::PointerMoved(at)]);
     window.wait_s(1.0);
-    let explains = |window: &Offscreen| {
+    let explains = |window: &Window| {
         let mut all = window.controls().iter();
         all.any(|control| control.role == Role::Label && control.name.starts_with("1 front: cube"))
     };
@@ -46,7 +46,7 @@ fn the_toolbar_names_no_group_before_one_without_names() {
 #[test]
 fn the_step_of_a_grid_in_view_is_told() {
     let folder = tempfile::tempdir().expect("a folder");
-    let step = |window: &Offscreen| {
+    let step = |window: &Window| {
         let mut all = window.controls().iter();
         let step = all.find(|control| control.name.starts_with("grid step"));
         step.map(|control| control.rect)
@@ -57,7 +57,7 @@ fn the_step_of_a_grid_in_view_is_told() {
             memory: Some(folder.path().join("window.toml")),
             ..Options::default()
         };
-        let window = Offscreen::open(options, px(points, 1.0), 1.0);
+        let window = Window::open(options, px(points, 1.0), 1.0);
         let told = step(&window).expect("a grid");
         for name in ["New here?", "no tour"] {
             let offer = control(&window, name).rect.expand(8.0);

@@ -8,14 +8,14 @@ use std::process::Command;
 const NONE: Modifiers = Modifiers::NONE;
 
 /// A change of the view.
-type Does = fn(&mut Offscreen);
+type Does = fn(&mut Window);
 
 /// A point beside the middle, on the front of the cube.
 fn aside() -> Pos2 {
     MIDDLE + vec2(13.0, 7.0)
 }
 
-fn copied(window: &mut Offscreen, key: Key) -> String {
+fn copied(window: &mut Window, key: Key) -> String {
     press_key(window, NONE, key);
     window.copied().expect("something copied").to_owned()
 }
@@ -33,12 +33,12 @@ fn answer(command: &str) -> String {
     text.trim_end().to_owned()
 }
 
-fn says(window: &Offscreen, words: &str) -> bool {
+fn says(window: &Window, words: &str) -> bool {
     let mut all = window.controls().iter();
     all.any(|control| control.name.contains(words))
 }
 
-fn typed(window: &mut Offscreen, field: &str, number: &str) {
+fn typed(window: &mut Window, field: &str, number: &str) {
     type_into(window, field, number);
     press_key(window, NONE, Key::Enter);
 }

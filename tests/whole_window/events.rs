@@ -1,12 +1,12 @@
 //! The mouse, the keys and dropped files do what they should, and nothing where they should do nothing.
 
 use super::{
-    CTRL, MIDDLE, button, click, click_on, control, drag, open, picked_px, press_key, px, row,
-    selected,
+    CTRL, MIDDLE, Window, button, click, click_on, control, drag, open, picked_px, press_key, px,
+    row, selected,
 };
 use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, pos2, vec2};
 use glam::DVec2;
-use sightline::{camera::Viewport, pick, viewer::Offscreen};
+use sightline::{camera::Viewport, pick};
 
 #[test]
 fn a_click_picks_the_pixel_under_it_at_every_scale() {
@@ -168,7 +168,7 @@ fn wheel(by: egui::Vec2, modifiers: Modifiers) -> Event {
 }
 
 /// Distance from the eye to the front of the cube.
-fn eye_to_front(window: &Offscreen) -> f64 {
+fn eye_to_front(window: &Window) -> f64 {
     window.state().view().camera.eye().z - 2.5
 }
 
@@ -279,7 +279,7 @@ fn keys_act_and_typing_does_not() {
 #[test]
 fn the_pipeline_follows_the_cursor_and_stays_still() {
     let mut window = open(Vec::new(), 1.0);
-    let followed = |window: &mut Offscreen| {
+    let followed = |window: &mut Window| {
         let mut seen = 0;
         for y in (100..690_u16).step_by(10) {
             window.send([Event::PointerMoved(pos2(640.0, f32::from(y)))]);

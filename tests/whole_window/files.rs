@@ -4,8 +4,8 @@ use super::*;
 use glam::DVec3;
 use sightline::camera::{CameraChoice, UpAxis};
 
-fn opened(options: Options) -> Offscreen {
-    Offscreen::open(options, px(SIZE, 1.0), 1.0)
+fn opened(options: Options) -> Window {
+    Window::open(options, px(SIZE, 1.0), 1.0)
 }
 
 fn row_file() -> (PathBuf, TempDir) {
@@ -15,7 +15,7 @@ fn row_file() -> (PathBuf, TempDir) {
     (path, folder)
 }
 
-fn key(window: &mut Offscreen, key: Key) {
+fn key(window: &mut Window, key: Key) {
     press_key(window, Modifiers::NONE, key);
 }
 
@@ -48,7 +48,7 @@ fn a_flag_that_cannot_be_is_said_and_not_used() {
         hidden: vec![9],
         ..Options::default()
     });
-    let has = |window: &Offscreen, word: &str| window.messages().any(|text| text.contains(word));
+    let has = |window: &Window, word: &str| window.messages().any(|text| text.contains(word));
     assert_eq!(window.state().name(), "row.toml");
     assert!(has(&window, "--hide") && has(&window, "near"));
     assert_eq!(window.messages().count(), 2);
@@ -77,7 +77,7 @@ fn the_command_is_about_the_camera_whatever_shows() {
         },
         ..Options::default()
     });
-    let command = |window: &mut Offscreen| {
+    let command = |window: &mut Window| {
         key(window, Key::C);
         window.copied().expect("a command").to_owned()
     };
@@ -126,7 +126,7 @@ fn what_is_saved_is_what_is_open_from_then_on() {
     assert_ne!(std::fs::read(&kept).expect("a file"), before);
 }
 
-fn told(window: &Offscreen) -> Vec<&str> {
+fn told(window: &Window) -> Vec<&str> {
     window.messages().collect()
 }
 

@@ -5,7 +5,7 @@ use egui::vec2;
 
 pub(super) const NAMES: [&str; 4] = ["object", "world", "view", "NDC"];
 
-pub(super) fn rects(window: &Offscreen) -> [Rect; 4] {
+pub(super) fn rects(window: &Window) -> [Rect; 4] {
     NAMES.map(|name| control(window, &format!("stage {name}")).rect)
 }
 
@@ -15,13 +15,13 @@ fn changed(a: &Image<Rgb>, b: &Image<Rgb>, rects: [Rect; 4]) -> [bool; 4] {
     rects.map(|rect| differing_in(a, b, rect.with_min_y(rect.top() + 36.0).shrink(2.0)) > 60)
 }
 
-pub(super) fn four() -> (Offscreen, TempDir) {
+pub(super) fn four() -> (Window, TempDir) {
     let (mut window, folder) = row(1.0);
     press_key(&mut window, Modifiers::NONE, Key::Num4);
     (window, folder)
 }
 
-pub(super) fn away(window: &mut Offscreen) -> Image<Rgb> {
+pub(super) fn away(window: &mut Window) -> Image<Rgb> {
     window.send([Event::PointerGone]);
     window.picture().expect("a picture")
 }
@@ -186,7 +186,7 @@ fn one_made_large_is_the_single_stage_and_comes_back() {
             views: Views::One(stage),
             ..Options::default()
         };
-        let mut single = Offscreen::open(options, px(SIZE, 1.0), 1.0);
+        let mut single = Window::open(options, px(SIZE, 1.0), 1.0);
         let single = single.picture().expect("a picture");
         assert_eq!(differing(&single, &large), 0, "{name}");
         click_on(&mut window, &format!("four views beside {name}"));

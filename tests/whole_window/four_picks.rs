@@ -89,7 +89,7 @@ fn a_double_click_on_nothing_makes_a_view_large_and_keeps_the_pick() {
         window.wait_s(1.0);
     }
     press_key(&mut window, Modifiers::NONE, Key::Num4);
-    let kept = |window: &Offscreen| {
+    let kept = |window: &Window| {
         let state = window.state();
         let landmarks = state.landmarks().to_vec();
         let hits = state.hits().map(|hits| (hits.px, hits.at));
@@ -128,7 +128,7 @@ fn a_double_click_on_nothing_makes_a_view_large_and_keeps_the_pick() {
 fn the_same_pixel_of_a_view_again_is_the_surface_behind() {
     let (mut window, _folder) = four();
     let [_, world, ..] = rects(&window);
-    let point = |window: &Offscreen| {
+    let point = |window: &Window| {
         let view = window.state().pane_view(Stage::World)?;
         Some(view.project(DVec3::new(0.1, 0.1, 2.5))?.px)
     };
@@ -136,7 +136,7 @@ fn the_same_pixel_of_a_view_again_is_the_surface_behind() {
     #[expect(clippy::cast_possible_truncation, reason = "points of a window")]
     let at = world.min + vec2(at.x as f32, at.y as f32);
     click(&mut window, at);
-    let hits = |window: &Offscreen| {
+    let hits = |window: &Window| {
         window
             .state()
             .hits()

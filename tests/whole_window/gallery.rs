@@ -19,14 +19,14 @@ fn share_of(picture: &Image<Rgb>, colour: Rgb) -> f64 {
     share
 }
 
-fn exhibit(window: &Offscreen) -> Option<&'static str> {
+fn exhibit(window: &Window) -> Option<&'static str> {
     window.state().showing().map(|showing| showing.exhibit.name)
 }
 
 #[test]
 fn a_phantom_is_seen_under_a_banner_until_escape() {
     let (mut window, _folder) = row(1.0);
-    let key = |window: &mut Offscreen, key| press_key(window, Modifiers::NONE, key);
+    let key = |window: &mut Window, key| press_key(window, Modifiers::NONE, key);
     for _ in 0..5 {
         key(&mut window, Key::E);
     }
@@ -117,7 +117,7 @@ fn the_picture_is_an_odd_number_of_pixels_wide() {
 }
 
 /// A window whose edited scene was left for the gallery. Closing the window asks about that scene.
-fn edited_and_left() -> (Offscreen, TempDir) {
+fn edited_and_left() -> (Window, TempDir) {
     let (mut window, folder) = row(1.0);
     click(&mut window, MIDDLE);
     click_on(&mut window, "Model matrix");
@@ -191,7 +191,7 @@ fn esc_goes_back_step_by_step_and_out() {
     press_key(&mut window, Modifiers::NONE, Key::E);
     press_key(&mut window, Modifiers::NONE, Key::M);
     assert!(window.state().method().is_some());
-    let escape = |window: &mut Offscreen| press_key(window, Modifiers::NONE, Key::Escape);
+    let escape = |window: &mut Window| press_key(window, Modifiers::NONE, Key::Escape);
     escape(&mut window);
     assert!(window.state().method().is_none() && window.state().showing().is_some());
     control(&window, "Esc, with nothing selected, leaves the gallery.");

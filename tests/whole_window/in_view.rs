@@ -6,7 +6,7 @@ use sightline::render::{Gpu, Restraint};
 
 const NONE: Modifiers = Modifiers::NONE;
 
-fn is_whole(window: &Offscreen) -> bool {
+fn is_whole(window: &Window) -> bool {
     let view = window.state().view();
     let corners = window.state().scene().visible_bounds().corners();
     let is_in = |corner| {
@@ -40,7 +40,7 @@ fn files_open_whole_in_view_whatever_the_window_s_size() {
             paths: vec![path.clone()],
             ..Options::default()
         };
-        let mut window = Offscreen::open(options, px(size, 1.0), 1.0);
+        let mut window = Window::open(options, px(size, 1.0), 1.0);
         assert!(is_whole(&window), "{size:?}");
         // It stays whole when the window is resized, until the view is moved.
         window.resize(px([700, 720], 1.0));
@@ -130,7 +130,7 @@ const SECTION: [&str; 2] = [
 ];
 
 /// Picks in the picture's middle, whether or not anything is there.
-fn sees_something(window: &mut Offscreen) -> bool {
+fn sees_something(window: &mut Window) -> bool {
     window.wait_s(1.0);
     click(window, MIDDLE);
     selected(window).is_some()
@@ -139,7 +139,7 @@ fn sees_something(window: &mut Offscreen) -> bool {
 /// The box about all objects may reach into the view where none of them does.
 #[test]
 fn objects_around_the_view_leave_it_empty() {
-    let ways: [fn(&mut Offscreen); 3] = [
+    let ways: [fn(&mut Window); 3] = [
         |window| click_on(window, BETWEEN[1]),
         |window| press_key(window, NONE, Key::A),
         |window| click_on(window, "fit near"),
@@ -299,7 +299,7 @@ fn a_view_beyond_f32_says_what_to_do() {
     }
 }
 
-fn eye_z(window: &Offscreen) -> u64 {
+fn eye_z(window: &Window) -> u64 {
     let DVec3 { z, .. } = window.state().view().camera.eye();
     z.to_bits()
 }
@@ -310,12 +310,12 @@ fn near_and_far_slide_finely_with_shift() {
     for (name, plane) in [("near, slid", 0), ("far, slid", 1), ("P's near", 0)] {
         let (mut window, _folder) = row(1.0);
         press_key(&mut window, NONE, Key::P);
-        let planes = |window: &Offscreen| {
+        let planes = |window: &Window| {
             let lens = window.state().view().camera.lens();
             [lens.near, lens.far].map(f64::to_bits)
         };
         let before = planes(&window);
-        let at_plane = |window: &Offscreen| f64::from_bits(planes(window)[plane]);
+        let at_plane = |window: &Window| f64::from_bits(planes(window)[plane]);
         let wanted = 1.08 * at_plane(&window);
         let slider = control(&window, name).rect;
         let press = |at: Pos2, pressed: bool| Event::PointerButton {

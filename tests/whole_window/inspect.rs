@@ -106,7 +106,7 @@ fn keys_step_through_the_ray() {
 }
 
 /// Squares before a camera that looks straight along z, the nearest first.
-fn squares(z: &[&str]) -> (Offscreen, TempDir) {
+fn squares(z: &[&str]) -> (Window, TempDir) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("squares.toml");
     let square = |z: &&str| format!("[[object]]\nshape = \"square\"\nposition = [0, 0, {z}]\n");
@@ -134,7 +134,7 @@ fn a_gap_however_small_is_not_shown_as_none() {
 #[test]
 fn esc_takes_the_measured_distance_away() {
     let (mut window, _folder) = row(1.0);
-    let key = |window: &mut Offscreen, key| press_key(window, Modifiers::NONE, key);
+    let key = |window: &mut Window, key| press_key(window, Modifiers::NONE, key);
     click(&mut window, MIDDLE);
     key(&mut window, Key::N);
     key(&mut window, Key::D);

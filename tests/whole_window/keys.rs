@@ -8,18 +8,18 @@ use std::collections::HashMap;
 
 const NONE: Modifiers = Modifiers::NONE;
 
-fn eye(window: &Offscreen) -> DVec3 {
+fn eye(window: &Window) -> DVec3 {
     window.state().view().camera.eye()
 }
 
-fn focused(window: &Offscreen) -> Option<&str> {
+fn focused(window: &Window) -> Option<&str> {
     let mut all = window.controls().iter();
     all.find(|control| control.has_focus)
         .map(|control| control.name.as_str())
 }
 
 /// A view that Enter would reset.
-fn turned() -> (Offscreen, TempDir) {
+fn turned() -> (Window, TempDir) {
     let (mut window, folder) = row(1.0);
     drag(
         &mut window,
@@ -147,7 +147,7 @@ fn shortcuts_work_from_wherever_tab_leads() {
 }
 
 /// Presses Tab until this control has the focus.
-fn tab_to(window: &mut Offscreen, name: &str) {
+fn tab_to(window: &mut Window, name: &str) {
     for _ in 0..100 {
         if focused(window) == Some(name) {
             return;
@@ -244,7 +244,7 @@ fn every_control_has_a_name() {
     }
     click_on(&mut window, "Overlays");
     let mut count = 0;
-    let mut check = |window: &Offscreen| {
+    let mut check = |window: &Window| {
         // Scroll bars and the title bars of windows are egui's own.
         let is_ours = |role| !matches!(role, Role::Label | Role::ScrollBar | Role::Unknown);
         let mut known = HashMap::new();
@@ -312,10 +312,9 @@ fn a_typed_eye_leaves_the_horizon_level() {
 /// there.
 #[test]
 fn an_up_vector_is_what_was_typed() {
-    let texts = |window: &Offscreen| {
-        ["up x", "up y", "up z"].map(|name| control(window, name).value.clone())
-    };
-    let type_up = |window: &mut Offscreen, numbers: [&str; 3]| {
+    let texts =
+        |window: &Window| ["up x", "up y", "up z"].map(|name| control(window, name).value.clone());
+    let type_up = |window: &mut Window, numbers: [&str; 3]| {
         click_on(window, "up x");
         for (at, number) in numbers.into_iter().enumerate() {
             press_key(window, CTRL, Key::A);

@@ -22,14 +22,14 @@ struct Seen {
 }
 
 /// The middle of the scene's picture on screen.
-fn middle(window: &Offscreen) -> Vec<[u8; 3]> {
+fn middle(window: &Window) -> Vec<[u8; 3]> {
     let picture = window.drawn().expect("a picture");
     let inner = (200..520).flat_map(|y| (450..730).map(move |x| (x, y)));
     inner.map(|(x, y)| picture.at(x, y)).collect()
 }
 
 /// Draws frames with a moving mouse until a new scene is loaded and drawn. Until then the old picture must show.
-fn watch(window: &mut Offscreen, old: &[[u8; 3]]) -> Seen {
+fn watch(window: &mut Window, old: &[[u8; 3]]) -> Seen {
     let revision = window.state().scene_revision();
     let mut seen = Seen::default();
     let mut cursor = None;
@@ -59,7 +59,7 @@ fn watch(window: &mut Offscreen, old: &[[u8; 3]]) -> Seen {
 }
 
 /// Fails unless the work was spread over frames.
-fn check(window: &Offscreen, seen: &Seen, objects: usize) {
+fn check(window: &Window, seen: &Seen, objects: usize) {
     let whole = 2 * u64::from(SIDE * SIDE);
     assert!(seen.before > 1 && seen.drawn >= whole, "{seen:?}");
     if window.is_software() {
@@ -127,7 +127,7 @@ fn what_is_not_drawn_yet_is_not_picked() {
     let (mut window, _row) = row(1.0);
     window.picture().expect("a picture");
     window.begin_to_drop(path);
-    let is_there = |window: &Offscreen| window.state().scene().objects().len() == 1;
+    let is_there = |window: &Window| window.state().scene().objects().len() == 1;
     for _ in 0..100_000 {
         if is_there(&window) {
             break;
@@ -140,7 +140,7 @@ fn what_is_not_drawn_yet_is_not_picked() {
         assert!(!window.is_software(), "software takes longer");
         return;
     }
-    let says_so = |window: &Offscreen| window.controls().iter().any(|is| is.name == "drawing");
+    let says_so = |window: &Window| window.controls().iter().any(|is| is.name == "drawing");
     assert!(!says_so(&window), "it is not late yet");
     click(&mut window, MIDDLE);
     let state = window.state();

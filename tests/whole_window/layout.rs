@@ -4,13 +4,13 @@ use super::*;
 use egui::vec2;
 
 /// The picture's share of the window's area.
-fn share(window: &Offscreen, size: [u32; 2]) -> f64 {
+fn share(window: &Window, size: [u32; 2]) -> f64 {
     let picture = window.state().view().viewport;
     f64::from(picture.width()) * f64::from(picture.height())
         / (f64::from(size[0]) * f64::from(size[1]))
 }
 
-fn shows(window: &Offscreen) -> [bool; 2] {
+fn shows(window: &Window) -> [bool; 2] {
     ["left side", "right side"].map(|side| control(window, side).is_on)
 }
 
@@ -32,7 +32,7 @@ fn the_picture_keeps_half_of_the_window() {
                 ..Options::default()
             };
             let size = px(points, scale);
-            let mut window = Offscreen::open(options, size, scale);
+            let mut window = Window::open(options, size, scale);
             let size = [size.width(), size.height()];
             for _ in 0..2 {
                 for side in ["left side", "right side"] {
@@ -57,7 +57,7 @@ fn the_picture_keeps_half_of_the_window() {
 #[test]
 fn a_side_is_dragged_folded_and_opened() {
     let (mut window, _folder) = row(1.0);
-    let width = |window: &Offscreen| window.state().view().viewport.width();
+    let width = |window: &Window| window.state().view().viewport.width();
     let before = width(&window);
     for (edge, outwards, side) in [
         ("edge of the left side", 1.0, "left side"),
@@ -85,7 +85,7 @@ fn a_side_is_dragged_folded_and_opened() {
 }
 
 /// Where an edge is if the picture has this width and the other edge stays.
-fn before_edge(window: &Offscreen, edge: &str, width: u32) -> f32 {
+fn before_edge(window: &Window, edge: &str, width: u32) -> f32 {
     #[expect(clippy::cast_precision_loss, reason = "a window's width")]
     let width = width as f32;
     let half = 0.5 * control(window, edge).rect.width();
@@ -178,7 +178,7 @@ fn all_of_the_toolbar_can_be_reached_at_any_width() {
 }
 
 /// The controls of the panels, and where each is.
-fn places(window: &Offscreen) -> Vec<(String, egui::Rect)> {
+fn places(window: &Window) -> Vec<(String, egui::Rect)> {
     let controls = window.controls().iter();
     // The cross turns with the camera.
     let of_use = controls
@@ -219,7 +219,7 @@ fn a_long_number_moves_nothing_and_is_told_whole() {
             "-0.000952597",
             "-0.000953",
             // The vector stays as typed; the camera's is of unit length.
-            (|_| -0.000_952_597) as fn(&Offscreen) -> f64,
+            (|_| -0.000_952_597) as fn(&Window) -> f64,
         ),
         ("far", "99999999999999999999", "1e20", |window| {
             window.state().view().camera.lens().far
@@ -242,7 +242,7 @@ fn a_long_number_moves_nothing_and_is_told_whole() {
 }
 
 /// The left and right ends of each number of the matrices and of three steps of a point's way through them.
-fn columns(window: &Offscreen) -> Vec<[f32; 2]> {
+fn columns(window: &Window) -> Vec<[f32; 2]> {
     let of_matrix = |matrix: &str| ["x", "y", "z", "w"].map(|row| format!("{matrix}, row {row}"));
     let rows = ["P", "V", "M"].into_iter().flat_map(of_matrix);
     let way = ["object", "clip", "ray along"].map(|step| format!("{step:<9}"));
@@ -300,7 +300,7 @@ fn the_columns_of_matrices_stay_where_they_are() {
 #[test]
 fn panels_are_dark_or_light_as_the_desktop_is() {
     let (mut window, _folder) = row(1.0);
-    let panel = |window: &mut Offscreen| {
+    let panel = |window: &mut Window| {
         let picture = window.picture().expect("a picture");
         picture.at(1270, 690).map(u32::from).iter().sum::<u32>()
     };
@@ -324,12 +324,12 @@ fn panels_are_dark_or_light_as_the_desktop_is() {
 #[test]
 fn small_windows_cut_nothing_off_at_their_sides() {
     for points in [[640, 400], [800, 600], [1000, 650], [1280, 720]] {
-        let mut window = Offscreen::open(Options::default(), px(points, 1.0), 1.0);
+        let mut window = Window::open(Options::default(), px(points, 1.0), 1.0);
         let right = f32::from(u16::try_from(points[0]).expect("small"));
         if !control(&window, "right side").is_on {
             click_on(&mut window, "right side");
         }
-        let is_within = |window: &Offscreen, name: &str| {
+        let is_within = |window: &Window, name: &str| {
             let rect = control(window, name).rect;
             assert!(
                 rect.left() >= 0.0 && rect.right() <= right,

@@ -95,7 +95,7 @@ fn is_value(text: &str) -> bool {
 fn every_word_is_explained() {
     let (mut window, folder) = row(1.0);
     let (mut count, mut silent) = (0, Vec::new());
-    let mut check = |window: &Offscreen| {
+    let mut check = |window: &Window| {
         for control in window.controls() {
             let is_ours = !matches!(control.role, Role::ScrollBar | Role::Unknown | Role::Window);
             if is_ours && !is_value(&control.name) && !control.name.trim().is_empty() {
@@ -196,7 +196,7 @@ fn what_is_copied_or_saved_is_said_for_a_while() {
 }
 
 /// How far from grey a message's text is: 0 for grey, 255 for a pure colour.
-fn colourfulness(window: &mut Offscreen) -> u8 {
+fn colourfulness(window: &mut Window) -> u8 {
     window.send([Event::PointerGone]);
     let text = window.messages().next().expect("a message").to_owned();
     let rect = control(window, &text).rect;

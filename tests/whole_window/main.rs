@@ -11,6 +11,7 @@ mod files;
 mod four;
 mod four_picks;
 mod gallery;
+mod harness;
 #[path = "../common/images.rs"]
 mod images;
 mod in_view;
@@ -43,11 +44,12 @@ mod while_loading;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Role, pos2};
 use glam::DVec2;
+use harness::{Control, Window};
 use sightline::{
     camera::Viewport,
     image::{Image, Rgb},
     viewer::{
-        Control, Offscreen, Options,
+        Options,
         model::{Stage, Views},
     },
 };
@@ -83,24 +85,24 @@ position = [0, 0, -2]
 ";
 
 /// A window that shows [`ROW`], and the folder of its file.
-fn row(scale: f32) -> (Offscreen, TempDir) {
+fn row(scale: f32) -> (Window, TempDir) {
     row_as(ROW, scale)
 }
 
 /// A window that shows this text, and the folder of its file.
-fn row_as(text: &str, scale: f32) -> (Offscreen, TempDir) {
+fn row_as(text: &str, scale: f32) -> (Window, TempDir) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("row.toml");
     std::fs::write(&path, text).expect("a writable folder");
     (open(vec![path], scale), folder)
 }
 
-fn open(paths: Vec<PathBuf>, scale: f32) -> Offscreen {
+fn open(paths: Vec<PathBuf>, scale: f32) -> Window {
     let options = Options {
         paths,
         ..Options::default()
     };
-    Offscreen::open(options, px(SIZE, scale), scale)
+    Window::open(options, px(SIZE, scale), scale)
 }
 
 #[expect(
@@ -123,12 +125,12 @@ fn button(at: Pos2, button: PointerButton, pressed: bool) -> Event {
     }
 }
 
-fn click(window: &mut Offscreen, at: Pos2) {
+fn click(window: &mut Window, at: Pos2) {
     drag(window, PointerButton::Primary, at, at);
 }
 
 /// Two clicks that follow each other quickly.
-fn double_click(window: &mut Offscreen, at: Pos2) {
+fn double_click(window: &mut Window, at: Pos2) {
     // An earlier click must not count as one of them.
     window.wait_s(1.0);
     let press = |pressed| button(at, PointerButton::Primary, pressed);
@@ -137,7 +139,7 @@ fn double_click(window: &mut Offscreen, at: Pos2) {
 }
 
 /// Presses at one point, moves in ten steps and releases at another.
-fn drag(window: &mut Offscreen, with: PointerButton, from: Pos2, to: Pos2) {
+fn drag(window: &mut Window, with: PointerButton, from: Pos2, to: Pos2) {
     let moves = (0..=10_u8).map(|i| Event::PointerMoved(from.lerp(to, f32::from(i) / 10.0)));
     let press = [Event::PointerMoved(from), button(from, with, true)];
     window.send(press.into_iter().chain(moves));
@@ -146,7 +148,7 @@ fn drag(window: &mut Offscreen, with: PointerButton, from: Pos2, to: Pos2) {
 
 /// The control of this name, or else the text of this name.
 #[track_caller]
-fn control<'a>(window: &'a Offscreen, name: &str) -> &'a Control {
+fn control<'a>(window: &'a Window, name: &str) -> &'a Control {
     let named = || {
         window
             .controls()
@@ -161,13 +163,13 @@ fn control<'a>(window: &'a Offscreen, name: &str) -> &'a Control {
     })
 }
 
-fn has_control(window: &Offscreen, name: &str) -> bool {
+fn has_control(window: &Window, name: &str) -> bool {
     window.controls().iter().any(|control| control.name == name)
 }
 
 /// Clicks a control.
 #[track_caller]
-fn click_on(window: &mut Offscreen, name: &str) {
+fn click_on(window: &mut Window, name: &str) {
     let found = control(window, name);
     assert!(found.is_enabled, "{name} can be used");
     let at = found.rect.center();
@@ -178,7 +180,7 @@ fn click_on(window: &mut Offscreen, name: &str) {
 const CTRL: Modifiers = Modifiers::CTRL.plus(Modifiers::COMMAND);
 
 /// Types into a field as a user does: replaces its text.
-fn type_into(window: &mut Offscreen, name: &str, text: &str) {
+fn type_into(window: &mut Window, name: &str, text: &str) {
     click_on(window, name);
     press_key(window, CTRL, Key::A);
     window.send([Event::Text(text.into())]);
@@ -199,7 +201,7 @@ fn press(key: Key) -> Event {
     key_event(Modifiers::NONE, key, true)
 }
 
-fn press_key(window: &mut Offscreen, modifiers: Modifiers, key: Key) {
+fn press_key(window: &mut Window, modifiers: Modifiers, key: Key) {
     window.send([true, false].map(|pressed| key_event(modifiers, key, pressed)));
 }
 
@@ -220,13 +222,13 @@ fn differing_in(a: &Image<Rgb>, b: &Image<Rgb>, rect: Rect) -> usize {
     images::differing_where(a, b, |a, b, at| a != b && is_in(at))
 }
 
-fn selected(window: &Offscreen) -> Option<&str> {
+fn selected(window: &Window) -> Option<&str> {
     let selection = window.state().selection()?;
     Some(&window.state().scene().objects()[selection.object].name)
 }
 
 /// The pixel position at which the selection was picked.
-fn picked_px(window: &Offscreen) -> Option<DVec2> {
+fn picked_px(window: &Window) -> Option<DVec2> {
     Some(window.state().selection()?.pick.as_ref()?.px)
 }
 

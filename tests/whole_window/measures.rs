@@ -20,7 +20,7 @@ shape = \"mesh\"
 file = \"wall.obj\"
 ";
 
-fn wall() -> (Offscreen, TempDir) {
+fn wall() -> (Window, TempDir) {
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::write(folder.path().join("wall.obj"), WALL).expect("a writable folder");
     let path = folder.path().join("wall.toml");
@@ -31,7 +31,7 @@ fn wall() -> (Offscreen, TempDir) {
 }
 
 /// Clicks at this offset in pixels from where a world point shows.
-fn click_near(window: &mut Offscreen, point: [f64; 3], aside: [f32; 2]) {
+fn click_near(window: &mut Window, point: [f64; 3], aside: [f32; 2]) {
     let view = window.state().view();
     let px = view
         .project(glam::DVec3::from_array(point))
@@ -46,11 +46,11 @@ fn click_near(window: &mut Offscreen, point: [f64; 3], aside: [f32; 2]) {
     click(window, middle + egui::vec2(x, y) + egui::Vec2::from(aside));
 }
 
-fn is_enabled(window: &Offscreen, name: &str) -> bool {
+fn is_enabled(window: &Window, name: &str) -> bool {
     control(window, name).is_enabled
 }
 
-fn values(window: &Offscreen) -> Vec<f64> {
+fn values(window: &Window) -> Vec<f64> {
     let list = &window.state().measuring().list;
     list.iter().map(|entry| entry.value).collect()
 }
@@ -63,7 +63,7 @@ fn clicks_are_led_to_vertices_and_edges_and_measured() {
     assert!(window.state().measuring().points.is_empty() && !is_enabled(&window, "distance"));
     click_on(&mut window, "snap clicks");
     click_near(&mut window, [2.0, 1.0, 0.0], [-4.0, 3.0]);
-    let label = |window: &Offscreen| {
+    let label = |window: &Window| {
         let last = window.state().measuring().points.last();
         last.map(sightline::pick::snap::Snap::label)
     };
@@ -149,11 +149,11 @@ fn measures_are_not_lost_without_a_question() {
     let other = folder.path().join("row.toml");
     std::fs::write(&other, ROW).expect("a writable folder");
     let is_asked =
-        |window: &Offscreen| !is_asked(window) && has_control(window, "Measures would be lost");
+        |window: &Window| !is_asked(window) && has_control(window, "Measures would be lost");
 
     window.drop_file(other.clone());
     assert!(is_asked(&window));
-    let told = |window: &Offscreen, words: &str| {
+    let told = |window: &Window, words: &str| {
         let mut all = window.controls().iter();
         all.any(|control| control.name.contains(words))
     };
@@ -211,8 +211,8 @@ const NAMES: [&str; 8] = [
 #[test]
 fn the_panel_stays_as_it_is_laid_out() {
     let (mut window, _folder) = wall();
-    let places = |window: &Offscreen| NAMES.map(|name| control(window, name).rect);
-    let said = |window: &Offscreen, name: &str, words: &str| {
+    let places = |window: &Window| NAMES.map(|name| control(window, name).rect);
+    let said = |window: &Window, name: &str, words: &str| {
         let control = control(window, name);
         assert!(!control.is_enabled, "{name}");
         let told = format!("{control:?}");

@@ -2,7 +2,7 @@
 
 use super::*;
 
-pub(super) fn open_menu(window: &mut Offscreen, at: Pos2) {
+pub(super) fn open_menu(window: &mut Window, at: Pos2) {
     window.send([Event::PointerMoved(at)]);
     let press = |pressed| button(at, PointerButton::Secondary, pressed);
     window.send([press(true), press(false)]);
@@ -19,7 +19,7 @@ fn on_an_object_it_does_what_applies_to_it() {
     // The entries that show now.
     open_menu(&mut window, MIDDLE);
     click_on(&mut window, "Hide all others");
-    let visible = |window: &Offscreen| -> Vec<_> {
+    let visible = |window: &Window| -> Vec<_> {
         let objects = window.state().scene().objects().iter();
         objects.map(|object| object.visible).collect()
     };
@@ -78,7 +78,7 @@ fn on_nothing_it_is_about_the_view() {
 /// Once the menu is closed, Esc does what it does without one.
 #[test]
 fn esc_closes_a_menu_and_nothing_else() {
-    let esc = |window: &mut Offscreen| press_key(window, Modifiers::NONE, Key::Escape);
+    let esc = |window: &mut Window| press_key(window, Modifiers::NONE, Key::Escape);
     let (mut window, _folder) = row(1.0);
     click(&mut window, MIDDLE);
     window.wait_s(1.0);
@@ -109,7 +109,7 @@ fn esc_closes_a_menu_and_nothing_else() {
 }
 
 /// A point of one of the four views over an object, or over none.
-fn point_of(window: &mut Offscreen, stage: &str, is_over: Option<usize>) -> Pos2 {
+fn point_of(window: &mut Window, stage: &str, is_over: Option<usize>) -> Pos2 {
     let rect = control(window, &format!("stage {stage}")).rect;
     let inside = rect.with_min_y(rect.top() + 40.0).shrink(12.0);
     for i in 0..400_u16 {
@@ -127,7 +127,7 @@ fn point_of(window: &mut Offscreen, stage: &str, is_over: Option<usize>) -> Pos2
 fn in_the_four_views_it_is_about_the_view_under_the_cursor() {
     let (mut window, _folder) = row(1.0);
     press_key(&mut window, Modifiers::NONE, Key::Num4);
-    let hidden = |window: &Offscreen| -> Vec<_> {
+    let hidden = |window: &Window| -> Vec<_> {
         let objects = window.state().scene().objects().iter();
         objects.map(|object| !object.visible).collect()
     };

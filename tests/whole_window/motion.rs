@@ -5,7 +5,7 @@ use egui::vec2;
 use sightline::{camera::View, pick, render};
 
 /// The top left corner of the scene's rectangle, which is centred in the window's room for it.
-fn corner(window: &Offscreen) -> [u32; 2] {
+fn corner(window: &Window) -> [u32; 2] {
     let size = window.state().view().viewport;
     [590 - size.width() / 2, 360 - size.height() / 2]
 }
@@ -16,7 +16,7 @@ fn inner() -> impl Iterator<Item = (u32, u32)> {
 }
 
 /// The side, in pixels of the frame, of the square that shows one pixel of the scene's picture: 1 to 4.
-fn coarseness(window: &Offscreen) -> u32 {
+fn coarseness(window: &Window) -> u32 {
     let (picture, [left, top]) = (window.drawn().expect("a picture"), corner(window));
     let at = |x: u32, y: u32| picture.at(left + x, top + y);
     let is_made_of =
@@ -124,7 +124,7 @@ fn a_leap_is_exact_at_once_and_steps_in_a_row_move() {
 }
 
 /// A window that shows a ground of so many cells along each side, with its trees built, and the folder of its file.
-fn large_ground(side: u32) -> (Offscreen, TempDir) {
+fn large_ground(side: u32) -> (Window, TempDir) {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = open(vec![stalls::ground(folder.path(), side)], 1.0);
     window.picture().expect("a picture");
@@ -135,7 +135,7 @@ fn large_ground(side: u32) -> (Offscreen, TempDir) {
 }
 
 /// Drags the left button to and fro, a frame for each step, until `is_so`. Returns whether it ever was.
-fn drag_until(window: &mut Offscreen, steps: u16, is_so: impl Fn(&Offscreen) -> bool) -> bool {
+fn drag_until(window: &mut Window, steps: u16, is_so: impl Fn(&Window) -> bool) -> bool {
     window.send([button(MIDDLE, PointerButton::Primary, true)]);
     (1..=steps).any(|step| {
         let at = MIDDLE + vec2(f32::from(step % 40) * 3.0, 0.0);
@@ -161,7 +161,7 @@ fn a_large_scene_moves_by_rays() {
         assert!(by_rays, "all 400 pictures were drawn");
     } else {
         let is_drawn =
-            |window: &Offscreen| window.shows_scene() && window.drawn_work() >= 2 * 110 * 110;
+            |window: &Window| window.shows_scene() && window.drawn_work() >= 2 * 110 * 110;
         let otherwise = drag_until(&mut window, 40, |window| {
             !is_drawn(window) || coarseness(window) > 1
         });
@@ -184,7 +184,7 @@ fn an_exact_picture_under_way_gives_way_to_motion() {
         "the exact picture takes more passes"
     );
     let (before, [left, top]) = (window.drawn().expect("a picture"), corner(&window));
-    let as_before = |window: &Offscreen| {
+    let as_before = |window: &Window| {
         let now = window.drawn().expect("a picture");
         let mut inner = inner().map(|(x, y)| (left + x, top + y));
         inner.all(|(x, y)| now.at(x, y) == before.at(x, y))
@@ -200,7 +200,7 @@ fn an_exact_picture_under_way_gives_way_to_motion() {
 fn a_click_on_a_large_object_outlines_it_at_once() {
     let (mut window, _folder) = large_ground(707);
     let is_software = window.is_software();
-    let is_at_once = |window: &mut Offscreen| {
+    let is_at_once = |window: &mut Window| {
         window.wait_s(1.0);
         click(window, MIDDLE);
         assert!(window.state().selection().is_some());
@@ -219,7 +219,7 @@ fn a_click_on_a_large_object_outlines_it_at_once() {
 }
 
 /// Whether the colours of a large ground's moving picture are exactly those of the rays' hits.
-fn is_by_rays(window: &Offscreen) -> bool {
+fn is_by_rays(window: &Window) -> bool {
     let (side, [left, top]) = (coarseness(window), corner(window));
     if side == 1 {
         return false;

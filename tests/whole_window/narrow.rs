@@ -4,12 +4,12 @@ use super::*;
 
 const NONE: Modifiers = Modifiers::NONE;
 
-fn demo(points: [u32; 2]) -> Offscreen {
-    Offscreen::open(Options::default(), px(points, 1.0), 1.0)
+fn demo(points: [u32; 2]) -> Window {
+    Window::open(Options::default(), px(points, 1.0), 1.0)
 }
 
 #[track_caller]
-fn is_within(window: &Offscreen, name: &str) {
+fn is_within(window: &Window, name: &str) {
     let rect = control(window, name).rect;
     assert!(
         rect.left() >= 0.0 && rect.right() <= 400.0,

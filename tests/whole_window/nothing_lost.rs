@@ -5,26 +5,26 @@ use glam::DVec3;
 use sightline::scene::{self, Object, Progress, Shape};
 
 /// Hides the cube: an edit by keys.
-pub(super) fn edit(window: &mut Offscreen) {
+pub(super) fn edit(window: &mut Window) {
     click(window, MIDDLE);
     assert_eq!(selected(window), Some("front"));
     press_key(window, Modifiers::SHIFT, Key::H);
 }
 
-pub(super) fn shown(window: &Offscreen) -> Vec<bool> {
+pub(super) fn shown(window: &Window) -> Vec<bool> {
     let objects = window.state().scene().objects().iter();
     objects.map(|object| object.visible).collect()
 }
 
-fn eye(window: &Offscreen) -> DVec3 {
+fn eye(window: &Window) -> DVec3 {
     window.state().view().camera.eye()
 }
 
-pub(super) fn is_asked(window: &Offscreen) -> bool {
+pub(super) fn is_asked(window: &Window) -> bool {
     has_control(window, "Unsaved edits")
 }
 
-pub(super) fn is_marked(window: &Offscreen) -> bool {
+pub(super) fn is_marked(window: &Window) -> bool {
     window.title().starts_with('\u{2022}')
 }
 
@@ -139,7 +139,7 @@ fn edits_are_marked_and_asked_about_before_they_go() {
 /// Opening by the Open dialog or by Recent asks before edits are dropped.
 #[test]
 fn what_is_chosen_to_open_asks_before_edits_go() {
-    type Way = fn(&mut Offscreen, &Path);
+    type Way = fn(&mut Window, &Path);
     let (mut window, folder) = row(1.0);
     let other = folder.path().join("other.toml");
     std::fs::write(&other, ROW).expect("writable");

@@ -27,7 +27,7 @@ shape = \"mesh\"
 file = \"walls.obj\"
 ";
 
-fn walls() -> (Offscreen, TempDir) {
+fn walls() -> (Window, TempDir) {
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::write(folder.path().join("walls.obj"), WALLS).expect("a writable folder");
     let path = folder.path().join("walls.toml");
@@ -36,7 +36,7 @@ fn walls() -> (Offscreen, TempDir) {
 }
 
 /// Whether some text in the window contains this one.
-fn reads(window: &Offscreen, text: &str) -> bool {
+fn reads(window: &Window, text: &str) -> bool {
     window
         .controls()
         .iter()

@@ -9,7 +9,7 @@ use sightline::{
 };
 
 /// The colours of a window's picture around a world-space point.
-fn about(window: &Offscreen, picture: &Image<Rgb>, point_world: DVec3) -> Vec<Rgb> {
+fn about(window: &Window, picture: &Image<Rgb>, point_world: DVec3) -> Vec<Rgb> {
     let view = window.state().view();
     let size = DVec2::new(view.viewport.width().into(), view.viewport.height().into());
     let origin = DVec2::new(MIDDLE.x.into(), MIDDLE.y.into()) - 0.5 * size;
@@ -85,7 +85,7 @@ fn overlays_are_about_the_selection() {
 }
 
 /// Where an object shows in the window, with room for its outline.
-fn place_of(window: &Offscreen, object: usize) -> Rect {
+fn place_of(window: &Window, object: usize) -> Rect {
     let view = window.state().view();
     let size = DVec2::new(view.viewport.width().into(), view.viewport.height().into());
     let corners = window.state().scene().bounds_of(object).corners();
@@ -120,7 +120,7 @@ fn the_grid_stays_when_an_object_is_hidden_or_moved() {
     let distant = "name = \"distant\"\nshape = \"cube\"\nposition = [60, 0, 0]\n";
     std::fs::write(&path, format!("{camera}\n[[object]]\n{distant}")).expect("writable");
     let mut window = open(vec![path], 1.0);
-    let seen = |window: &mut Offscreen| {
+    let seen = |window: &mut Window| {
         window.send([Event::PointerGone]);
         window.picture().expect("a picture")
     };

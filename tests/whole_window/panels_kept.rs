@@ -1,12 +1,11 @@
 //! Panels are painted again when they change, and the picture still equals one in which they are painted anew.
 
-use crate::{MIDDLE, click, click_on, drag, press_key, row, type_into};
+use crate::{MIDDLE, Window, click, click_on, drag, press_key, row, type_into};
 use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
-use sightline::viewer::Offscreen;
 
 /// Fails unless the picture stays the same to the bit when a lost device makes the window paint everything anew.
 #[track_caller]
-fn is_as_painted_anew(window: &mut Offscreen, after: &str) {
+fn is_as_painted_anew(window: &mut Window, after: &str) {
     let kept = window.picture().expect("draws");
     window.lose_device();
     let anew = window.picture().expect("draws");

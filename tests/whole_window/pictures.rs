@@ -2,7 +2,7 @@
 //! it is. After a wanted change, run with `SIGHTLINE_GOLDENS=write` and look at each picture.
 
 use super::{
-    MIDDLE, ROW, click, click_on, control, drag, has_control, here,
+    MIDDLE, ROW, Window, click, click_on, control, drag, has_control, here,
     images::{apart, differing_where, read},
     open, press_key, px, row_as, whole,
 };
@@ -11,7 +11,7 @@ use glam::DVec2;
 use sightline::{
     image::{Image, Rgb},
     scene::{self, Progress},
-    viewer::{Offscreen, Options, model::Views, picture_of_views},
+    viewer::{Options, model::Views, picture_of_views},
 };
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
@@ -21,7 +21,7 @@ type Part = [u32; 4];
 
 /// The window in the state of the picture, with a text in place of [`ROW`], the part shown, and the folder of its file:
 /// while that is there, no message says that the file is gone.
-fn shown(name: &str, text: &str) -> (Offscreen, Part, TempDir) {
+fn shown(name: &str, text: &str) -> (Window, Part, TempDir) {
     let (mut window, folder) = row_as(text, 1.0);
     click(&mut window, MIDDLE);
     // The cursor leaves the window, so that nothing is hovered.
@@ -75,7 +75,7 @@ fn over_the_scene(name: &str) -> &'static [Part] {
 }
 
 /// Where the scene is.
-fn scene_part(window: &Offscreen, window_height: u32) -> Part {
+fn scene_part(window: &Window, window_height: u32) -> Part {
     /// The height of the status line, below the scene.
     const STATUS: u32 = 25;
     let size = window.state().view().viewport;
@@ -176,7 +176,7 @@ fn compare_whole(picture: &Image<Rgb>, path: &Path, most: usize) {
 
 /// Compares a picture in README with its window. On the driver that made the picture, no pixel may differ. Other
 /// drivers may draw edges and lines differently.
-fn compare_asset(name: &str, mut window: Offscreen) {
+fn compare_asset(name: &str, mut window: Window) {
     window.send([Event::PointerGone]);
     let picture = window.picture().expect("a picture");
     let most = if window.adapter_name().contains("llvmpipe") {

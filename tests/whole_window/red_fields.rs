@@ -4,16 +4,16 @@ use super::*;
 
 const NONE: Modifiers = Modifiers::NONE;
 
-type Does = fn(&mut Offscreen);
+type Does = fn(&mut Window);
 
 /// Types a value that is refused, and leaves the field.
-fn refused(window: &mut Offscreen, field: &str, text: &str) {
+fn refused(window: &mut Window, field: &str, text: &str) {
     type_into(window, field, text);
     press_key(window, NONE, Key::Enter);
     assert_eq!(control(window, field).value, text, "it stays to be mended");
 }
 
-fn is_red(window: &Offscreen, field: &str) -> bool {
+fn is_red(window: &Window, field: &str) -> bool {
     let said = &control(window, field).description;
     said.contains("stays in force")
 }
@@ -122,7 +122,7 @@ fn a_red_text_goes_with_what_it_was_typed_for() {
 #[test]
 fn what_has_become_possible_meanwhile_is_not_shown_as_if_in_force() {
     let (mut window, _folder) = row(1.0);
-    let set_far = |window: &mut Offscreen, far: &str| {
+    let set_far = |window: &mut Window, far: &str| {
         type_into(window, "far", far);
         press_key(window, NONE, Key::Enter);
     };

@@ -5,13 +5,13 @@ use super::*;
 use sightline::{colour::Srgb, scene::Shape};
 use std::{fs, thread, time::Duration};
 
-fn remembering(memory: &Path, paths: Vec<PathBuf>) -> Offscreen {
+fn remembering(memory: &Path, paths: Vec<PathBuf>) -> Window {
     let options = Options {
         paths,
         memory: Some(memory.to_owned()),
         ..Options::default()
     };
-    Offscreen::open(options, px(SIZE, 1.0), 1.0)
+    Window::open(options, px(SIZE, 1.0), 1.0)
 }
 
 #[test]
@@ -84,7 +84,7 @@ fn a_broken_memory_is_no_obstacle() {
 
 /// Runs passes of a window until it meets a condition.
 #[track_caller]
-pub(super) fn wait_until(window: &mut Offscreen, is_so: impl Fn(&Offscreen) -> bool) {
+pub(super) fn wait_until(window: &mut Window, is_so: impl Fn(&Window) -> bool) {
     for _ in 0..200 {
         window.send([]);
         if is_so(window) {
@@ -157,7 +157,7 @@ fn a_material_that_changes_is_read_again() {
     );
     write("here.mtl", "newmtl a\nKd 1 0 0\n");
     let mut window = open(vec![folder.path().join("triangle.obj")], 1.0);
-    let colour = |window: &Offscreen| {
+    let colour = |window: &Window| {
         let Shape::Mesh { mesh, .. } = &window.state().scene().objects()[0].shape else {
             panic!("a mesh");
         };

@@ -7,7 +7,7 @@ use sightline::{
 };
 
 /// Draws a frame, and returns what is then on screen.
-fn next(window: &mut Offscreen) -> Image<Rgb> {
+fn next(window: &mut Window) -> Image<Rgb> {
     window.draw([]).expect("a frame");
     window.drawn().expect("a picture")
 }

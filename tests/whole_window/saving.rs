@@ -17,7 +17,7 @@ use std::fs;
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 /// Moves the first object: an edit that reading its file again would drop.
-fn move_first(window: &mut Offscreen) {
+fn move_first(window: &mut Window) {
     press_key(window, Modifiers::NONE, Key::ArrowDown);
     click_on(window, "Model matrix");
     type_into(window, "position x", "0.25");
@@ -194,7 +194,7 @@ fn one_save_dialog_is_open_at_a_time() {
     edit(&mut window);
     press_key(&mut window, CTRL, Key::S);
     assert_eq!(window.save_dialogs(), 1);
-    let told = |window: &Offscreen| window.messages().any(|text| text.contains("open already"));
+    let told = |window: &Window| window.messages().any(|text| text.contains("open already"));
     assert!(told(&window));
     // The answer saves what the second key was about.
     let kept = folder.path().join("kept.toml");
@@ -231,7 +231,7 @@ fn the_dialog_suggests_the_folder_of_the_scene() {
     }
 }
 
-fn told(window: &Offscreen) -> Vec<&str> {
+fn told(window: &Window) -> Vec<&str> {
     window.messages().collect()
 }
 
@@ -242,7 +242,7 @@ fn without_a_dialog_nothing_is_lost() {
     let folder = tempfile::tempdir().expect("a folder");
     let named = |name: &str| folder.path().join(name);
     let read = |name: &str| fs::read_to_string(named(name)).expect("a file");
-    let save = |window: &mut Offscreen| {
+    let save = |window: &mut Window| {
         press_key(window, CTRL, Key::S);
         window.save_without_dialog();
     };

@@ -7,7 +7,7 @@ use super::{
 use glam::DVec3;
 use sightline::{camera::SectionChoice, geometry::Section, look};
 
-fn section(window: &Offscreen) -> Option<Section> {
+fn section(window: &Window) -> Option<Section> {
     window.state().view().section
 }
 
@@ -43,7 +43,7 @@ fn a_cut_solid_shows_and_picks_its_inside() {
 }
 
 /// Types a section as a user does.
-fn type_section(window: &mut Offscreen, normal: [f64; 3], offset: f64) {
+fn type_section(window: &mut Window, normal: [f64; 3], offset: f64) {
     if section(window).is_none() {
         click_on(window, "section");
     }
@@ -236,7 +236,7 @@ fn one_that_names_no_face_is_said_in_the_window() {
     let text = ROW.replace("[camera]", "[camera]\nsection = \"face:9,0\"");
     std::fs::write(&path, text).expect("a writable folder");
     let window = open(vec![path], 1.0);
-    let says = |window: &Offscreen, words: &str| {
+    let says = |window: &Window, words: &str| {
         let said = window.messages().filter(|text| text.contains(words));
         assert_eq!(said.count(), 1, "{words}");
         assert_eq!(section(window), None);
@@ -249,6 +249,6 @@ fn one_that_names_no_face_is_said_in_the_window() {
         ..Options::default()
     };
     options.camera.section = Some("face:2,7".parse().expect("a section"));
-    let window = Offscreen::open(options, px(SIZE, 1.0), 1.0);
+    let window = Window::open(options, px(SIZE, 1.0), 1.0);
     says(&window, "the section is left out: ");
 }

@@ -3,12 +3,12 @@
 
 use super::*;
 
-fn sides(window: &Offscreen) -> [bool; 2] {
+fn sides(window: &Window) -> [bool; 2] {
     ["left side", "right side"].map(|side| control(window, side).is_on)
 }
 
-fn demo(points: [u32; 2]) -> Offscreen {
-    Offscreen::open(Options::default(), px(points, 1.0), 1.0)
+fn demo(points: [u32; 2]) -> Window {
+    Window::open(Options::default(), px(points, 1.0), 1.0)
 }
 
 /// Beside the matrices every heading is in view, and what is selected can be read.
@@ -135,13 +135,13 @@ fn the_gallery_shows_its_panel_and_gives_back_the_room() {
             paths: vec!["gallery:needles".into()],
             ..Options::default()
         };
-        let window = Offscreen::open(options, px(points, 1.0), 1.0);
+        let window = Window::open(options, px(points, 1.0), 1.0);
         assert!(has_control(&window, METHOD), "{points:?}");
     }
 }
 
 /// Opens the side on which this control is, and clicks it.
-fn reach(window: &mut Offscreen, name: &str) {
+fn reach(window: &mut Window, name: &str) {
     for side in ["left side", "right side"] {
         if !has_control(window, name) && control(window, side).is_enabled {
             click_on(window, side);

@@ -110,7 +110,7 @@ fn ndc_of_many_objects_is_made_beside_the_window() {
 }
 
 /// Draws until the wanted scene shows.
-fn draw_all(window: &mut Offscreen) {
+fn draw_all(window: &mut Window) {
     for _ in 0..1000 {
         window.draw([]).expect("a frame");
         if window.shows_scene() {
@@ -184,7 +184,7 @@ fn the_picture_is_not_shown_as_the_world() {
 }
 
 /// How much of a load is done by its bar, in per cent; `None` while there is no bar.
-fn loaded_percent(window: &Offscreen) -> Option<f64> {
+fn loaded_percent(window: &Window) -> Option<f64> {
     let mut all = window.controls().iter();
     let bar = all.find(|control| control.name == "loading")?;
     bar.value.parse().ok()
@@ -192,7 +192,7 @@ fn loaded_percent(window: &Offscreen) -> Option<f64> {
 
 /// Draws frames until the bar of a load has passed this share, in per cent. Returns whether it ever had: the load may
 /// have ended before a frame could show that.
-fn is_loaded_beyond(window: &mut Offscreen, share: f64) -> bool {
+fn is_loaded_beyond(window: &mut Window, share: f64) -> bool {
     let begun = Instant::now();
     loop {
         window.draw([Event::PointerGone]).expect("a frame");
@@ -214,7 +214,7 @@ fn is_loaded_beyond(window: &mut Offscreen, share: f64) -> bool {
 /// the old scene stays.
 #[test]
 fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
-    type Way = fn(&Offscreen) -> Vec<Event>;
+    type Way = fn(&Window) -> Vec<Event>;
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("very_many.toml");
     let object = "[[object]]\nshape = \"cube\"\nposition = [1, 2, 3]\n";
@@ -266,7 +266,7 @@ fn a_scene_of_many_objects_tells_its_progress_and_can_be_cancelled() {
 
 /// Draws frames until Esc has ended opening a file, at a share of it that its bar shows. Returns false if the file was
 /// there before that.
-fn is_ended(window: &mut Offscreen) -> bool {
+fn is_ended(window: &mut Window) -> bool {
     let begun = Instant::now();
     loop {
         window.draw([Event::PointerGone]).expect("a frame");

@@ -4,7 +4,7 @@ use super::*;
 use sightline::{camera::Projection, pick, study::swap::Found, viewer::tour_text};
 
 /// A step's first words, and what they ask for.
-type Deed = (&'static str, fn(&mut Offscreen));
+type Deed = (&'static str, fn(&mut Window));
 
 const NONE: Modifiers = Modifiers::NONE;
 
@@ -118,7 +118,7 @@ const DEEDS: [Deed; 22] = [
     }),
 ];
 
-fn turn(window: &mut Offscreen) {
+fn turn(window: &mut Window) {
     let at = place_where(window, |_| true);
     drag(
         window,
@@ -128,19 +128,19 @@ fn turn(window: &mut Offscreen) {
     );
 }
 
-fn set(window: &mut Offscreen, field: &str, value: &str) {
+fn set(window: &mut Window, field: &str, value: &str) {
     type_into(window, field, value);
     press_key(window, NONE, Key::Enter);
 }
 
-fn click_object(window: &mut Offscreen, name: &str) {
+fn click_object(window: &mut Window, name: &str) {
     window.wait_s(1.0);
     let at = place_of(window, name);
     click(window, at);
 }
 
 /// A point of the window where an object is seen.
-fn place_of(window: &mut Offscreen, name: &str) -> Pos2 {
+fn place_of(window: &mut Window, name: &str) -> Pos2 {
     let (scene, view) = (window.state().scene().clone(), *window.state().view());
     place_where(window, |px| {
         // Thousands of places: a whole record of each would take seconds.
@@ -150,7 +150,7 @@ fn place_of(window: &mut Offscreen, name: &str) -> Pos2 {
 }
 
 /// The middle one of the places beside the card whose pixel meets a condition.
-fn place_where(window: &mut Offscreen, is_it: impl Fn(DVec2) -> bool) -> Pos2 {
+fn place_where(window: &mut Window, is_it: impl Fn(DVec2) -> bool) -> Pos2 {
     let card = control(window, &task(window).expect("a step")).rect;
     window.send([Event::PointerMoved(MIDDLE)]);
     let px = window.state().cursor().expect("the picture's middle").px;
@@ -176,18 +176,18 @@ fn place_where(window: &mut Offscreen, is_it: impl Fn(DVec2) -> bool) -> Pos2 {
 }
 
 /// The card's text.
-fn task(window: &Offscreen) -> Option<String> {
+fn task(window: &Window) -> Option<String> {
     let asks = |name: &&String| DEEDS.iter().any(|(words, _)| name.starts_with(words));
     let mut names = window.controls().iter().map(|control| &control.name);
     names.find(asks).cloned()
 }
 
-fn tour() -> Offscreen {
+fn tour() -> Window {
     let options = Options {
         tour: true,
         ..Options::default()
     };
-    Offscreen::open(options, px(SIZE, 1.0), 1.0)
+    Window::open(options, px(SIZE, 1.0), 1.0)
 }
 
 #[test]
@@ -303,7 +303,7 @@ fn the_card_works_out_the_lectures_points() {
     }
     DEEDS[2].1(&mut window);
     let aspect = window.state().view().viewport.aspect();
-    let says = |window: &Offscreen, words: &str| {
+    let says = |window: &Window, words: &str| {
         let mut names = window.controls().iter().map(|control| &control.name);
         assert!(names.any(|name| name.starts_with(words)), "{words}");
     };
@@ -343,7 +343,7 @@ fn somebody_new_is_offered_it_until_they_answer() {
             memory: Some(folder.path().join("window.toml")),
             ..Options::default()
         };
-        Offscreen::open(options, px(SIZE, 1.0), 1.0)
+        Window::open(options, px(SIZE, 1.0), 1.0)
     };
     let mut window = open();
     // The offer would lie over the four views.
@@ -368,7 +368,7 @@ fn readme_has_its_very_words() {
 #[test]
 fn in_the_four_views_steps_of_the_picture_say_where_to_go() {
     let mut window = tour();
-    let says = |window: &Offscreen| {
+    let says = |window: &Window| {
         let controls = window.controls().iter();
         controls
             .filter(|control| control.name.contains("press 4 for the picture first"))

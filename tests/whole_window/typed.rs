@@ -4,10 +4,10 @@
 use super::{nothing_lost::is_asked, *};
 use sightline::scene::{self, Progress};
 
-type Does = fn(&mut Offscreen, &Path);
+type Does = fn(&mut Window, &Path);
 
 /// A window in which a position is typed, but not entered.
-fn typing(text: &str) -> (Offscreen, TempDir) {
+fn typing(text: &str) -> (Window, TempDir) {
     let (mut window, folder) = row(1.0);
     std::fs::write(folder.path().join("other.toml"), ROW).expect("writable");
     click(&mut window, MIDDLE);
@@ -17,7 +17,7 @@ fn typing(text: &str) -> (Offscreen, TempDir) {
     (window, folder)
 }
 
-fn x(window: &Offscreen) -> f64 {
+fn x(window: &Window) -> f64 {
     let object = &window.state().scene().objects()[0];
     object.placement.model().translation.x
 }
@@ -113,7 +113,7 @@ fn letters_are_typed() {
 #[test]
 fn tab_and_a_double_click_select_the_whole_number() {
     let (mut window, _folder) = typing("0.25");
-    let enter = |window: &mut Offscreen, text: &str| {
+    let enter = |window: &mut Window, text: &str| {
         window.send([Event::Text(text.into())]);
         press_key(window, Modifiers::NONE, Key::Enter);
         let object = &window.state().scene().objects()[0];

@@ -12,11 +12,11 @@ fn more() -> String {
     format!("{ROW}\n[[object]]\nname = \"new\"\nshape = \"sphere\"\n")
 }
 
-fn count(window: &Offscreen) -> usize {
+fn count(window: &Window) -> usize {
     window.state().scene().objects().len()
 }
 
-fn leave_the_gallery(window: &mut Offscreen) {
+fn leave_the_gallery(window: &mut Window) {
     click_on(window, "Gallery");
     click_on(window, "leave the gallery");
     assert_eq!(window.state().name(), "row.toml");
@@ -169,7 +169,7 @@ fn only_what_changed_is_named_and_closed_warnings_stay_closed() {
     fs::write(&files[0], triangle(1)).expect("writable");
     fs::write(&files[1], &warned).expect("writable");
     let mut window = open(files.to_vec(), 1.0);
-    let says = |window: &Offscreen, words: &str| window.messages().any(|text| text.contains(words));
+    let says = |window: &Window, words: &str| window.messages().any(|text| text.contains(words));
     assert!(says(&window, "none.mtl"));
     // The warning is still open: reading again neither closes it nor repeats it.
     fs::write(&files[0], triangle(12)).expect("writable");
@@ -201,7 +201,7 @@ fn a_file_that_is_gone_is_told_of_and_read_once_it_is_back() {
     let (mut window, folder) = row(1.0);
     let path = folder.path().join("row.toml");
     let gone = "row.toml is gone from the disk. What is on screen stays: Ctrl+S saves it";
-    let says = |window: &Offscreen, words: &str| window.messages().any(|text| text == words);
+    let says = |window: &Window, words: &str| window.messages().any(|text| text == words);
     // Away for a moment, as while a program writes it anew.
     fs::remove_file(&path).expect("it is there");
     thread::sleep(Duration::from_millis(600));
@@ -230,7 +230,7 @@ fn a_file_that_is_back_is_no_longer_said_to_be_gone() {
         if is_edited {
             edit(&mut window);
         }
-        let is_said = |window: &Offscreen| {
+        let is_said = |window: &Window| {
             let mut messages = window.messages();
             messages.any(|text| text.contains("is gone from the disk"))
         };

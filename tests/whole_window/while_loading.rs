@@ -19,7 +19,7 @@ fn redo() -> Event {
 }
 
 /// A window that asks about a row of objects: while a large file was loading, the front one was hidden.
-fn edited_while_another_loads() -> (Offscreen, TempDir) {
+fn edited_while_another_loads() -> (Window, TempDir) {
     let (mut window, folder) = row(1.0);
     let path = stalls::ground(folder.path(), SIDE);
     edit(&mut window);
@@ -76,21 +76,21 @@ fn edits_during_a_load_can_be_saved_first() {
     assert!(!kept.scene.objects()[0].visible);
 }
 
-fn place(window: &Offscreen) -> DVec3 {
+fn place(window: &Window) -> DVec3 {
     let object = &window.state().scene().objects()[0];
     object.placement.model().translation
 }
 
 /// Redoes the move, in a frame that shows that a load is under way.
 #[track_caller]
-fn redo_during_load(window: &mut Offscreen) {
+fn redo_during_load(window: &mut Window) {
     window.draw([redo()]).expect("a frame");
     assert!(has_control(window, "Cancel"), "it is still read");
     assert_eq!(place(window).x, 1.5);
 }
 
 /// A small window that shows a large file. Redo moves its object to x = 1.5.
-fn large_with_a_move() -> (Offscreen, TempDir) {
+fn large_with_a_move() -> (Window, TempDir) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = stalls::ground(folder.path(), SIDE);
     let mut window = open(vec![path], 1.0);
@@ -122,7 +122,7 @@ fn moves_while_the_files_are_read_again_are_asked_about() {
 }
 
 /// Draws frames until a changed file is being read again.
-fn wait_for_load(window: &mut Offscreen) {
+fn wait_for_load(window: &mut Window) {
     for _ in 0..500 {
         window.draw([Event::PointerGone]).expect("a frame");
         if has_control(window, "Cancel") {
@@ -141,7 +141,7 @@ fn a_file_that_changes_while_it_is_read_again_is_read_once_more() {
     let path = stalls::ground(folder.path(), SIDE);
     let mut window = open(vec![path.clone()], 1.0);
     window.picture().expect("a picture");
-    let triangles = |window: &Offscreen| window.state().scene().triangle_count();
+    let triangles = |window: &Window| window.state().scene().triangle_count();
     let before = triangles(&window);
     let append = |text: &[u8]| {
         let mut options = fs::OpenOptions::new();

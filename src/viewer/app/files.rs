@@ -18,17 +18,23 @@ use std::{mem, path::PathBuf};
 
 impl App {
     /// Starts the program, and begins to load the files that the options name.
-    pub fn start(options: Options, wake: Waker, host: Host) -> Self {
+    pub fn start(options: Options, wake: Waker, host: Host, context: egui::Context) -> Self {
         let paths = options.paths.clone();
-        let mut app = Self::new(options, wake, host);
+        let mut app = Self::new(options, wake, host, context);
         app.load(paths, Purpose::Open);
         app
     }
 
     /// Starts the program with the files that the options name loaded already.
-    pub fn start_with(loaded: Loaded, options: Options, wake: Waker, host: Host) -> Self {
+    pub fn start_with(
+        loaded: Loaded,
+        options: Options,
+        wake: Waker,
+        host: Host,
+        context: egui::Context,
+    ) -> Self {
         let paths = options.paths.clone();
-        let mut app = Self::new(options, wake, host);
+        let mut app = Self::new(options, wake, host, context);
         let errand = app.errand(paths, Purpose::Open);
         app.loading = Some((Job::done(Ok(loaded)), errand));
         app

@@ -10,8 +10,8 @@ use super::{
 use crate::{
     render::GpuError,
     viewer::{
-        model::{Action, Seen, Stage},
-        screen::{Canvas, Laid, Motion, PictureProgress, SceneRect, Screen, write_screenshot},
+        model::{Action, Seen},
+        screen::{Canvas, Laid, Motion, PictureProgress, Screen, write_screenshot},
         ui::{self, Attempt, Command, Notices, Shown},
     },
 };
@@ -24,71 +24,74 @@ use std::{
 const PREPARE_EVERY: Duration = Duration::from_millis(16);
 
 /// The outcome of a frame.
-pub(in crate::viewer) struct Frame {
+pub struct Frame {
     /// Clipboard, cursor and the like, for the system.
     pub platform: egui::PlatformOutput,
     /// Whether a new picture of the scene is shown.
     pub drawn: Result<bool, GpuError>,
 }
 
-/// The outcome of a pass over the panels: what to draw, and what to tell the system.
-struct Pass {
-    shapes: Vec<egui::epaint::ClippedShape>,
-    pixels_per_point: f32,
-    /// Where the scene goes; `None` where there is no room for it.
-    place: Option<SceneRect>,
-    /// Where the stages go within that place.
-    panes: Vec<(Stage, SceneRect)>,
-    platform: egui::PlatformOutput,
-    /// Whether the panels show the state from before their own commands.
-    is_outdated: bool,
-    /// After how long egui wants another pass.
-    next_in: Duration,
-}
-
-impl Pass {
-    /// The next pass, with what both of them tell the system.
-    fn then(mut self, next: Self) -> Self {
-        self.platform.append(next.platform);
-        let platform = self.platform;
-        Self { platform, ..next }
-    }
-}
-
 impl App {
-    /// Runs a pass, and another if the first changed something, so that panels and scene show one state. Draws and
-    /// shows the result.
+    /// Runs the panels on the input since the last frame, draws the result and shows it.
     pub fn frame(&mut self, input: egui::RawInput, screen: &mut impl Screen) -> Frame {
         let start = Instant::now();
-        self.take_finished();
-        let again = egui::RawInput {
-            events: Vec::new(),
-            dropped_files: Vec::new(),
-            ..input.clone()
-        };
-        let mut pass = self.run_passes(input);
-        if pass.is_outdated {
-            pass = pass.then(self.run_pass(again));
+        let output = self.run(input);
+        let drawn = self.draw_frame(&output, screen);
+        match &drawn {
+            Ok(true) if self.host == Host::Window => {
+                let now_s = self.context.input(|input| input.time);
+                self.statistics.frame = Some((start.elapsed(), now_s));
+            }
+            _ => {}
         }
-        if pass.is_outdated {
-            self.context.request_repaint();
+        Frame {
+            platform: output.platform_output,
+            drawn,
         }
-        let (place, pixels_per_point) = (pass.place, pass.pixels_per_point);
-        let primitives = (self.context)
-            .tessellate(pass.shapes, pixels_per_point)
-            .into();
+    }
+
+    /// Runs the panels on the input since the last run, and draws nothing. A press, the moves after it and the release
+    /// each get a run of their own, however slow frames are: within one run, egui sees only the final state.
+    pub fn pass(&mut self, input: egui::RawInput) -> egui::PlatformOutput {
+        self.run(input).platform_output
+    }
+
+    /// Runs the panels on each part of an input. Returns the last output, with what all of them tell the system.
+    fn run(&mut self, input: egui::RawInput) -> egui::FullOutput {
+        let context = self.context.clone();
+        let runs = (in_turn(input).into_iter()).map(|part| context.run_ui(part, |ui| self.ui(ui)));
+        let all = runs.reduce(|mut output, next| {
+            output.append(next);
+            output
+        });
+        let mut output = all.unwrap_or_default();
+        self.textures.append(mem::take(&mut output.textures_delta));
+        output
+    }
+
+    /// Draws what the last run of the panels has put out. Returns whether a new picture of the scene is shown.
+    pub fn draw_frame(
+        &mut self,
+        output: &egui::FullOutput,
+        screen: &mut impl Screen,
+    ) -> Result<bool, GpuError> {
+        let pixels_per_point = output.pixels_per_point;
+        let primitives = (self.context).tessellate(output.shapes.clone(), pixels_per_point);
         let (now_s, is_held) = (self.context).input(|input| (input.time, input.pointer.any_down()));
         let laid = Laid {
-            place,
-            panes: pass.panes,
-            primitives,
+            place: self.places.0,
+            panes: self.places.1.clone(),
+            primitives: primitives.into(),
             pixels_per_point,
             motion: (self.rest).motion(self.state.all_to_show(), now_s, is_held),
         };
         let drawn = self.draw(&laid, screen);
+        if let Err(error) = &drawn {
+            self.complain(error.to_string());
+        }
         self.rest.drew(&self.picture, now_s);
-        self.rest.is_settled = pass.next_in > Duration::ZERO
-            && !pass.is_outdated
+        let mut delays = output.viewport_output.values();
+        self.rest.is_settled = delays.all(|viewport| viewport.repaint_delay > Duration::ZERO)
             && self.picture.behind.is_none()
             && !self.is_busy();
         if self.picture.rough {
@@ -99,17 +102,7 @@ impl App {
         if self.host == Host::Window && self.rest.is_settled && self.prepare(screen) {
             (self.context).request_repaint_after(PREPARE_EVERY);
         }
-        match &drawn {
-            Ok(true) if self.host == Host::Window => {
-                self.statistics.frame = Some((start.elapsed(), now_s));
-            }
-            Ok(_) => {}
-            Err(error) => self.complain(error.to_string()),
-        }
-        Frame {
-            platform: pass.platform,
-            drawn,
-        }
+        drawn
     }
 
     /// Makes a pipeline, which no frame then has to wait for. Returns whether any may be left.
@@ -117,17 +110,6 @@ impl App {
         let view = self.state.view();
         let makes = |canvas: &mut Canvas| canvas.make_ahead(view);
         screen.canvas().is_some_and(makes)
-    }
-
-    /// Runs a pass without drawing. A press, the moves after it and the release each get a pass of their own, however
-    /// slow frames are: within one pass, egui sees only the final state.
-    pub fn pass(&mut self, input: egui::RawInput) -> egui::PlatformOutput {
-        self.take_finished();
-        let pass = self.run_passes(input);
-        if pass.is_outdated {
-            self.context.request_repaint();
-        }
-        pass.platform
     }
 
     /// Takes the results of jobs.
@@ -145,24 +127,16 @@ impl App {
         self.take_numbers();
     }
 
-    /// Runs a pass on each part of an input. Returns the last one, with what all of them tell the system.
-    fn run_passes(&mut self, input: egui::RawInput) -> Pass {
-        let mut parts = in_turn(input).into_iter();
-        let first = self.run_pass(parts.next().unwrap_or_default());
-        parts.fold(first, |pass, part| pass.then(self.run_pass(part)))
-    }
-
-    /// Runs the panels on the input since the last pass, and executes their commands.
-    fn run_pass(&mut self, input: egui::RawInput) -> Pass {
-        let dropped = input.dropped_files.iter();
-        let dropped: Vec<_> = dropped.map(|file| file.path().to_path_buf()).collect();
-        let mut commands = Vec::new();
-        let (mut place, mut panes) = (None, Vec::new());
-        let context = self.context.clone();
+    /// Lays out the panels for the input at hand, and executes their commands. If these changed what the panels show,
+    /// egui lays them out again at once.
+    pub fn ui(&mut self, ui: &mut egui::Ui) {
+        let context = ui.ctx().clone();
+        self.take_finished();
         self.notice_step(None);
-        let now_s = input.time.unwrap_or_default();
+        let now_s = context.input(|input| input.time);
         self.forget_said(now_s);
-        for action in ui::moves_ahead(&mut self.drag, &input) {
+        let moves = context.input(|input| ui::moves_ahead(&mut self.drag, &input.raw.events));
+        for action in moves {
             self.obey(Command::Act(action));
         }
         let underway = self.underway().or_else(|| self.drawing(now_s));
@@ -172,44 +146,37 @@ impl App {
         let offers_tour = !is_shot && self.offers_tour();
         let mut none = Notices::new();
         let due = mem::take(&mut self.late);
-        let mut output = context.run_ui(input, |ui| {
-            if !due.is_empty() {
-                ui::leave_text(&context);
-            }
-            let mut shown = Shown {
-                state: &self.state,
-                notices: if is_shot {
-                    &mut none
-                } else {
-                    &mut self.notices
-                },
-                underway,
-                floating: self.floating,
-                tour: self.tour,
-                offers_tour,
-                question: self.question.as_ref().map(|pending| &pending.intent),
-                chart: self.chart.as_ref(),
-                checking: &self.checking,
-                marks: painted(&context, &self.state, &self.checking, &mut self.marks),
-                statistics: &self.statistics,
-                docks: &mut self.docks,
-                recent: &self.memory.recent,
-                look: self.memory.look,
-                filter: &mut self.filter,
-                is_bare: self.options.is_bare,
-                reveal_selection: self.reveal_selection,
-            };
-            let asked = ui::show(ui, &mut shown, &mut self.drag);
-            (place, panes) = (asked.place, asked.panes);
-            commands.extend(asked.commands);
-        });
-        self.reveal_selection = false;
-        self.textures.append(output.textures_delta);
-        if !dropped.is_empty() {
-            let adds = context.input(|input| input.modifiers.shift);
-            let command = if adds { Command::Add } else { Command::Open };
-            commands.push(command(dropped));
+        if !due.is_empty() {
+            ui::leave_text(&context);
         }
+        let mut shown = Shown {
+            state: &self.state,
+            notices: if is_shot {
+                &mut none
+            } else {
+                &mut self.notices
+            },
+            underway,
+            floating: self.floating,
+            tour: self.tour,
+            offers_tour,
+            question: self.question.as_ref().map(|pending| &pending.intent),
+            chart: self.chart.as_ref(),
+            checking: &self.checking,
+            marks: painted(&context, &self.state, &self.checking, &mut self.marks),
+            statistics: &self.statistics,
+            docks: &mut self.docks,
+            recent: &self.memory.recent,
+            look: self.memory.look,
+            filter: &mut self.filter,
+            is_bare: self.options.is_bare,
+            reveal_selection: self.reveal_selection,
+        };
+        let asked = ui::show(ui, &mut shown, &mut self.drag);
+        self.places = (asked.place, asked.panes);
+        let mut commands = asked.commands;
+        self.reveal_selection = false;
+        commands.extend(dropped(&context));
         if context.text_edit_focused() {
             let waits = |command: &mut Command| command.ends_typing();
             self.late.extend(commands.extract_if(.., waits));
@@ -228,22 +195,16 @@ impl App {
             || (follows_cursor && cursor != self.state.cursor())
             || before != (self.state.hover(), self.state.row())
             || docks != self.docks;
+        if is_outdated && context.current_pass_index() == 0 {
+            context.request_discard("commands have changed what the panels show");
+        } else if is_outdated {
+            context.request_repaint();
+        }
         if self.underway().is_some() {
             context.request_repaint_after(Duration::from_millis(50));
         }
-        let copied = self.copied.take().map(egui::OutputCommand::CopyText);
-        output.platform_output.commands.extend(copied);
-        Pass {
-            shapes: output.shapes,
-            pixels_per_point: output.pixels_per_point,
-            place,
-            panes,
-            platform: output.platform_output,
-            is_outdated,
-            next_in: (output.viewport_output.values())
-                .map(|viewport| viewport.repaint_delay)
-                .min()
-                .unwrap_or(Duration::MAX),
+        if let Some(text) = self.copied.take() {
+            context.copy_text(text);
         }
     }
 
@@ -332,8 +293,19 @@ impl App {
     }
 }
 
+/// The command to open, or with Shift to add, the files that were dropped on the window.
+fn dropped(context: &egui::Context) -> Option<Command> {
+    context.input(|input| {
+        let files = input.raw.dropped_files.iter();
+        let paths: Vec<_> = files.map(|file| file.path().to_path_buf()).collect();
+        let adds = input.modifiers.shift;
+        let command = if adds { Command::Add } else { Command::Open };
+        (!paths.is_empty()).then(|| command(paths))
+    })
+}
+
 /// Whether a command alone does not make the panels outdated: it comes with each pass, or only follows the cursor. What
-/// follows the cursor is compared apart, in `run_pass`.
+/// follows the cursor is compared apart, in [`App::ui`].
 fn is_idle(command: &Command) -> bool {
     use Action::{Enter, Hover, Light, LightRow, Resize};
     matches!(

@@ -4,7 +4,7 @@ use egui::{Event, Key, RawInput};
 
 /// Splits an input into one or more, in order. Within one pass egui moves the focus first and gives all text to the
 /// field that has it then. So a key that moves the focus begins an input, and so does what is typed after it.
-pub(super) fn in_turn(mut input: RawInput) -> Vec<RawInput> {
+pub(in crate::viewer) fn in_turn(mut input: RawInput) -> Vec<RawInput> {
     let mut events = std::mem::take(&mut input.events).into_iter().peekable();
     let mut inputs = Vec::new();
     while events.peek().is_some() || inputs.is_empty() {

@@ -20,11 +20,12 @@ mod typesetting;
 mod wake;
 mod watch;
 
-pub(super) use frame::Frame;
+pub use frame::Frame;
+pub(super) use in_turn::in_turn;
 pub(super) use memory::WindowPlace;
 pub use memory::memory_file;
 pub(super) use program::{App, Host};
-pub(super) use rest::REST_S;
+pub use rest::REST_S;
 #[cfg(feature = "screen-readers")]
 pub(super) use wake::Reader;
 pub(super) use wake::{PathFor, Wake, Waker};

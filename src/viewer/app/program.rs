@@ -13,9 +13,9 @@ use crate::{
     scene::{Loaded, Warning},
     viewer::{
         jobs::{self, Chart, Checking, Job, Loading, Projecting, Saving, Typefaces, Watching},
-        model::{Action, Snapshot, State},
+        model::{Action, Snapshot, Stage, State},
         options::Options,
-        screen::{PictureProgress, Textures},
+        screen::{PictureProgress, SceneRect, Textures},
         ui::{
             self, Attempt, Command, Docks, Drag, Filter, Floating, Kind, Notice, Notices,
             Statistics, Tour,
@@ -128,6 +128,8 @@ pub(in crate::viewer) struct App {
     pub(super) waiting: Option<(Action, View)>,
     /// Whether the window covers all of the screen.
     pub fills_screen: bool,
+    /// Where the panels leave room for the scene, if anywhere, and for each of the stages that show.
+    pub(super) places: (Option<SceneRect>, Vec<(Stage, SceneRect)>),
     /// How far the scene's picture has come.
     pub picture: PictureProgress,
     /// Whether the scene's picture moves or rests.
@@ -137,8 +139,8 @@ pub(in crate::viewer) struct App {
 }
 
 impl App {
-    /// A program with an empty scene.
-    pub(super) fn new(options: Options, wake: Waker, host: Host) -> Self {
+    /// A program with an empty scene. Its panels are to be run in `context`.
+    pub(super) fn new(options: Options, wake: Waker, host: Host, context: egui::Context) -> Self {
         let state = State::new(
             Loaded::default(),
             CameraChoice::default(),
@@ -146,10 +148,9 @@ impl App {
             options.sides,
         );
         let memory = Memory::read(options.memory.as_deref());
-        let (context, typefaces) = (ui::context(), Typefaces::default());
-        memory.look.apply(&context);
+        let typefaces = Typefaces::default();
         ui::note_missing(&context, typefaces.missing.clone());
-        Self {
+        let app = Self {
             projecting: None,
             ready: None,
             loading: None,
@@ -186,6 +187,7 @@ impl App {
             copied: None,
             waiting: None,
             fills_screen: false,
+            places: (None, Vec::new()),
             picture: PictureProgress::default(),
             rest: Rest::default(),
             quit: false,
@@ -194,7 +196,15 @@ impl App {
             state: state.expect("nothing is framed by default"),
             wake,
             options,
-        }
+        };
+        app.dress();
+        app
+    }
+
+    /// Gives the panels the window's looks.
+    pub fn dress(&self) {
+        ui::dress(&self.context);
+        self.memory.look.apply(&self.context);
     }
 
     /// Whether something is under way that will change what is shown.

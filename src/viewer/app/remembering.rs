@@ -66,7 +66,14 @@ mod tests {
             memory: Some(folder.path().join("window.toml")),
             ..Options::default()
         };
-        let start = || App::start(options.clone(), Arc::new(drop), Host::Picture);
+        let start = || {
+            App::start(
+                options.clone(),
+                Arc::new(drop),
+                Host::Picture,
+                egui::Context::default(),
+            )
+        };
         let place = |corner_px| WindowPlace {
             size: [900.0, 600.5],
             corner_px,

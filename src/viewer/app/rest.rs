@@ -9,7 +9,7 @@ use crate::{
 };
 
 /// A picture is at rest once nothing has moved in it for this many seconds.
-pub(in crate::viewer) const REST_S: f64 = 0.15;
+pub const REST_S: f64 = 0.15;
 
 /// A picture that is awaited for this many seconds is late: the user is told that it is being drawn.
 const LATE_S: f64 = 0.5;

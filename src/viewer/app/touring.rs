@@ -2,6 +2,7 @@
 
 use super::{errands::Purpose, program::App};
 use crate::{
+    camera::{View, Viewport},
     scene::gallery::{Exhibit, GALLERY},
     viewer::{
         jobs::Chart,
@@ -63,7 +64,12 @@ impl App {
         match &mut self.chart {
             Some(chart) if chart.is_of(subject) => chart.poll(),
             _ => {
-                let (scene, view) = (self.state.scene().clone(), *self.state.view());
+                let scene = self.state.scene().clone();
+                // The window may not be laid out yet, and its size is to change nothing.
+                let view = View {
+                    viewport: Viewport::DEFAULT,
+                    ..*self.state.view()
+                };
                 self.chart = Some(Chart::start(subject, scene, view, self.waker()));
             }
         }

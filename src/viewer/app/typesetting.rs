@@ -48,7 +48,12 @@ mod tests {
                 tour: true,
                 ..Options::default()
             };
-            let mut app = App::start(options, Arc::new(drop), Host::Picture);
+            let mut app = App::start(
+                options,
+                Arc::new(drop),
+                Host::Picture,
+                egui::Context::default(),
+            );
             while app.is_busy() || app.state.views() != views {
                 thread::sleep(Duration::from_millis(1));
                 app.pass(egui::RawInput::default());
@@ -62,7 +67,12 @@ mod tests {
     /// A typeface of the system is asked for each character of a name that egui's own lack, and for no other.
     #[test]
     fn names_in_any_script_ask_for_other_typefaces() {
-        let mut app = App::start(Options::default(), Arc::new(drop), Host::Picture);
+        let mut app = App::start(
+            Options::default(),
+            Arc::new(drop),
+            Host::Picture,
+            egui::Context::default(),
+        );
         app.pass(egui::RawInput::default());
         let names = [
             "\u{4f60}\u{597d}",

@@ -1,7 +1,6 @@
 //! The hosts of the program: a window, or pictures of one.
 
 mod clipboard;
-mod controls;
 mod mark;
 mod memory_picture;
 mod offscreen;
@@ -13,7 +12,6 @@ mod shell;
 mod views_picture;
 mod window;
 
-pub use controls::Control;
 pub use offscreen::Offscreen;
 pub use views_picture::picture_of_views;
 pub use window::{display, run};

@@ -1,17 +1,12 @@
 //! What is so in a window that nobody sees.
 
-use super::{controls::Control, offscreen::Offscreen};
+use super::offscreen::Offscreen;
 use crate::{render::Gpu, viewer::model::State};
 
 impl Offscreen {
     /// What stands in the window's title.
     pub fn title(&self) -> String {
         self.app.title()
-    }
-
-    /// The window's controls and texts, by its accessibility tree.
-    pub fn controls(&self) -> &[Control] {
-        &self.controls
     }
 
     /// What it shows.
@@ -23,12 +18,6 @@ impl Offscreen {
     pub fn messages(&self) -> impl Iterator<Item = &str> {
         let notices = self.app.notices.iter();
         notices.map(|notice| notice.text.as_str())
-    }
-
-    /// Whether the window is at rest after the last event: nothing is animated, and nothing but smooth edges is under
-    /// way.
-    pub fn is_at_rest(&self) -> bool {
-        self.at_rest && self.app.picture.behind.is_none()
     }
 
     /// Whether the last frame shows the wanted scene, in whatever resolution.
@@ -56,26 +45,9 @@ impl Offscreen {
         self.app.fills_screen
     }
 
-    /// Whether the panels have a glyph for each character of a text.
-    pub fn can_write(&self, text: &str) -> bool {
-        let font = egui::FontId::default();
-        let context = &self.app.context;
-        context.fonts_mut(|fonts| fonts.has_glyphs(&font, text))
-    }
-
-    /// What was put on the clipboard last.
-    pub fn copied(&self) -> Option<&str> {
-        self.copied.as_deref()
-    }
-
     /// Whether the user has closed it.
     pub fn has_quit(&self) -> bool {
         self.app.quit
-    }
-
-    /// How often the panels were laid out so far: once a frame, or twice where the first time changes what they show.
-    pub fn passes(&self) -> u64 {
-        self.app.context.cumulative_pass_nr()
     }
 
     /// What the adapter calls itself, once something was drawn.

@@ -31,7 +31,12 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
     let proxy = event_loop.create_proxy();
     // Sending fails once the loop has ended with the window: then nobody is to be woken.
     let wake: Waker = Arc::new(move |wake| drop(proxy.send_event(wake)));
-    let app = App::start(options, Arc::clone(&wake), Host::Window);
+    let app = App::start(
+        options,
+        Arc::clone(&wake),
+        Host::Window,
+        egui::Context::default(),
+    );
     app.context.set_request_repaint_callback(move |info| {
         let delay = info.delay.min(Duration::from_hours(1));
         wake(Wake::RepaintAt(Instant::now() + delay));

@@ -5,7 +5,7 @@ use crate::viewer::{
     model::{Action, DOUBLE_CLICK_S, Stage},
     screen::SceneRect,
 };
-use egui::{Event, MouseWheelUnit, PointerButton, Pos2, RawInput, Rect, Response, Sense, Ui};
+use egui::{Event, MouseWheelUnit, PointerButton, Pos2, Rect, Response, Sense, Ui};
 use glam::DVec2;
 use std::mem;
 
@@ -55,11 +55,11 @@ impl Drag {
     }
 }
 
-/// The actions of a drag under way, if an input only moves the mouse. They are done before the panels are laid out, so
+/// The actions of a drag under way, if events only move the mouse. They are done before the panels are laid out, so
 /// that these show the outcome at once.
-pub(in crate::viewer) fn moves_ahead(drag: &mut Option<Drag>, input: &RawInput) -> Vec<Action> {
+pub(in crate::viewer) fn moves_ahead(drag: &mut Option<Drag>, events: &[Event]) -> Vec<Action> {
     let mut to = None;
-    for event in &input.events {
+    for event in events {
         match event {
             Event::PointerMoved(at) => to = Some(*at),
             Event::MouseMoved(_) => {}

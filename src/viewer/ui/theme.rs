@@ -2,7 +2,7 @@
 
 use super::mouse;
 use crate::{colour::Srgb, look, viewer::jobs::Missing};
-use egui::{Color32, Theme, ThemePreference, epaint::text::FallbackRequest};
+use egui::{Color32, Style, Theme, ThemePreference, epaint::text::FallbackRequest};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -56,11 +56,11 @@ impl Look {
     }
 }
 
-/// egui as the viewer wants it: dark or light as the desktop is, with text that is readable on projectors too, which do
-/// not show dark greys. Warnings are olive on dark panels and brown on light ones: yellow and orange mean other things.
-pub(in crate::viewer) fn context() -> egui::Context {
-    let context = egui::Context::default();
-    mouse::options(&context);
+/// Makes egui as the viewer wants it: dark or light as the desktop is, with text that is readable on projectors too,
+/// which do not show dark greys. Warnings are olive on dark panels and brown on light ones: yellow and orange mean other
+/// things.
+pub(in crate::viewer) fn dress(context: &egui::Context) {
+    mouse::options(context);
     let [dark, light] = look::WARNING;
     for (theme, error, warning, text, weak) in [
         (Theme::Dark, [255, 120, 105], dark, 222, 160),
@@ -71,9 +71,12 @@ pub(in crate::viewer) fn context() -> egui::Context {
         visuals.warn_fg_color = color32(warning);
         visuals.override_text_color = Some(Color32::from_gray(text));
         visuals.weak_text_color = Some(Color32::from_gray(weak));
-        context.set_visuals_of(theme, visuals);
+        let style = Style {
+            visuals,
+            ..Style::default()
+        };
+        context.set_style_of(theme, style);
     }
-    context
 }
 
 /// Notes the characters that egui's own typefaces lack.
@@ -99,7 +102,8 @@ mod tests {
     /// A warning has neither the selection's colour nor that of errors or plain text.
     #[test]
     fn warnings_have_a_colour_of_their_own() {
-        let context = context();
+        let context = egui::Context::default();
+        dress(&context);
         for theme in [Theme::Dark, Theme::Light] {
             let style = context.style_of(theme);
             let (visuals, warns) = (&style.visuals, style.visuals.warn_fg_color);

@@ -77,9 +77,16 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
     (texts(&shapes).join("\n"), commands)
 }
 
+/// egui as the viewer wants it.
+fn dressed() -> egui::Context {
+    let context = egui::Context::default();
+    theme::dress(&context);
+    context
+}
+
 /// What the status line shows in a first pass.
 fn status_line(state: &State, statistics: &Statistics, input: RawInput) -> Vec<ClippedShape> {
-    let context = theme::context();
+    let context = dressed();
     let mut output = context.run_ui(input, |ui| status::show(ui, state, statistics));
     output.textures_delta.clear();
     output.shapes
@@ -228,7 +235,7 @@ fn software_is_said_in_the_colour_of_text() {
         ..Statistics::default()
     };
     let shapes = status_line(&state, &statistics, RawInput::default());
-    let warns = theme::context().global_style().visuals.warn_fg_color;
+    let warns = dressed().global_style().visuals.warn_fg_color;
     let colour = |shape: &Shape| match shape {
         Shape::Text(text) if text.galley.text() == "software" => {
             let own = text.galley.job.sections[0].format.color;
