@@ -99,7 +99,7 @@ impl CameraChoice {
             far: 2.0,
             depth: self.depth.unwrap_or_default(),
         };
-        lens.check()?;
+        lens.stored()?;
         let look = self.look.map(|look| in_range(look, "direction"));
         let look = look.transpose()?;
         check_size(bounds_world)?;

@@ -1,7 +1,7 @@
 //! Fits near and far planes around the scene.
 
 use super::{Camera, Projection};
-use crate::geometry::Aabb;
+use crate::geometry::{Aabb, range};
 
 /// The least near plane as a fraction of far, unless [`NEAREST_TO_TARGET`] gives a smaller one.
 const NEAREST: f64 = 1e-5;
@@ -46,7 +46,8 @@ pub fn fit_near_far(
             let end = if z1 > 0.0 { z1 } else { to_target };
             let end = (1.01 * end).min(end + room(end));
             let behind = |near: f64| if end > near { end } else { 1.01 * near };
-            let far = far.unwrap_or_else(|| near.map_or(end, behind));
+            let fitted = || near.map_or(end, behind).min(range::LARGEST);
+            let far = far.unwrap_or_else(fitted);
             let least = least_near(camera, far);
             let begins = (0.99 * z0).max(z0 - room(z0.abs())).max(least);
             let before = if begins < far { begins } else { 0.99 * far };

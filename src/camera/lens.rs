@@ -55,14 +55,14 @@ impl std::fmt::Display for DepthMapping {
 }
 
 impl Lens {
-    /// Whether the lens is valid.
+    /// The lens as cameras store it: near and far are [`stored`](range::stored).
     ///
     /// # Errors
     /// When the field of view lies outside (0, 180) degrees, a number is beyond the range of numbers (of the field of
-    /// view, the tangent of half of it; of the height, half of it), near is not positive in perspective, or near does
-    /// not lie before far.
-    pub fn check(&self) -> Result<(), CameraError> {
-        let Self { near, far, .. } = *self;
+    /// view, the tangent of half of it), near or far is not positive in perspective, or near does not lie before far.
+    pub fn stored(self) -> Result<Self, CameraError> {
+        let plane = |plane| range::stored(plane).ok_or(CameraError::PlaneOutOfRange(plane));
+        let (near, far) = (plane(self.near)?, plane(self.far)?);
         let has_size = |number: f64| (range::LEAST..=range::LARGEST).contains(&number);
         let top = self.half_extent(1.0).y;
         match self.projection {
@@ -71,27 +71,21 @@ impl Lens {
             {
                 return Err(CameraError::FieldOfView(fov_y.to_degrees()));
             }
-            Projection::Orthographic { height } if !has_size(top) => {
+            Projection::Orthographic { height } if !(has_size(top) && has_size(height)) => {
                 return Err(CameraError::Height(height));
             }
             _ => {}
         }
-        for plane in [near, far] {
-            range::stored(plane).ok_or(CameraError::PlaneOutOfRange(plane))?;
+        if !self.is_orthographic() && far <= range::LEAST {
+            return Err(CameraError::FarTooSmall(self.far));
         }
-        if !self.is_orthographic() && !(near >= range::LEAST) {
-            return Err(CameraError::NearTooSmall(near));
+        if !self.is_orthographic() && near <= 0.0 {
+            return Err(CameraError::NearTooSmall(self.near));
         }
         if !(near < far) {
             return Err(CameraError::NearNotBeforeFar { near, far });
         }
-        Ok(())
-    }
-
-    /// A valid lens whose planes are [`stored`](range::stored).
-    pub(super) fn stored(self) -> Self {
-        let [near, far] = [self.near, self.far].map(|plane| range::stored(plane).unwrap_or(plane));
-        Self { near, far, ..self }
+        Ok(Self { near, far, ..self })
     }
 
     /// Whether all lines of sight are parallel.

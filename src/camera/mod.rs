@@ -53,19 +53,22 @@ pub enum CameraError {
     #[error("the camera's up vector is zero or points along the line of sight")]
     UpAlongForward,
     /// Outside (0, 180) degrees, or so small that its tangent would be stored as 0.
-    #[error("the field of view must lie between 1e-31 and 180 degrees, not {0}")]
+    #[error("the field of view must lie between 1e-31 and 180 degrees, not {0:?}")]
     FieldOfView(f64),
-    /// Its half is not in the range of numbers.
-    #[error("the orthographic height must lie between 1.6e-33 and 2.5e33, not {0}")]
+    /// It or its half is not in the range of numbers.
+    #[error("the orthographic height must lie between 1.6e-33 and 1.29e33, not {0:?}")]
     Height(f64),
     /// Perspective shows nothing at or behind the eye.
-    #[error("near must be at least 7.8e-34 in perspective, not {0:e}")]
+    #[error("near must be at least 7.8e-34 in perspective, not {0:?}")]
     NearTooSmall(f64),
+    /// Perspective shows nothing up to such a plane.
+    #[error("far must be more than 7.8e-34 in perspective, not {0:?}")]
+    FarTooSmall(f64),
     /// Near or far is beyond the range of numbers.
-    #[error("near and far must be numbers up to 1.29e33, not {0}")]
+    #[error("near and far must be numbers up to 1.29e33, not {0:?}")]
     PlaneOutOfRange(f64),
     /// Near has to come first.
-    #[error("near must be less than far, not {near} and {far}")]
+    #[error("near must be less than far, not {near:?} and {far:?}")]
     NearNotBeforeFar {
         /// Near plane's view depth.
         near: f64,
@@ -127,7 +130,7 @@ impl Camera {
         up: DVec3,
         lens: Lens,
     ) -> Result<Self, CameraError> {
-        lens.check()?;
+        let lens = lens.stored()?;
         let up = in_range(up, "up vector")?;
         let forward = unit(direction).ok_or(CameraError::NoDirection)?;
         let right = unit(up).and_then(|up| {
@@ -146,7 +149,7 @@ impl Camera {
             right,
             up: up_axis,
             forward,
-            lens: lens.stored(),
+            lens,
             half_height: lens.half_extent(1.0).y,
         })
     }
@@ -156,11 +159,10 @@ impl Camera {
     /// # Errors
     /// When the lens is not valid.
     pub fn with_lens(self, lens: Lens) -> Result<Self, CameraError> {
-        lens.check()?;
-        let half_height = lens.half_extent(1.0).y;
+        let lens = lens.stored()?;
         Ok(Self {
-            lens: lens.stored(),
-            half_height,
+            lens,
+            half_height: lens.half_extent(1.0).y,
             ..self
         })
     }

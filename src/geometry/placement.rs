@@ -24,7 +24,7 @@ pub struct Placement {
 #[non_exhaustive]
 pub enum PlacementError {
     /// It flattens space: it has no inverse, or one with an entry beyond the range of numbers.
-    #[error("the model matrix has no inverse (is a scale zero?)")]
+    #[error("the model matrix has no inverse with numbers up to 1.29e33 (is a scale zero?)")]
     Singular,
     /// An entry is beyond the range of numbers; see [`range`].
     #[error("the model matrix has an entry that is not a number up to 1.29e33")]

@@ -32,6 +32,11 @@ impl<'a> WorldRay<'a> {
         self.error
     }
 
+    /// Whether those bounds are finite, as a test against a box needs them.
+    pub(crate) fn has_bounds(&self) -> bool {
+        (self.error.origin + self.error.direction).is_finite()
+    }
+
     /// A line, rounded to `ray`, with bounds on the error.
     #[inline]
     pub(super) fn of_line(ray: Ray, error: RayError, line: Line<'a>) -> Self {

@@ -7,12 +7,11 @@ use super::{
 };
 use crate::{
     geometry::{
-        Cuboid, Entry, HALF_OF_THE_DIGITS, Hit, LocalRay, Placement, Sides, Sphere, Square,
-        TriangleTest, VertexRay, WorldRay,
+        Cuboid, Entry, HALF_OF_THE_DIGITS, Hit, LocalRay, Sides, Sphere, Square, TriangleTest,
+        WorldRay,
     },
     scene::{Object, Scene, Shape},
 };
-use glam::DVec3;
 use std::ops::Range;
 
 /// The nearest hit of a world-space ray on the visible objects.
@@ -187,21 +186,12 @@ pub(super) fn first_on(
 /// not depend on trees.
 pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
     let mut found = false;
-    let placed = Placement::IDENTITY.local_ray(ray);
-    let local = LocalRay::from(&placed);
-    let world = VertexRay::new(&local, &DVec3::ZERO);
-    let inverse = ray.direction.recip();
     scene.visit_batches(ray, |batch| {
         let first = &scene.objects()[batch.start];
         let placed = first.placement.local_ray(ray);
         let local = placed.until(limit);
-        // A tree over the scene visits every batch that passes this filter, and perhaps more.
-        let may_matter = || {
-            let bounds = scene.bounds_of_batch(batch);
-            bounds.may_hit_before(&world, inverse, limit)
-        };
         found = found
-            || may_matter()
+            || scene.may_hit(batch, ray, limit)
                 && match &first.shape {
                     Shape::Mesh { mesh, part } => {
                         let accept =

@@ -254,16 +254,20 @@ impl Scene {
     /// returns the new end of the ray's interval. The skipped batches have no hit in that interval.
     #[doc(hidden)] // public for tests
     pub fn visit_batches(&self, ray: &WorldRay, mut visit: impl FnMut(&Range<usize>) -> f64) {
-        // The box test needs finite error bounds.
-        let error = ray.error();
-        let is_known = (error.origin + error.direction).is_finite();
-        if self.tree.is_empty() || !is_known {
+        if self.tree.is_empty() || !ray.has_bounds() {
             for batch in self.batches.iter() {
                 visit(batch);
             }
         } else {
             self.tree.visit(ray, |batch| visit(&self.batches[batch]));
         }
+    }
+
+    /// Whether a world-space ray may hit a batch at a `t` up to `end`. A tree visits each batch for which this holds, and
+    /// perhaps more.
+    pub(crate) fn may_hit(&self, batch: &Range<usize>, ray: &WorldRay, end: f64) -> bool {
+        let (first, bounds) = (&self.objects[batch.start], self.bounds_of_batch(batch));
+        !ray.has_bounds() || tree::may_hit(ray, first, bounds, end)
     }
 
     /// Calls `visit` with every batch that may be inside a world-space pyramid, until `visit` breaks.

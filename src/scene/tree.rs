@@ -265,6 +265,12 @@ impl Node {
     }
 }
 
+/// Whether a world-space ray may hit a batch at a `t` up to `end`, as a tree asks it of the batch's leaf. `object` is the
+/// batch's first.
+pub(super) fn may_hit(ray: &WorldRay, object: &Object, bounds: Aabb, end: f64) -> bool {
+    leaf(0, object, bounds).is_some_and(|leaf| leaf.enter(&Seen::new(ray), end).is_some())
+}
+
 /// The leaf of a batch, its box grown by the slack; `None` for an empty box.
 fn leaf(batch: usize, object: &Object, bounds: Aabb) -> Option<Node> {
     if bounds.is_empty() {

@@ -23,7 +23,7 @@ use std::{
     fmt::Write,
     fs,
     path::{Path, PathBuf},
-    sync::Arc,
+    sync::{Arc, Mutex, MutexGuard, PoisonError},
     time::{Duration, Instant},
 };
 
@@ -35,8 +35,8 @@ const EVENTS: u16 = 40;
 const MANY: usize = 2_000_000;
 /// The most passes after one event.
 const MOST_PASSES: usize = 20_000;
-/// The wait after a pass without news, as a window waits to be woken.
-const PAUSE: Duration = Duration::from_millis(4);
+/// The longest wait for a frame that the panels ask for.
+const LONGEST: Duration = Duration::from_hours(1);
 
 /// A cursor over the scene.
 const MIDDLE: Pos2 = pos2(590.0, 360.0);
@@ -117,16 +117,25 @@ struct Window {
     program: Offscreen,
     context: Context,
     time_s: f64,
+    /// When the panels want their next frame.
+    due: Arc<Mutex<Option<Instant>>>,
 }
 
 impl Window {
     /// It shows the demo, and all its pipelines are made: a window does this in its first seconds.
     fn open() -> Self {
-        let context = Context::default();
+        let (context, due) = (Context::default(), Arc::new(Mutex::new(None)));
+        let asked = Arc::clone(&due);
+        context.set_request_repaint_callback(move |info| {
+            let at = Instant::now() + info.delay.min(LONGEST);
+            let mut due = asked.lock().unwrap_or_else(PoisonError::into_inner);
+            *due = Some(due.map_or(at, |due: Instant| due.min(at)));
+        });
         let mut window = Self {
             program: Offscreen::open(Options::default(), context.clone()),
             context,
             time_s: 0.0,
+            due,
         };
         window.settle();
         window.program.prepare_all();
@@ -142,6 +151,7 @@ impl Window {
     }
 
     fn draw_after(&mut self, input: RawInput) -> Frame {
+        *self.due() = None;
         self.time_s += 1.0 / 60.0;
         #[expect(clippy::cast_precision_loss, reason = "small")]
         let sides = [SIZE.width(), SIZE.height()].map(|px| px as f32);
@@ -155,6 +165,19 @@ impl Window {
             panic!("{error}");
         }
         frame
+    }
+
+    fn due(&self) -> MutexGuard<'_, Option<Instant>> {
+        self.due.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Waits until the next frame is due, or a job has a result.
+    fn wait(&mut self) {
+        while self.due().is_none_or(|due| Instant::now() < due) {
+            if self.program.wait_for_jobs() {
+                return;
+            }
+        }
     }
 
     /// Draws a frame after each event, and then until nothing is left to do except smooth edges.
@@ -399,9 +422,7 @@ impl Costs {
             if window.program.is_settled() {
                 break;
             }
-            if window.program.drawn_work() == 0 && !window.program.looks_different() {
-                std::thread::sleep(PAUSE);
-            }
+            window.wait();
         }
         self.shown.extend(shown);
         self.done.push(1e3 * start.elapsed().as_secs_f64());

@@ -2,7 +2,10 @@
 
 use super::common::{Random, assert_close, assert_near, orthographic, perspective};
 use glam::{DVec3, dvec3};
-use sightline::camera::{Camera, CameraError, Viewport};
+use sightline::{
+    camera::{Camera, CameraError, Viewport},
+    geometry::range,
+};
 
 #[test]
 fn a_direction_will_do_in_place_of_a_target() {
@@ -85,21 +88,21 @@ fn what_is_no_camera_is_refused() {
 #[test]
 fn what_is_no_lens_is_refused() {
     for fov in [0.0, -1.0, 5e-32, 180.0, 360.0, f64::NAN, f64::INFINITY] {
-        let check = perspective(fov, 0.1, 10.0).check();
+        let check = perspective(fov, 0.1, 10.0).stored();
         assert!(
             matches!(check, Err(CameraError::FieldOfView(_))),
             "{fov}: {check:?}"
         );
     }
-    for height in [0.0, -1.0, 1e-33, 3e33, f64::NAN, f64::INFINITY] {
-        let check = orthographic(height, 0.1, 10.0).check();
+    for height in [0.0, -1.0, 1e-33, 1.3e33, f64::NAN, f64::INFINITY] {
+        let check = orthographic(height, 0.1, 10.0).stored();
         assert!(
             matches!(check, Err(CameraError::Height(_))),
             "{height}: {check:?}"
         );
     }
     for near in [0.0, -1.0, 7e-34] {
-        let check = perspective(45.0, near, 10.0).check();
+        let check = perspective(45.0, near, 10.0).stored();
         assert!(
             matches!(check, Err(CameraError::NearTooSmall(_))),
             "{near}: {check:?}"
@@ -112,7 +115,7 @@ fn what_is_no_lens_is_refused() {
             orthographic(2.0, bad, 10.0),
             orthographic(2.0, 1.0, bad),
         ] {
-            let check = lens.check();
+            let check = lens.stored();
             assert!(
                 matches!(check, Err(CameraError::PlaneOutOfRange(_))),
                 "{bad}: {check:?}"
@@ -121,12 +124,25 @@ fn what_is_no_lens_is_refused() {
     }
     for (near, far) in [(1.0, 1.0), (2.0, 1.0)] {
         for lens in [perspective(45.0, near, far), orthographic(2.0, near, far)] {
-            let check = lens.check();
+            let check = lens.stored();
             assert!(
                 matches!(check, Err(CameraError::NearNotBeforeFar { .. })),
                 "{near} {far}: {check:?}"
             );
         }
     }
-    assert_eq!(orthographic(2.0, -5.0, -1.0).check(), Ok(()));
+    for far in [-1.0, 0.0, 7e-34, range::LEAST] {
+        let check = perspective(45.0, far - 0.1, far).stored();
+        assert_eq!(check, Err(CameraError::FarTooSmall(far)));
+    }
+    // Numbers are compared as they are stored, the smallest as 0.
+    for (near, far) in [(-1e-40, 1e-40), (0.0, 1e-40), (-7e-34, 7e-34)] {
+        let check = orthographic(2.0, near, far).stored();
+        let [near, far] = [0.0; 2];
+        assert_eq!(check, Err(CameraError::NearNotBeforeFar { near, far }));
+    }
+    let behind = orthographic(2.0, -5.0, -1.0);
+    assert_eq!(behind.stored(), Ok(behind));
+    let begins_at_the_eye = orthographic(2.0, 1e-40, 1.0);
+    assert_eq!(begins_at_the_eye.stored().map(|lens| lens.near), Ok(0.0));
 }

@@ -25,7 +25,7 @@ fn a_wrong_use_is_exit_code_2() {
         ("pick scene.toml --at 5,5 --fov inf", "1.29e33"),
         ("pick scene.toml --at 5,5 --near 5 --far 4", "near"),
         ("pick scene.toml --at 5,5 --near 0", "near"),
-        ("pick scene.toml --at 5,5 --far -1", "near"),
+        ("pick scene.toml --at 5,5 --far -1", "far must"),
         ("pick scene.toml --at 5,5 --ortho -3", "height"),
         (
             "pick scene.toml --at 5,5 --ortho 3 --fov 40",

@@ -257,3 +257,33 @@ fn plain_shapes_from_far_away() {
     let pixels = every_pixel(objects, view);
     assert!(pixels.hits > 500, "{pixels:?}");
 }
+
+/// A ray exactly along the edge of a cube is decided by exact arithmetic alone, and the record says so. The cube's box in
+/// the world, whose corners are rounded, may begin behind the hit.
+#[test]
+fn an_edge_far_from_the_origin_is_said_to_be_exact() {
+    let mut tally = Tally::default();
+    for away in [0.0, 1e3, 1e6, 1e9] {
+        for i in 0..20 {
+            let part = f64::from(i) / 19.0;
+            let z = away + 0.309_670_053_476_3 * part;
+            let model = shift(0.0, 0.0, z) * DAffine3::from_scale(dvec3(1.0, 1.0, 0.3 + part));
+            let view = view(
+                [0.0, 0.0, away + 5.0],
+                [0.0, 0.0, away + 4.0],
+                orthographic(4.0, 0.5, 20.0),
+                [64, 64],
+            );
+            let sample = Sample {
+                scene: Scene::new(vec![object(Shape::Cube, model)]),
+                view,
+                positions: vec![dvec2(40.0, 32.0), dvec2(40.0, 40.0)],
+                layout: Layout::Anywhere,
+            };
+            ask(&sample, &mut tally);
+        }
+    }
+    let wrong = tally.wrong + tally.wrong_with_trees;
+    assert!(wrong == 0, "{wrong} wrong\n{}", tally.mistakes());
+    assert!(tally.borders >= 160, "{}", tally.row());
+}

@@ -26,7 +26,8 @@ fn planes_hold_what_is_in_front_of_the_eye() {
             let (eye, target) = (random.point(8.0), random.point(8.0));
             let camera = Camera::new(eye, target, DVec3::Y, lens).unwrap();
             let (near, far) = fit_near_far(&camera, &bounds, None, None);
-            assert_eq!(Lens { near, far, ..lens }.check(), Ok(()));
+            let fitted = Lens { near, far, ..lens };
+            assert_eq!(fitted.stored(), Ok(fitted));
             for corner in bounds.corners() {
                 let depth = camera.to_view(corner).z;
                 let shown = (near..far).contains(&depth);

@@ -155,3 +155,20 @@ fn in_the_four_views_it_is_about_the_view_under_the_cursor() {
         assert_eq!(*window.state().view(), before, "{stage}: the camera stays");
     }
 }
+
+/// A long name makes the menu neither wide nor high.
+#[test]
+fn a_long_name_leaves_the_menu_small() {
+    let name = "a_very_long_name_".repeat(12);
+    let text = ROW.replace("\"front\"", &format!("\"{name}\""));
+    let (mut window, _folder) = row_as(&text, 1.0);
+    open_menu(&mut window, MIDDLE);
+    let mut headings = window.controls().iter();
+    // The status line has the name too.
+    let below = egui::Rect::from_min_size(MIDDLE, egui::vec2(600.0, 250.0));
+    let is_heading = |control: &&Control| control.name == name && below.contains(control.rect.min);
+    let heading = headings.find(is_heading).expect("a heading").rect;
+    for rect in [heading, control(&window, "Hide it").rect] {
+        assert!(rect.width() < 250.0 && rect.height() < 30.0, "{rect}");
+    }
+}

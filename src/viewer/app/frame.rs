@@ -23,6 +23,9 @@ use std::{
 /// While the program is idle, it prepares something this often.
 const PREPARE_EVERY: Duration = Duration::from_millis(16);
 
+/// A progress bar moves this often. In software each frame takes what the work under way would do in 20 ms.
+const PROGRESS_EVERY: Duration = Duration::from_millis(200);
+
 /// The outcome of a frame.
 pub struct Frame {
     /// Clipboard, cursor and the like, for the system.
@@ -201,7 +204,7 @@ impl App {
             context.request_repaint();
         }
         if self.underway().is_some() {
-            context.request_repaint_after(Duration::from_millis(50));
+            context.request_repaint_after(PROGRESS_EVERY);
         }
         if let Some(text) = self.copied.take() {
             context.copy_text(text);

@@ -112,14 +112,16 @@ impl Offscreen {
         self.app.is_busy()
     }
 
-    /// Waits a moment for what is under way, and takes what has come of it.
-    pub fn wait_for_jobs(&mut self) {
-        // Only answers of dialogs are taken here: a test has a desktop of its own.
+    /// Waits a moment for what is under way, and takes what has come of it. Returns whether anything has.
+    pub fn wait_for_jobs(&mut self) -> bool {
         let wake = self.wakes.recv_timeout(Duration::from_millis(5));
+        let has_come = wake.is_ok();
+        // Only answers of dialogs are taken here: a test has a desktop of its own.
         if let Ok(Wake::Answered(what, answer)) = wake {
             self.app.answered(what, answer);
         }
         self.app.take_finished();
+        has_come
     }
 
     /// Unless a picture is late: the next events act as if the wanted picture were on screen.

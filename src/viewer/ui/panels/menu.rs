@@ -1,8 +1,11 @@
 //! The menu of the right mouse button: what can be done with what is under the cursor.
 
 use super::prelude::*;
-use egui::{Id, PointerButton, Popup};
+use egui::{Id, Label, PointerButton, Popup, RichText};
 use glam::DVec2;
+
+/// The width of an object's menu in points, however long its name is.
+const WIDEST: f32 = 220.0;
 
 /// What was under the cursor when the menu was opened.
 #[derive(Clone, Copy)]
@@ -49,7 +52,9 @@ pub(super) fn of_object(
 ) {
     Popup::context_menu(on).show(|ui| {
         let object = &state.scene().objects()[index];
-        ui.strong(&object.name).hint("what is under the cursor");
+        ui.set_max_width(WIDEST);
+        let name = Label::new(RichText::new(&object.name).strong()).truncate();
+        ui.add(name).hint("what is under the cursor");
         ui.separator();
         let mut lines = Lines { ui, commands };
         if let Some(px) = px {
