@@ -14,17 +14,18 @@ struct Composite {
 @group(0) @binding(0) var<uniform> composite: Composite;
 @group(0) @binding(1) var picture: texture_2d<f32>;
 @group(0) @binding(2) var ids: texture_2d<u32>;
-// For `outline`: 1 where the selected object is, even if hidden. For `selection`: how much of each pixel is outline.
-@group(0) @binding(3) var marks: texture_2d<f32>;
+// How much of each pixel is outline; `outline` itself writes it.
+@group(0) @binding(3) var outlined: texture_2d<f32>;
 
 fn inside(px: vec2<f32>, by: vec2<f32>) -> f32 {
     // Beyond the picture's border its last pixel continues, so that no outline runs along the border.
-    let last = vec2<i32>(textureDimensions(marks)) - 1;
+    let last = vec2<i32>(textureDimensions(ids)) - 1;
     let at = vec2<i32>(floor(px + composite.outline_px * by));
-    return textureLoad(marks, clamp(at, vec2<i32>(0), last), 0).r;
+    let object = textureLoad(ids, clamp(at, vec2<i32>(0), last), 0).r;
+    return select(0.0, 1.0, object == composite.selection);
 }
 
-// How much of a pixel is outline: most where half of a disc about it lies inside the object. Unrolled, since loops are
+// How much of a pixel is outline: most where half of a disc about it shows the selected object. Unrolled, since loops are
 // slow on software adapters.
 @fragment
 fn outline(@builtin(position) position: vec4<f32>) -> @location(0) f32 {
@@ -76,6 +77,6 @@ fn hover(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
 @fragment
 fn selection(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let px = pixel(position);
-    let outline = textureLoad(marks, px, 0).r;
+    let outline = textureLoad(outlined, px, 0).r;
     return vec4<f32>(mix(marked(px), composite.selection_colour, outline), 1.0);
 }

@@ -93,11 +93,6 @@ fn edge() -> @location(0) vec4<f32> {
     return EDGE;
 }
 
-@fragment
-fn mask() -> @location(0) f32 {
-    return 1.0;
-}
-
 // The same entry points for a world that a section cuts.
 
 fn cut(in: Corner) {
@@ -118,10 +113,4 @@ fn colour_cut(in: Corner, @builtin(front_facing) front: bool) -> @location(0) ve
 fn edge_cut(in: Corner) -> @location(0) vec4<f32> {
     cut(in);
     return EDGE;
-}
-
-@fragment
-fn mask_cut(in: Corner) -> @location(0) f32 {
-    cut(in);
-    return 1.0;
 }

@@ -146,12 +146,6 @@ fn colour_and_id(in: Corner) -> ColourIdDepth {
     return ColourIdDepth(shaded(in.sphere, seen, false), id_of(in.sphere), seen.depth);
 }
 
-@fragment
-fn mask(in: Corner) -> @location(0) f32 {
-    let seen = surface(in.sphere, in.position.xy, false);
-    return select(0.0, 1.0, seen.depth <= 1.0);
-}
-
 // The same entry points for a world that a section cuts.
 
 @fragment
@@ -170,10 +164,4 @@ fn id_cut(in: Corner) -> IdDepth {
 fn colour_and_id_cut(in: Corner) -> ColourIdDepth {
     let seen = surface(in.sphere, in.position.xy, true);
     return ColourIdDepth(shaded(in.sphere, seen, true), id_of(in.sphere), seen.depth);
-}
-
-@fragment
-fn mask_cut(in: Corner) -> @location(0) f32 {
-    let seen = surface(in.sphere, in.position.xy, true);
-    return select(0.0, 1.0, seen.depth <= 1.0);
 }

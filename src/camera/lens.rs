@@ -55,11 +55,12 @@ impl std::fmt::Display for DepthMapping {
 }
 
 impl Lens {
-    /// The lens as cameras store it: near and far are [`stored`](range::stored).
+    /// The lens, checked, and as cameras store it: near and far are [`stored`](range::stored).
     ///
     /// # Errors
     /// When the field of view lies outside (0, 180) degrees, a number is beyond the range of numbers (of the field of
-    /// view, the tangent of half of it), near or far is not positive in perspective, or near does not lie before far.
+    /// view, the tangent of half of it; of the height, also half of it), near is not positive in perspective or far not
+    /// above the least number, or near does not lie before far.
     pub fn stored(self) -> Result<Self, CameraError> {
         let plane = |plane| range::stored(plane).ok_or(CameraError::PlaneOutOfRange(plane));
         let (near, far) = (plane(self.near)?, plane(self.far)?);

@@ -170,7 +170,7 @@ fn raycast(scene: &Scene, view: &View, selection: Option<usize>) -> (Image<Id>, 
     build_trees(scene);
     let (ids, mut colours) = pick::raycast(scene, view);
     if let Some(object) = selection {
-        pick::draw_selection(scene, view, object, &ids, &mut colours);
+        pick::mark(object, &ids, &mut colours);
     }
     (ids, colours)
 }

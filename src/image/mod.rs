@@ -36,8 +36,6 @@ pub struct Pixel {
     pub colour: Rgb,
     /// What the depth buffer stores there.
     pub depth: f32,
-    /// Whether the selected object is there, even behind other surfaces.
-    pub is_selected: bool,
 }
 
 impl<T: Copy> Image<T> {

@@ -37,18 +37,6 @@ impl<'a> Beam<'a> {
         Self { scene, batches }
     }
 
-    /// The rays through a rectangle of pixels, given by its corners in pixels, tested against one object's batch alone.
-    /// The object's bounds have no slack for a ray's rounding, so this is for masks, not for picks.
-    pub fn on_object(scene: &'a Scene, rays: &PixelRays, tile: [DVec2; 2], object: usize) -> Self {
-        let pyramid = CornerRays::new(rays, tile).pyramid(&Placement::IDENTITY);
-        let may_meet = pyramid.is_none_or(|pyramid| pyramid.may_meet(&scene.bounds_of(object)));
-        let batch = may_meet.then(|| (scene.batch_of(object), None));
-        Self {
-            scene,
-            batches: Some(batch.into_iter().collect()),
-        }
-    }
-
     /// Calls `visit` with every batch that the ray, one of the beam's, may meet, and where to enter the mesh's tree if
     /// not at the root; see [`Scene::visit_batches`].
     pub fn visit(

@@ -65,20 +65,6 @@ pub(super) fn nearest(
     best
 }
 
-/// Whether a ray meets a given object, if that is visible. What lies before it does not matter.
-pub(super) fn meets(beam: &Beam, ray: &WorldRay, sides: Sides, object: usize) -> bool {
-    let scene = beam.scene;
-    let mut found = false;
-    beam.visit(ray, |batch, entry| {
-        let placed = scene.objects()[batch.start].placement.local_ray(ray);
-        let local = &LocalRay::from(&placed);
-        let is_it = |hit: &SceneHit| hit.object == object && is_kept(scene, ray, hit);
-        found = found || in_batch(scene, batch, entry, local, sides, is_it).is_some();
-        if found { f64::NEG_INFINITY } else { ray.t_max }
-    });
-    found
-}
-
 /// [`closest`] by another triangle test. On meshes, a section only shortens the ray's interval, rounded outwards.
 pub fn closest_by<'a>(
     scene: &Scene,
@@ -185,13 +171,13 @@ pub(super) fn first_on(
 /// Whether `f64` alone leaves open if a world-space ray hits some visible surface at or before `limit`. The answer does
 /// not depend on trees.
 pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
-    let mut found = false;
+    let (may_hit, mut found) = (scene.box_test(ray), false);
     scene.visit_batches(ray, |batch| {
         let first = &scene.objects()[batch.start];
         let placed = first.placement.local_ray(ray);
         let local = placed.until(limit);
         found = found
-            || scene.may_hit(batch, ray, limit)
+            || may_hit(batch, limit)
                 && match &first.shape {
                     Shape::Mesh { mesh, part } => {
                         let accept =

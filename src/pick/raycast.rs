@@ -1,9 +1,6 @@
 //! Computes a whole picture with one ray per pixel, without a graphics driver.
 
-use super::{
-    Beam, SceneHit,
-    nearest::{meets, nearest},
-};
+use super::{Beam, SceneHit, nearest::nearest};
 use crate::{
     camera::View,
     colour::Srgb,
@@ -36,58 +33,28 @@ pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
     (Image::new(size, ids), Image::new(size, colours))
 }
 
-/// All that drawing would write for every pixel, by the ray through its centre, on all cores; `selection` is the
-/// selected object's index. `None` if that is not done by `deadline`. Build the scene's trees first.
-///
-/// # Panics
-/// When `selection` is no object of the scene.
-pub fn raycast_until(
-    scene: &Scene,
-    view: &View,
-    selection: Option<usize>,
-    deadline: Instant,
-) -> Option<Image<Pixel>> {
+/// All that drawing would write for every pixel, by the ray through its centre, on all cores. `None` if that is not done
+/// by `deadline`. Build the scene's trees first.
+pub fn raycast_until(scene: &Scene, view: &View, deadline: Instant) -> Option<Image<Pixel>> {
     let (rays, lens) = (&view.rays(), view.camera.lens());
-    each_until(view, deadline, |tile| {
+    let is_late = AtomicBool::new(false);
+    let pixels = each_in_tiles(view, |tile| {
+        if is_late.load(Relaxed) || Instant::now() >= deadline {
+            is_late.store(true, Relaxed);
+            return None;
+        }
         let beam = Beam::of_tile(scene, rays, tile);
-        let alone = selection.map(|object| (object, Beam::on_object(scene, rays, tile, object)));
-        move |px| {
+        Some(move |px| {
             let ray = &rays.ray(px);
             let hit = nearest(&beam, ray, view.sides, None);
             let (id, colour) = id_and_colour(scene, view, ray, px, hit.as_ref());
             let t = hit.map_or(lens.far, |hit| hit.hit.t);
             #[expect(clippy::cast_possible_truncation, reason = "as depth is stored")]
             let depth = lens.ndc_depth(t) as f32;
-            let is_selected = alone.as_ref().is_some_and(|(object, beam)| {
-                hit.is_some_and(|hit| hit.object == *object)
-                    || meets(beam, ray, view.sides, *object)
-            });
-            Pixel {
-                id,
-                colour,
-                depth,
-                is_selected,
-            }
-        }
-    })
-}
-
-/// Whether the ray through the centre of each pixel meets an object, whatever lies before it, on all cores; `object` is
-/// its index. `None` if that is not done by `deadline`. Build the scene's trees first.
-///
-/// # Panics
-/// When `object` is no object of the scene.
-pub fn mask_until(
-    scene: &Scene,
-    view: &View,
-    object: usize,
-    deadline: Instant,
-) -> Option<Image<bool>> {
-    let rays = &view.rays();
-    each_until(view, deadline, |tile| {
-        let alone = Beam::on_object(scene, rays, tile, object);
-        move |px| meets(&alone, &rays.ray(px), view.sides, object)
-    })
+            Pixel { id, colour, depth }
+        })
+    });
+    (!is_late.into_inner()).then(|| Image::new(view.viewport, pixels))
 }
 
 /// The object and triangle that every pixel's ray hits, on all cores; see [`raycast`].
@@ -119,23 +86,6 @@ pub(crate) fn each_ray<T: Clone + Default + Send>(
         let beam = Beam::of_tile(scene, rays, tile);
         Some(move |px| cast(&beam, &rays.ray(px), px))
     })
-}
-
-/// A picture of what [`each_in_tiles`] finds; `None` if that is not done by `deadline`.
-fn each_until<T: Copy + Default + Send, C: Fn(DVec2) -> T>(
-    view: &View,
-    deadline: Instant,
-    of_tile: impl Fn([DVec2; 2]) -> C + Sync,
-) -> Option<Image<T>> {
-    let is_late = AtomicBool::new(false);
-    let pixels = each_in_tiles(view, |tile| {
-        if is_late.load(Relaxed) || Instant::now() >= deadline {
-            is_late.store(true, Relaxed);
-            return None;
-        }
-        Some(of_tile(tile))
-    });
-    (!is_late.into_inner()).then(|| Image::new(view.viewport, pixels))
 }
 
 /// Calls `of_tile` with the corners of each tile, and the closure that it returns for each pixel centre of the tile.

@@ -3,13 +3,11 @@
 
 use super::{
     Onto, Renderer, bindings,
-    drawing::Drawing,
     formats::MARKS,
     gpu::{Gpu, GpuError},
     scene_buffers::Place,
     shader_structs,
     shaders::shader_module,
-    slices::Piece,
     targets::Targets,
     without_depth,
 };
@@ -20,7 +18,7 @@ use std::collections::HashMap;
 /// What is marked in a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Marks {
-    /// Index of the selected object: tinted, and outlined as [`Renderer::draw_selection`] left it.
+    /// Index of the selected object: tinted, and outlined as [`Renderer::draw_outline`] left it.
     pub selection: Option<usize>,
     /// Index of the object under the cursor: lit.
     pub hover: Option<usize>,
@@ -68,34 +66,22 @@ pub(super) struct PostPasses {
 }
 
 impl Renderer {
-    /// Draws the outline of an object, as it would be seen with nothing else in the scene. Needed when the selection
-    /// changed, and after each [`Renderer::draw`].
-    ///
-    /// # Errors
-    /// When memory runs out.
-    ///
-    /// # Panics
-    /// When `targets` have another size than the view, or other samples than this renderer.
-    pub fn draw_selection(
-        &mut self,
-        (scene, targets, view): Onto<'_>,
-        selection: usize,
-    ) -> Result<(), GpuError> {
-        let mut drawing = Drawing::of_selection(scene, view, selection);
-        while !self.advance(scene, targets, &mut drawing, Piece::WHOLE)? {}
-        Ok(())
-    }
-
-    /// Draws the outline about the mask of an object.
-    pub(super) fn draw_outline(&mut self, (scene, targets, view): Onto<'_>, selection: usize) {
+    /// Draws the outline about the pixels that show an object. Needed when the selection changed, and after each
+    /// [`Renderer::draw`].
+    pub fn draw_outline(&mut self, (scene, targets, view): Onto<'_>, selection: usize) {
         let (gpu, outline_px) = (&self.gpu, self.outline_px());
+        let marks = Marks {
+            selection: Some(selection),
+            hover: None,
+        };
         let uniform = shader_structs::Composite {
             outline_px,
-            ..uniform(&Marks::default(), [0, 0], 1)
+            ..uniform(&marks, [0, 0], 1)
         };
         let post = (self.post).get_or_insert_with(|| PostPasses::new(gpu));
         post.write(gpu, &uniform);
-        let marks = post.bind(gpu, targets, &targets.values_view, &targets.mask_view);
+        // What this pass writes it cannot read.
+        let bindings = post.bind(gpu, targets, &targets.values_view, &targets.values_view);
         let pipeline = post.pipeline(gpu, "outline", MARKS);
         let place = scene.shown(selection);
         gpu.submit(|encoder| {
@@ -104,7 +90,7 @@ impl Renderer {
             if let Some([x, y, width, height]) = rect {
                 pass.set_scissor_rect(x, y, width, height);
                 pass.set_pipeline(&pipeline);
-                pass.set_bind_group(0, &marks, &[]);
+                pass.set_bind_group(0, &bindings, &[]);
                 pass.draw(0..3, 0..1);
             }
         });

@@ -13,13 +13,12 @@ use super::{
     steps::{LINE, Parts, Steps},
     targets::Targets,
     view_rows::Draw,
-    without_depth,
 };
 use crate::camera::View;
 use std::{collections::VecDeque, ops::Range};
 use wgpu::BufferUsages;
 
-/// The drawing of a scene, or of its selection, into targets.
+/// The drawing of a scene into targets.
 #[derive(Debug)]
 pub struct Drawing {
     view: View,
@@ -32,7 +31,6 @@ pub struct Drawing {
     bands: u32,
     band: u32,
     lines: Vec<Line>,
-    selection: Option<(usize, Option<Draw>)>,
     /// How much of its work is done; see [`Piece`].
     pub done: u64,
 }
@@ -66,30 +64,13 @@ impl Drawing {
             bands: 1,
             band: 0,
             lines,
-            selection: None,
             done: 0,
         }
     }
 
-    /// Draws the outline of an object, as it would be seen with nothing else in the scene.
-    pub fn of_selection(scene: &SceneBuffers, view: &View, object: usize) -> Self {
-        Self {
-            selection: Some((object, scene.alone(view, object))),
-            ..Self::of(&[Pass::Mask], view, Vec::new())
-        }
-    }
-
-    /// Whether it draws the outline of a selection.
-    pub fn is_of_selection(&self) -> bool {
-        self.selection.is_some()
-    }
-
     /// All of its work if the whole scene is in view, not counting edges of triangles.
     pub fn whole(&self, scene: &SceneBuffers) -> Piece {
-        let each = match &self.selection {
-            Some((_, alone)) => alone.as_ref().map_or_else(Piece::default, Piece::of),
-            None => scene.whole,
-        };
+        let each = scene.whole;
         let lines = LINE * self.lines.len() as u64;
         let passes = self.passes.iter();
         let of_pass = passes.map(|pass| each.work + if pass.has_colours() { lines } else { 0 });
@@ -168,24 +149,13 @@ impl Renderer {
         let has_colours = pass.has_colours();
         let wireframe = self.wireframe.filter(|_| has_colours);
         if begins {
-            // Another drawing may have overwritten the extra row.
-            if let Some((object, alone)) = &mut drawing.selection {
-                *alone = scene.alone(&view, *object);
-            }
             drawing.edged = match wireframe {
                 Some(Wireframe::Of(object)) => scene.alone(&view, object),
                 _ => None,
             };
         }
-        let seen = match drawing.selection {
-            Some(_) => None,
-            None => Some(scene.seen_in(&view)),
-        };
-        let draws = match (&seen, &drawing.selection) {
-            (Some(seen), _) => seen.draws.as_slice(),
-            (None, Some((_, alone))) => alone.as_slice(),
-            (None, None) => &[],
-        };
+        let seen = scene.seen_in(&view);
+        let draws = seen.draws.as_slice();
         let parts = Parts {
             surfaces: draws,
             edged: match wireframe {
@@ -203,7 +173,7 @@ impl Renderer {
         // Smooth colours carry no numbers of triangles.
         let numbered: &[Slice] = match pass {
             Pass::ColourAndIds | Pass::Ids => &step.surfaces,
-            Pass::Colour | Pass::Mask => &[],
+            Pass::Colour => &[],
         };
         begin_at(tables, draws, numbered, |slice, _| slice.triangles.start);
         let bindings = self.bind(scene, &tables.spheres);
@@ -211,10 +181,7 @@ impl Renderer {
         let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
         let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
         gpu.submit(|encoder| {
-            let mut render_pass = match pass {
-                Pass::Mask => without_depth::begin(encoder, &targets.mask_view, is_first),
-                _ => begin(gpu, encoder, targets, &view, pass, [is_first, is_last]),
-            };
+            let mut render_pass = begin(gpu, encoder, targets, &view, pass, [is_first, is_last]);
             render_pass.set_bind_group(0, &bindings, &[]);
             render_pass.set_vertex_buffer(BATCHES, tables.triangles.slice(..));
             // Smooth colours are seen only when they are finished, so their background is drawn last, where nothing
@@ -222,7 +189,7 @@ impl Renderer {
             let has_background = match pass {
                 Pass::Colour => is_last,
                 Pass::ColourAndIds => is_first,
-                Pass::Ids | Pass::Mask => false,
+                Pass::Ids => false,
             };
             if has_background {
                 render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Background, &view));
@@ -246,9 +213,6 @@ impl Renderer {
         });
         begin_at(tables, draws, numbered, |_, draw| draw.kind.triangles.start);
         drawing.drew(step.work(), step.ends, is_last);
-        if is_last && let Some((object, _)) = drawing.selection {
-            self.draw_outline((scene, targets, &view), object);
-        }
         Ok(drawing.passes.is_empty())
     }
 }

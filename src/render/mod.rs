@@ -5,7 +5,7 @@
 //! Scene -> SceneBuffers                              when the scene changes
 //! Viewport -> Targets (colours, ids, selection)      when the picture's size changes
 //! Renderer::draw            colours and ids          when scene, view or lines change
-//! Renderer::draw_selection  the outline              when the selection changes too
+//! Renderer::draw_outline    the selection's outline  when the selection changes too
 //! Renderer::composite       the picture with marks   whenever something is to be shown
 //! ```
 //!
@@ -17,8 +17,8 @@
 //!
 //! Pixels that were found by rays can take the place of drawn ones ([`Renderer::take_pixels`]).
 //!
-//! Each step submits its own work. [`render`] takes all steps for one picture. [`Renderer::advance`] draws scene or
-//! selection in pieces where that takes long.
+//! Each step submits its own work. [`render`] takes all steps for one picture. [`Renderer::advance`] draws a
+//! scene in pieces where that takes long.
 //!
 //! A pixel shows the surface that the picker's rules choose: the camera is the same, near and far are compared with
 //! view depth, and at equal depth the triangle with the lower number wins, or the object with the lower index of those that touch.
@@ -141,7 +141,7 @@ pub fn render(
     let (targets, buffers, mut renderer) = draw_alone(gpu, scene, view, drawing)?;
     let onto = (&buffers, &targets, view);
     if let Some(object) = selection {
-        renderer.draw_selection(onto, object)?;
+        renderer.draw_outline(onto, object);
     }
     let marks = Marks {
         selection,

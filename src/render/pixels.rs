@@ -12,8 +12,8 @@ use bytemuck::Pod;
 use wgpu::BufferUsages;
 
 impl Renderer {
-    /// Takes pixels in place of drawn ones: colours, ids and where the selected object is. Draws lines over the colours
-    /// where nothing is in front of them, and the outline of `selection`.
+    /// Takes pixels in place of drawn ones: colours and ids. Draws lines over the colours
+    /// where nothing is in front of them.
     ///
     /// # Errors
     /// When memory runs out.
@@ -25,7 +25,6 @@ impl Renderer {
         onto: Onto<'_>,
         pixels: &Image<Pixel>,
         lines: &[Line],
-        selection: Option<usize>,
     ) -> Result<(), GpuError> {
         let (_, targets, view) = onto;
         let gpu = &self.gpu;
@@ -41,28 +40,7 @@ impl Renderer {
         if !lines.is_empty() {
             self.draw_lines(onto, pixels, lines)?;
         }
-        if let Some(object) = selection {
-            write(&self.gpu, targets.mask_view.texture(), pixels, |pixel| {
-                u8::MAX * u8::from(pixel.is_selected)
-            });
-            self.draw_outline(onto, object);
-        }
         Ok(())
-    }
-
-    /// Takes the mask of an object in place of a drawn one, as [`Self::draw_selection`], and draws its outline.
-    ///
-    /// # Panics
-    /// When `targets` or `mask` have another size than the view, or `targets` other samples than this renderer.
-    pub fn take_mask(&mut self, onto: Onto<'_>, mask: &Image<bool>, selection: usize) {
-        let (_, targets, view) = onto;
-        self.check(targets, view);
-        assert_eq!(mask.size(), view.viewport, "the mask fits the view");
-        let texture = targets.mask_view.texture();
-        write(&self.gpu, texture, mask, |is_selected| {
-            u8::MAX * u8::from(*is_selected)
-        });
-        self.draw_outline(onto, selection);
     }
 
     /// Draws lines where no pixel is in front of them.

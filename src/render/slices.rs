@@ -30,15 +30,6 @@ impl Piece {
         }
     }
 
-    /// All the work of a draw.
-    pub(super) fn of(draw: &Draw) -> Self {
-        let instances = draw.instances.end - draw.instances.start;
-        Self {
-            work: work(&draw.kind.triangles) * u64::from(instances),
-            instances,
-        }
-    }
-
     /// Whether `whole` fits into one piece.
     pub fn holds(&self, whole: &Self) -> bool {
         whole.work <= self.work && whole.instances <= self.instances

@@ -20,7 +20,6 @@ pub struct Targets {
     pub(super) values_view: wgpu::TextureView,
     pub(super) ids_view: wgpu::TextureView,
     pub(super) depth_view: wgpu::TextureView,
-    pub(super) mask_view: wgpu::TextureView,
     pub(super) outline_view: wgpu::TextureView,
     /// Colour and depth with all their samples, where there are several.
     pub(super) multisampled: Option<[wgpu::TextureView; 2]>,
@@ -66,7 +65,6 @@ impl Targets {
                 }),
                 ids_view: view(&texture("ids", IDS, 1, read)),
                 depth_view: view(&texture("depth", DEPTH, 1, none)),
-                mask_view: view(&texture("mask", MARKS, 1, read)),
                 outline_view: view(&texture("outline", MARKS, 1, read)),
                 multisampled,
             }

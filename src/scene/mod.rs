@@ -263,11 +263,17 @@ impl Scene {
         }
     }
 
-    /// Whether a world-space ray may hit a batch at a `t` up to `end`. A tree visits each batch for which this holds, and
-    /// perhaps more.
-    pub(crate) fn may_hit(&self, batch: &Range<usize>, ray: &WorldRay, end: f64) -> bool {
-        let (first, bounds) = (&self.objects[batch.start], self.bounds_of_batch(batch));
-        !ray.has_bounds() || tree::may_hit(ray, first, bounds, end)
+    /// A test whether a world-space ray may hit a batch at a `t` up to some end. A tree visits each batch for which it
+    /// holds, and perhaps more.
+    pub(crate) fn box_test<'a>(
+        &'a self,
+        ray: &'a WorldRay,
+    ) -> impl Fn(&Range<usize>, f64) -> bool + 'a {
+        let seen = ray.has_bounds().then(|| tree::Seen::new(ray));
+        move |batch, end| {
+            let (first, bounds) = (&self.objects[batch.start], self.bounds_of_batch(batch));
+            (seen.as_ref()).is_none_or(|seen| tree::may_hit(seen, first, bounds, end))
+        }
     }
 
     /// Calls `visit` with every batch that may be inside a world-space pyramid, until `visit` breaks.

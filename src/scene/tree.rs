@@ -229,7 +229,7 @@ impl SceneTree {
 }
 
 /// A ray with the values that every box test needs.
-struct Seen<'a> {
+pub(super) struct Seen<'a> {
     ray: &'a WorldRay<'a>,
     /// `1 / direction`.
     inverse: DVec3,
@@ -240,7 +240,7 @@ struct Seen<'a> {
 }
 
 impl<'a> Seen<'a> {
-    fn new(ray: &'a WorldRay<'a>) -> Self {
+    pub fn new(ray: &'a WorldRay<'a>) -> Self {
         let RayError { origin, direction } = ray.error();
         let per_way = direction.max_element() / ray.direction.abs().max_element();
         Self {
@@ -265,10 +265,10 @@ impl Node {
     }
 }
 
-/// Whether a world-space ray may hit a batch at a `t` up to `end`, as a tree asks it of the batch's leaf. `object` is the
-/// batch's first.
-pub(super) fn may_hit(ray: &WorldRay, object: &Object, bounds: Aabb, end: f64) -> bool {
-    leaf(0, object, bounds).is_some_and(|leaf| leaf.enter(&Seen::new(ray), end).is_some())
+/// Whether a ray may hit a batch at a `t` up to `end`, as a tree asks it of the batch's leaf. `object` is the batch's
+/// first.
+pub(super) fn may_hit(seen: &Seen, object: &Object, bounds: Aabb, end: f64) -> bool {
+    leaf(0, object, bounds).is_some_and(|leaf| leaf.enter(seen, end).is_some())
 }
 
 /// The leaf of a batch, its box grown by the slack; `None` for an empty box.

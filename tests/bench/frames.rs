@@ -8,10 +8,13 @@
 //! the demo until the file's scene is drawn and at rest. Where `f3d`, `Xvfb` and GNU
 //! `time` are installed, a frame of F3D's turn of the same file is measured too, as a difference of two runs.
 
+#[path = "../common/dropped.rs"]
+mod dropped;
 #[expect(dead_code, reason = "another benchmark asks more of it")]
 mod f3d;
 mod terrain;
 
+use dropped::Dropped;
 use egui::{Context, Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
 use f3d::F3d;
 use rustix::time::{ClockId, clock_gettime};
@@ -226,19 +229,6 @@ impl Window {
         let [left, top, right, bottom] =
             [bounds.x0, bounds.y0, bounds.x1, bounds.y1].map(|at| at as f32);
         Rect::from_min_max(pos2(left, top), pos2(right, bottom))
-    }
-}
-
-#[derive(Debug)]
-struct Dropped(PathBuf);
-
-impl egui::DroppedFile for Dropped {
-    fn path(&self) -> &Path {
-        &self.0
-    }
-
-    fn bytes(&self) -> Result<Vec<u8>, String> {
-        fs::read(&self.0).map_err(|error| error.to_string())
     }
 }
 

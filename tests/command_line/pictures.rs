@@ -54,7 +54,7 @@ fn a_picture_by_raycast_shows_what_is_picked() {
         );
     }
 
-    // Selecting tints the selected object's pixels, and draws an outline a few pixels wide around what it covers.
+    // Selecting tints the selected object's pixels, and draws an outline a few pixels wide around them.
     let ball = ids.iter().rposition(|&id| id == 3).unwrap();
     let at = format!("{}.5,{}.5", ball % 64, ball / 64);
     assert!(
@@ -83,7 +83,7 @@ fn a_picture_by_raycast_shows_what_is_picked() {
     assert!(count(0) > 5, "the outline lies around it");
     assert!(
         count(1) + count(2) > 5,
-        "and is seen through what is in front"
+        "also where something stands before it"
     );
     assert!(
         ids.iter()

@@ -53,8 +53,7 @@ fn all_of(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<Image<Id>>, Vec<Image<R
             drawn.expect("drawn");
             colours.push(targets.read_colours(gpu).expect("colours"));
         }
-        let selection = renderer.draw_selection((&buffers, &targets, view), 1);
-        selection.expect("drawn");
+        renderer.draw_outline((&buffers, &targets, view), 1);
         let marks = Marks {
             selection: Some(1),
             hover: Some(2),

@@ -52,9 +52,7 @@ fn draw(
         .draw((&buffers, &targets, view), lines)
         .expect("draws");
     if let Some(object) = marks.selection {
-        renderer
-            .draw_selection((&buffers, &targets, view), object)
-            .expect("drawn");
+        renderer.draw_outline((&buffers, &targets, view), object);
     }
     let picture = renderer.composite_to_image((&buffers, &targets, view), marks);
     (

@@ -1,8 +1,10 @@
 //! The window without a window system, in `egui_kittest`: egui's events in, pictures out.
 //!
 //! kittest owns egui's context, runs the panels and keeps their accessibility tree, in which controls are found by name.
-//! What is drawn is drawn by the program itself, as in its window.
+//! So the tree is always made, as with a screen reader, and the panels lie in a part of kittest's own. What is drawn is
+//! drawn by the program itself, as in its window.
 
+use crate::dropped::Dropped;
 use egui::{
     Context, Event, OutputCommand, RawInput, Rect, Role, Shape, TexturesDelta, Theme, UiBuilder,
     accesskit::{Action, Toggled},
@@ -22,7 +24,7 @@ use sightline::{
 use std::{
     cell::RefCell,
     mem,
-    path::{Path, PathBuf},
+    path::PathBuf,
     rc::Rc,
     sync::{Arc, Mutex, PoisonError},
     time::{Duration, Instant},
@@ -95,19 +97,6 @@ impl Due {
     }
 }
 
-#[derive(Debug)]
-struct Dropped(PathBuf);
-
-impl egui::DroppedFile for Dropped {
-    fn path(&self) -> &Path {
-        &self.0
-    }
-
-    fn bytes(&self) -> Result<Vec<u8>, String> {
-        std::fs::read(&self.0).map_err(|error| error.to_string())
-    }
-}
-
 impl Window {
     /// A window of `size` physical pixels, with `pixels_per_point` pixels to a point. It loads what `options` name.
     pub fn open(options: Options, size: Viewport, pixels_per_point: f32) -> Self {
@@ -130,10 +119,10 @@ impl Window {
             .renderer(textures.clone())
             .build_ui_state(panels, None);
         let mut window = Self {
-            harness,
             textures,
             size,
-            time_s: 0.0,
+            time_s: harness.ctx.input(|input| input.time),
+            harness,
             copied: None,
             controls: Vec::new(),
             is_settled: false,
@@ -180,13 +169,7 @@ impl Window {
 
     /// Runs all of the events as one input, as after a slow frame.
     pub fn send_at_once(&mut self, events: Vec<Event>) {
-        let input = RawInput {
-            events,
-            ..RawInput::default()
-        };
-        for part in Offscreen::in_turn(input) {
-            self.pass(part.events);
-        }
+        self.pass_in_turn(events);
         self.settle();
     }
 
@@ -274,7 +257,7 @@ impl Window {
     /// Draws the frame after these events as a window does, without waiting for more events, and the scene only if it
     /// changed. Returns whether a new picture of the scene is shown.
     pub fn draw(&mut self, events: impl IntoIterator<Item = Event>) -> Result<bool, GpuError> {
-        self.pass(events.into_iter().collect());
+        self.pass_in_turn(events.into_iter().collect());
         self.take_controls();
         let mut output = self.harness.output().clone();
         leave_out_background(&mut output.shapes);
@@ -282,7 +265,7 @@ impl Window {
         let size = self.size;
         let program = self.program_mut();
         program.take_textures(changes);
-        let drawn = program.draw(&output, size);
+        let drawn = program.draw(&mut output, size);
         self.is_settled = self.program().is_settled();
         drawn
     }
@@ -310,9 +293,21 @@ impl Window {
         Ok(())
     }
 
+    /// Runs the panels on events that come together.
+    fn pass_in_turn(&mut self, events: Vec<Event>) {
+        let input = RawInput {
+            events,
+            ..RawInput::default()
+        };
+        for part in Offscreen::in_turn(input) {
+            self.pass(part.events);
+        }
+    }
+
     /// Runs the panels once, a frame later than before.
     fn pass(&mut self, events: Vec<Event>) {
         self.time_s += FRAME_S;
+        self.program_mut().take_finished();
         let scale = self.context().pixels_per_point();
         #[expect(clippy::cast_precision_loss, reason = "windows are not that large")]
         let points = [self.size.width(), self.size.height()].map(|px| px as f32 / scale);
@@ -446,7 +441,8 @@ impl Window {
         self.program().save_dialogs()
     }
 
-    /// How often the panels were laid out so far: once a frame, or twice where the first time changes what they show.
+    /// How often the panels were laid out so far: once a frame, or more often where the first time changes what they
+    /// show.
     pub fn passes(&self) -> u64 {
         self.context().cumulative_pass_nr()
     }

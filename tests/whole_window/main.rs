@@ -5,6 +5,8 @@
 mod corner;
 mod covered;
 mod device;
+#[path = "../common/dropped.rs"]
+mod dropped;
 mod earlier_view;
 mod events;
 mod files;

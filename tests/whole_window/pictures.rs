@@ -188,7 +188,7 @@ fn compare_asset(name: &str, mut window: Window) {
     compare_whole(&picture, &path, most);
 }
 
-/// The demo, in which the cube behind the ring is picked. The cube's outline shows through what hides it.
+/// The demo, in which the cube behind the ring is picked.
 #[test]
 fn readme_shows_this_window() {
     let mut window = open(Vec::new(), 1.0);

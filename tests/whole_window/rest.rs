@@ -86,6 +86,32 @@ fn what_happens_meanwhile_is_shown_at_once() {
     assert_eq!(differing(&at_rest, &fresh.picture().expect("a picture")), 0);
 }
 
+/// What a key changes is laid out in the frame that shows it, and so is what appears with it: the next frame looks the
+/// same.
+#[test]
+fn the_frame_after_a_key_is_laid_out_already() {
+    let (mut window, _folder) = row(1.0);
+    window.picture().expect("a picture");
+    let panel = Rect::from_min_max(pos2(980.0, 40.0), pos2(1280.0, 690.0));
+    for (key, changes) in [
+        (Key::ArrowDown, 2000),
+        (Key::P, 0),
+        (Key::Num4, 0),
+        (Key::Num9, 100),
+    ] {
+        let before = window.drawn().expect("a picture");
+        window.draw([press(key)]).expect("a frame");
+        let shown = window.drawn().expect("a picture");
+        let changed = differing_in(&before, &shown, panel);
+        assert!(changed >= changes, "{key:?}: {changed}");
+        assert_eq!(
+            differing_in(&next(&mut window), &shown, panel),
+            0,
+            "{key:?}"
+        );
+    }
+}
+
 /// A cursor in a field blinks twice a second. Between two blinks nothing is laid out.
 #[test]
 fn a_blinking_cursor_lays_out_what_it_must() {

@@ -23,7 +23,7 @@ use std::{
 /// While the program is idle, it prepares something this often.
 const PREPARE_EVERY: Duration = Duration::from_millis(16);
 
-/// A progress bar moves this often. In software each frame takes what the work under way would do in 20 ms.
+/// A progress bar moves this often. In software a frame costs the work under way about 20 ms.
 const PROGRESS_EVERY: Duration = Duration::from_millis(200);
 
 /// The outcome of a frame.
@@ -38,8 +38,8 @@ impl App {
     /// Runs the panels on the input since the last frame, draws the result and shows it.
     pub fn frame(&mut self, input: egui::RawInput, screen: &mut impl Screen) -> Frame {
         let start = Instant::now();
-        let output = self.run(input);
-        let drawn = self.draw_frame(&output, screen);
+        let mut output = self.run(input);
+        let drawn = self.draw_frame(&mut output, screen);
         match &drawn {
             Ok(true) if self.host == Host::Window => {
                 let now_s = self.context.input(|input| input.time);
@@ -53,18 +53,22 @@ impl App {
         }
     }
 
-    /// Runs the panels on the input since the last run, and draws nothing. A press, the moves after it and the release
-    /// each get a run of their own, however slow frames are: within one run, egui sees only the final state.
+    /// Runs the panels on the input since the last run, and draws nothing.
     pub fn pass(&mut self, input: egui::RawInput) -> egui::PlatformOutput {
         self.run(input).platform_output
     }
 
-    /// Runs the panels on each part of an input. Returns the last output, with what all of them tell the system.
+    /// Takes the results of jobs, and runs the panels on each part of an input. Returns the last output, with what all
+    /// of them tell the system.
     fn run(&mut self, input: egui::RawInput) -> egui::FullOutput {
+        self.take_finished();
         let context = self.context.clone();
         let runs = (in_turn(input).into_iter()).map(|part| context.run_ui(part, |ui| self.ui(ui)));
         let all = runs.reduce(|mut output, next| {
+            // What a part asked for at once, the next one has served.
+            let asked = next.viewport_output.clone();
             output.append(next);
+            output.viewport_output = asked;
             output
         });
         let mut output = all.unwrap_or_default();
@@ -72,18 +76,20 @@ impl App {
         output
     }
 
-    /// Draws what the last run of the panels has put out. Returns whether a new picture of the scene is shown.
+    /// Draws the shapes that the last run of the panels has put out, and takes them. Returns whether a new picture of the
+    /// scene is shown.
     pub fn draw_frame(
         &mut self,
-        output: &egui::FullOutput,
+        output: &mut egui::FullOutput,
         screen: &mut impl Screen,
     ) -> Result<bool, GpuError> {
         let pixels_per_point = output.pixels_per_point;
-        let primitives = (self.context).tessellate(output.shapes.clone(), pixels_per_point);
+        let shapes = mem::take(&mut output.shapes);
+        let primitives = self.context.tessellate(shapes, pixels_per_point);
         let (now_s, is_held) = (self.context).input(|input| (input.time, input.pointer.any_down()));
         let laid = Laid {
-            place: self.places.0,
-            panes: self.places.1.clone(),
+            place: self.place,
+            panes: self.panes.clone(),
             primitives: primitives.into(),
             pixels_per_point,
             motion: (self.rest).motion(self.state.all_to_show(), now_s, is_held),
@@ -134,7 +140,6 @@ impl App {
     /// egui lays them out again at once.
     pub fn ui(&mut self, ui: &mut egui::Ui) {
         let context = ui.ctx().clone();
-        self.take_finished();
         self.notice_step(None);
         let now_s = context.input(|input| input.time);
         self.forget_said(now_s);
@@ -176,7 +181,7 @@ impl App {
             reveal_selection: self.reveal_selection,
         };
         let asked = ui::show(ui, &mut shown, &mut self.drag);
-        self.places = (asked.place, asked.panes);
+        (self.place, self.panes) = (asked.place, asked.panes);
         let mut commands = asked.commands;
         self.reveal_selection = false;
         commands.extend(dropped(&context));
@@ -316,4 +321,43 @@ fn is_idle(command: &Command) -> bool {
         Command::ShowsDepthSteps
             | Command::Act(Enter(_) | Hover(_) | Light(_) | LightRow(_) | Resize(_))
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::viewer::options::Options;
+    use egui::{Event, Key, Modifiers, OutputCommand, RawInput};
+    use std::sync::Arc;
+
+    /// A copied camera, Tab and a text are three parts of one input. The system gets what each of them asks for, once.
+    #[test]
+    fn an_input_of_several_parts_tells_the_system_all() {
+        let context = egui::Context::default();
+        let mut app = App::start(Options::default(), Arc::new(drop), Host::Picture, context);
+        app.pass(RawInput::default());
+        let key = |key, modifiers| Event::Key {
+            key,
+            physical_key: None,
+            pressed: true,
+            repeat: false,
+            modifiers,
+        };
+        let events = vec![
+            key(Key::C, Modifiers::SHIFT),
+            key(Key::Tab, Modifiers::NONE),
+            Event::Text("5".into()),
+        ];
+        let passes = app.context.cumulative_frame_nr();
+        let told = app.pass(RawInput {
+            events,
+            ..RawInput::default()
+        });
+        assert_eq!(app.context.cumulative_frame_nr(), passes + 3);
+        let copies = told.commands.iter().filter_map(|command| match command {
+            OutputCommand::CopyText(text) => Some(text.starts_with("[camera]")),
+            _ => None,
+        });
+        assert_eq!(copies.collect::<Vec<_>>(), [true]);
+    }
 }

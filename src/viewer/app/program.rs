@@ -128,8 +128,10 @@ pub(in crate::viewer) struct App {
     pub(super) waiting: Option<(Action, View)>,
     /// Whether the window covers all of the screen.
     pub fills_screen: bool,
-    /// Where the panels leave room for the scene, if anywhere, and for each of the stages that show.
-    pub(super) places: (Option<SceneRect>, Vec<(Stage, SceneRect)>),
+    /// Where the panels leave room for the scene; `None` where there is none.
+    pub(super) place: Option<SceneRect>,
+    /// Where each of the stages goes within that place.
+    pub(super) panes: Vec<(Stage, SceneRect)>,
     /// How far the scene's picture has come.
     pub picture: PictureProgress,
     /// Whether the scene's picture moves or rests.
@@ -187,7 +189,8 @@ impl App {
             copied: None,
             waiting: None,
             fills_screen: false,
-            places: (None, Vec::new()),
+            place: None,
+            panes: Vec::new(),
             picture: PictureProgress::default(),
             rest: Rest::default(),
             quit: false,

@@ -59,28 +59,33 @@ impl Offscreen {
     }
 
     /// Gives its context the window's looks.
+    #[doc(hidden)] // public for tests
     pub fn dress(&self) {
         self.app.dress();
     }
 
     /// Lays out the panels for the input at hand, and executes their commands.
+    #[doc(hidden)] // public for tests
     pub fn ui(&mut self, ui: &mut Ui) {
         self.app.ui(ui);
     }
 
     /// The inputs that a window makes of one, such as that of a slow frame: text goes to the field that it was typed
     /// into.
+    #[doc(hidden)] // public for tests
     pub fn in_turn(input: RawInput) -> Vec<RawInput> {
         in_turn(input)
     }
 
     /// Takes the changes of egui's textures.
+    #[doc(hidden)] // public for tests
     pub fn take_textures(&mut self, changes: TexturesDelta) {
         self.app.textures.append(changes);
     }
 
     /// Draws what the panels have put out last, as a window does. Returns whether a new picture of the scene is shown.
-    pub fn draw(&mut self, output: &FullOutput, size: Viewport) -> Result<bool, GpuError> {
+    #[doc(hidden)] // public for tests
+    pub fn draw(&mut self, output: &mut FullOutput, size: Viewport) -> Result<bool, GpuError> {
         self.picture.size = size;
         self.app.draw_frame(output, &mut self.picture)
     }
@@ -124,7 +129,14 @@ impl Offscreen {
         has_come
     }
 
+    /// Takes what has come of jobs.
+    #[doc(hidden)] // public for tests
+    pub fn take_finished(&mut self) {
+        self.app.take_finished();
+    }
+
     /// Unless a picture is late: the next events act as if the wanted picture were on screen.
+    #[doc(hidden)] // public for tests
     pub fn see_wanted(&mut self) {
         if self.app.picture.behind.is_none() {
             self.app.state.see(Seen::Wanted);

@@ -1,4 +1,4 @@
-//! What is so in a window that nobody sees.
+//! What is so in the program without a window system.
 
 use super::offscreen::Offscreen;
 use crate::{render::Gpu, viewer::model::State};

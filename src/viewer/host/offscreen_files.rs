@@ -1,4 +1,4 @@
-//! What the system does to a window that nobody sees: answers dialogs, closes the window.
+//! What a window system does to the program: answers dialogs, closes the window.
 
 use super::offscreen::Offscreen;
 use crate::viewer::{app::PathFor, jobs::Answer, ui::Command};

@@ -31,46 +31,54 @@ pub fn picture_of_views(
         ..options
     };
     let mut program = Offscreen::open_loaded(loaded, options, Context::default());
-    let mut frames = Frames::default();
-    frames.settle(&mut program, size)?;
+    let mut clock = Clock { time_s: 0.0, size };
+    // The panels are laid out before anything is clicked. Nothing is drawn yet.
+    for _ in 0..2 {
+        Clock::wait(&mut program);
+        program.app.pass(clock.input());
+    }
     let click = pick.map(|px| Action::Click(px, 0.0));
     for action in click.into_iter().chain([Action::Views(views)]) {
         program.app.act(action);
     }
-    frames.settle(&mut program, size)?;
+    for _ in 0..MOST_FRAMES {
+        Clock::wait(&mut program);
+        program.frame(clock.input(), size).drawn?;
+        if program.is_settled() && !program.is_rough() {
+            break;
+        }
+        // Edges get smooth at rest only.
+        clock.time_s += REST_S;
+    }
     program.drawn()
 }
 
-/// Runs the program's frames, a sixtieth of a second apart.
-#[derive(Default)]
-struct Frames {
+/// More frames than any picture takes.
+const MOST_FRAMES: usize = 10_000;
+
+/// The time and the size of the program's frames.
+struct Clock {
     time_s: f64,
+    size: Viewport,
 }
 
-impl Frames {
-    /// Runs frames until nothing is under way and the picture is whole.
-    fn settle(&mut self, program: &mut Offscreen, size: Viewport) -> Result<(), GpuError> {
-        loop {
-            while program.is_busy() {
-                program.wait_for_jobs();
-            }
-            self.time_s += 1.0 / 60.0;
-            #[expect(clippy::cast_precision_loss, reason = "no picture is that large")]
-            let sides = [size.width(), size.height()].map(|px| px as f32);
-            let frame = program.frame(
-                RawInput {
-                    screen_rect: Some(Rect::from_min_size(Pos2::ZERO, sides.into())),
-                    time: Some(self.time_s),
-                    ..RawInput::default()
-                },
-                size,
-            );
-            frame.drawn?;
-            if program.is_settled() && !program.is_rough() {
-                return Ok(());
-            }
-            // Edges get smooth at rest only.
-            self.time_s += REST_S;
+impl Clock {
+    /// Waits until nothing is under way.
+    fn wait(program: &mut Offscreen) {
+        while program.is_busy() {
+            program.wait_for_jobs();
+        }
+    }
+
+    /// The input of the next frame, a sixtieth of a second after the last one.
+    fn input(&mut self) -> RawInput {
+        self.time_s += 1.0 / 60.0;
+        #[expect(clippy::cast_precision_loss, reason = "no picture is that large")]
+        let sides = [self.size.width(), self.size.height()].map(|px| px as f32);
+        RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, sides.into())),
+            time: Some(self.time_s),
+            ..RawInput::default()
         }
     }
 }

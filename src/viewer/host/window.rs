@@ -201,7 +201,8 @@ impl ApplicationHandler<Wake> for Program {
             }
             _ => {}
         }
-        // A press and a release each get a pass of their own: see `App::pass`.
+        // A press, the moves after it and the release each get a pass of their own, however slow frames are: within one
+        // pass, egui sees only the final state.
         let is_button = matches!(event, WindowEvent::MouseInput { .. });
         if is_button {
             self.pass(event_loop);

@@ -1,4 +1,4 @@
-//! Begins what is drawn next: a picture of the scene, by rays or in pieces; the mask of a selection; or smooth edges.
+//! Begins what is drawn next: a picture of the scene, by rays or in pieces, or smooth edges.
 
 use super::{
     brush::Brush,
@@ -10,7 +10,7 @@ use super::{
 use crate::{
     camera::Viewport,
     image::{Image, Pixel},
-    pick::{mask_until, raycast_until},
+    pick::raycast_until,
     render::{Drawing, Gpu, GpuError, SMOOTH_SAMPLES, Targets},
     scene::Scene,
     viewer::model::Subject,
@@ -28,61 +28,13 @@ impl ScenePicture {
         wanted: &Drawn,
         motion: Motion,
     ) -> Result<Begun, GpuError> {
-        let is_of_wanted = |shown: &&mut Picture| shown.of.unmarked() == wanted.unmarked();
-        let shown = self.shown.as_mut().filter(is_of_wanted);
+        let shown = (self.shown.as_ref()).filter(|shown| shown.of == *wanted);
         let refines = shown.is_some();
-        let is_good = |shown: &&mut Picture| {
-            shown.finish.is_exact() || motion != Motion::Rests || shown.of != *wanted
-        };
-        if let Some(shown) = shown.filter(is_good) {
-            let other = wanted.selection.filter(|_| shown.of != *wanted);
-            shown.of.selection = wanted.selection.and(shown.of.selection);
-            if let Some(object) = other {
-                return Ok(self.begin_mask(brush, subject, wanted, object));
-            }
+        let is_good = |shown: &Picture| shown.finish.is_exact() || motion != Motion::Rests;
+        if shown.is_some_and(is_good) {
             return Ok(Begun::Pieces);
         }
         self.begin_scene(brush, subject, wanted, motion, refines)
-    }
-
-    /// Begins the mask of a selected object, which the picture on screen lacks. If rays find the mask in time, it is
-    /// shown at once. Rays are tried for each click: late rays cost little beside drawing such a mask.
-    fn begin_mask(
-        &mut self,
-        brush: &mut Brush,
-        subject: &Subject,
-        wanted: &Drawn,
-        object: usize,
-    ) -> Begun {
-        let (Some(scene), Some(shown)) = (&self.scenes.now, &mut self.shown) else {
-            return Begun::Pieces;
-        };
-        let (gpu, view) = (brush.gpu, shown.finish.drawn(&wanted.view));
-        let drawing = Drawing::of_selection(&scene.buffers, &view, object);
-        let most = self.paces[usize::from(shown.finish.is_exact())].most();
-        let at_once = most.holds(&drawing.whole(&scene.buffers));
-        let cast = |scene: &Scene, deadline| mask_until(scene, &view, object, deadline);
-        let mut begun = Begun::Pieces;
-        if gpu.is_software() && !at_once && by_rays::can_cast(subject.scene, brush.began) {
-            if let Some(mask) = by_rays::cast(subject.scene, brush.began, cast) {
-                brush.scale_for(shown.finish);
-                let onto = (&scene.buffers, &shown.targets, &view);
-                (brush.renderer).take_mask(onto, &mask, object);
-                shown.of = *wanted;
-                self.changes += 1;
-                return begun;
-            }
-            begun = Begun::Late;
-        }
-        self.next = Some(UnderWay {
-            drawing,
-            of: *wanted,
-            targets: None,
-            at_once,
-            finish: shown.finish,
-            refines: false,
-        });
-        begun
     }
 
     /// Begins a new picture of the scene, or shows it at once if it moves and rays find it in time. `refines`: the
@@ -115,8 +67,7 @@ impl ScenePicture {
             && by_rays::can_cast(subject.scene, brush.began)
             && self.patience.tries()
         {
-            let cast =
-                |scene: &Scene, deadline| raycast_until(scene, &view, subject.selection, deadline);
+            let cast = |scene: &Scene, deadline| raycast_until(scene, &view, deadline);
             let pixels = by_rays::cast(subject.scene, brush.began, cast);
             self.patience.came(pixels.is_some());
             if let Some(pixels) = pixels {
@@ -164,7 +115,7 @@ impl ScenePicture {
         };
         brush.scale_for(finish);
         let onto = (&scene.buffers, &targets, &view);
-        (brush.renderer).take_pixels(onto, pixels, &lines(subject), wanted.selection)?;
+        (brush.renderer).take_pixels(onto, pixels, &lines(subject))?;
         self.changes += 1;
         let before = self.shown.replace(Picture {
             targets,

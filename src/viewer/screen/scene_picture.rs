@@ -38,12 +38,14 @@ pub(super) struct ScenePicture {
     pub(super) patience: Patience,
     /// Counts the changes of what is shown.
     pub(super) changes: u64,
+    /// The object that is outlined, and since which change.
+    outlined: Option<(usize, u64)>,
 }
 
 /// What was begun in a pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Begun {
-    /// Nothing, a whole mask by rays, or what is drawn in pieces.
+    /// Nothing, or what is drawn in pieces.
     Pieces,
     /// What is drawn in pieces, since rays were late.
     Late,
@@ -69,7 +71,7 @@ pub(super) struct Look {
 pub(super) struct UnderWay {
     pub drawing: Drawing,
     pub of: Drawn,
-    /// `None` where only the selection or smooth colours are drawn, onto the picture that is shown.
+    /// `None` where only smooth colours are drawn, onto the picture that is shown.
     pub targets: Option<Targets>,
     /// Small enough for one pass.
     pub at_once: bool,
@@ -88,6 +90,7 @@ impl ScenePicture {
             paces: [Pace::new(gpu), Pace::new(gpu)],
             patience: Patience::default(),
             changes: 0,
+            outlined: None,
         }
     }
 
@@ -121,7 +124,7 @@ impl ScenePicture {
             let is_slow = gpu.is_software()
                 && motion == Motion::Goes
                 && next.finish.is_exact()
-                && (next.targets.is_some() || next.of.unmarked() != wanted.unmarked());
+                && (next.targets.is_some() || next.of != wanted);
             is_of_another || is_slow || (next.refines && (next.of != wanted || moves))
         });
         self.spare.extend(unwanted.and_then(|next| next.targets));
@@ -205,21 +208,11 @@ impl ScenePicture {
         Ok(([anew, !is_free && self.next.is_some()], done))
     }
 
-    /// Ends what was under way: shows it, or goes on to the selection. Returns whether a new picture of the scene is
-    /// shown.
+    /// Ends what was under way: shows it. Returns whether a new picture of the scene is shown.
     fn finish(&mut self) -> bool {
-        let (Some(mut next), Some(scene)) = (self.next.take(), &self.scenes.now) else {
+        let Some(next) = self.next.take() else {
             return false;
         };
-        if let Some(object) = next.of.selection
-            && !next.drawing.is_of_selection()
-            && next.targets.is_some()
-        {
-            let view = next.finish.drawn(&next.of.view);
-            next.drawing = Drawing::of_selection(&scene.buffers, &view, object);
-            self.next = Some(next);
-            return false;
-        }
         self.changes += 1;
         match (next.targets, &mut self.shown) {
             (Some(targets), shown) => {
@@ -248,20 +241,21 @@ impl ScenePicture {
         let scene = self.scenes.now.as_ref()?;
         // An object's index holds in its own scene only.
         let is_of_scene = |of: &u64| *of == scene.revision;
-        let hover = Some(subject.revision).filter(is_of_scene);
-        let selection = Some(shown.of.revision).filter(is_of_scene);
+        let is_marked = [subject.revision, shown.of.revision]
+            .iter()
+            .all(is_of_scene);
         Some(Look {
             change: self.changes,
             marks: Marks {
-                selection: selection.and(shown.of.selection),
-                hover: hover.and(selection).and(subject.hover),
+                selection: subject.selection.filter(|_| is_marked),
+                hover: subject.hover.filter(|_| is_marked),
             },
         })
     }
 
     /// Draws the picture into its place on a page.
     pub fn composite(
-        &self,
+        &mut self,
         brush: &mut Brush,
         look: &Look,
         page: &wgpu::Texture,
@@ -279,6 +273,11 @@ impl ScenePicture {
         let view = shown.finish.drawn(&shown.of.view);
         let onto = (&scene.buffers, &shown.targets, &view);
         brush.scale_for(shown.finish);
+        let outlined = look.marks.selection.map(|object| (object, look.change));
+        if let (Some((object, _)), true) = (outlined, self.outlined != outlined) {
+            brush.renderer.draw_outline(onto, object);
+        }
+        self.outlined = outlined;
         (brush.renderer).composite(onto, &look.marks, &destination)
     }
 }

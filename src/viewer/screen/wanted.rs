@@ -18,7 +18,7 @@ pub(in crate::viewer) enum Motion {
     Goes,
 }
 
-/// All that colours and ids depend on, and the selection, on which only its outline depends.
+/// All that colours and ids depend on.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Drawn {
     pub view: View,
@@ -29,7 +29,6 @@ pub(super) struct Drawn {
     /// Overlays within the scene, the selection that they are for, and whether trees are built, which they may show.
     overlays: Option<(Overlays, Option<usize>, bool)>,
     lesson: Option<Lesson>,
-    pub selection: Option<usize>,
 }
 
 impl Drawn {
@@ -45,21 +44,12 @@ impl Drawn {
             grid: subject.grid,
             frozen: subject.frozen,
             lesson: subject.lesson,
-            selection,
         }
     }
 
     /// Whether it is of one of the four views.
     pub fn is_of_stage(&self) -> bool {
         self.lesson.is_some()
-    }
-
-    /// The same without the selection.
-    pub fn unmarked(self) -> Self {
-        Self {
-            selection: None,
-            ..self
-        }
     }
 
     /// Which objects' edges are drawn.

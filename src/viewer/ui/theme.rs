@@ -4,7 +4,7 @@ use super::mouse;
 use crate::{colour::Srgb, look, viewer::jobs::Missing};
 use egui::{Color32, Style, Theme, ThemePreference, epaint::text::FallbackRequest};
 use serde::{Deserialize, Serialize};
-use std::sync::Arc;
+use std::{num::NonZeroUsize, sync::Arc};
 
 /// A colour as egui has it.
 pub(in crate::viewer) const fn color32(Srgb([r, g, b]): Srgb) -> Color32 {
@@ -61,6 +61,8 @@ impl Look {
 /// things.
 pub(in crate::viewer) fn dress(context: &egui::Context) {
     mouse::options(context);
+    // What commands change is laid out at once, and what appears in that pass is measured before it shows.
+    context.options_mut(|options| options.max_passes = NonZeroUsize::MIN.saturating_add(2));
     let [dark, light] = look::WARNING;
     for (theme, error, warning, text, weak) in [
         (Theme::Dark, [255, 120, 105], dark, 222, 160),

@@ -97,10 +97,18 @@ pub(super) fn rows(ui: &mut Ui, salt: &str, rows: &[(&str, String, &str)]) {
     Grid::new(salt).num_columns(2).striped(true).show(ui, |ui| {
         for (name, value, hint) in rows {
             ui.weak(*name).hint(hint);
-            #[expect(clippy::cast_precision_loss, reason = "a few characters")]
-            let fits = one * value.chars().count() as f32 <= room;
-            let value = if fits { value.clone() } else { stacked(value) };
-            ui.add(Label::new(value_text(value)).wrap()).hint(hint);
+            let stacked = stacked(value);
+            let fits = |text: &str| {
+                #[expect(clippy::cast_precision_loss, reason = "a few characters")]
+                text.lines()
+                    .all(|line| one * line.chars().count() as f32 <= room)
+            };
+            // A new grid measures its rows in a column without width, where wrapped text would be far too high.
+            let label = match [value, &stacked].into_iter().find(|text| fits(text)) {
+                Some(text) => Label::new(value_text(text.clone())).extend(),
+                None => Label::new(value_text(stacked.clone())).wrap(),
+            };
+            ui.add(label).hint(hint);
             ui.end_row();
         }
     });
