@@ -28,6 +28,7 @@ mod motion;
 mod narrow;
 mod nothing_lost;
 mod numbers;
+mod object_list;
 mod one_place;
 mod overlays;
 mod panels_kept;

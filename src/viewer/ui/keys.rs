@@ -79,8 +79,9 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = bindings! {
     "C", "copy a command that repeats the pick; no pick: the view": NONE C => Command::CopyCommandLine;
     "J", "copy the pick as JSON": NONE J => Command::CopyPick;
     "Esc", "cancel, close, deselect, leave the gallery": NONE Escape => Command::Escape;
-    "H, ?", "this help":
+    "H, F1, ?", "this help":
         NONE H => Command::ToggleHelp,
+        NONE F1 => Command::ToggleHelp,
         SHIFT Questionmark => Command::ToggleHelp,
         NONE Questionmark => Command::ToggleHelp;
     "Ctrl+Q", "quit": CTRL Q => Command::Quit;

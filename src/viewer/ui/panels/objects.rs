@@ -17,15 +17,18 @@ pub(in crate::viewer) struct Filter {
 }
 
 impl Filter {
-    fn apply(&mut self, state: &State) {
+    /// Finds the rows. Returns whether they are of another scene or text than before.
+    fn apply(&mut self, state: &State) -> bool {
         let of = Some((state.scene_revision(), self.text.to_lowercase()));
-        if self.of != of {
-            let wanted = self.text.to_lowercase();
-            let objects = state.scene().objects().iter().enumerate();
-            let fits = objects.filter(|(_, object)| object.name.to_lowercase().contains(&wanted));
-            self.rows = (!wanted.is_empty()).then(|| fits.map(|(index, _)| index).collect());
-            self.of = of;
+        if self.of == of {
+            return false;
         }
+        let wanted = self.text.to_lowercase();
+        let objects = state.scene().objects().iter().enumerate();
+        let fits = objects.filter(|(_, object)| object.name.to_lowercase().contains(&wanted));
+        self.rows = (!wanted.is_empty()).then(|| fits.map(|(index, _)| index).collect());
+        self.of = of;
+        true
     }
 
     /// How many rows are left.
@@ -75,11 +78,14 @@ pub(super) fn show(
         search(ui, &mut filter.text);
         ui.separator();
     });
-    filter.apply(state);
+    let is_another = filter.apply(state);
     let objects = state.scene().objects();
     let height = (ui.text_style_height(&TextStyle::Body)).max(ui.spacing().interact_size.y);
     let mut area = ScrollArea::vertical().id_salt("list").auto_shrink(false);
-    let revealed = state.selected().filter(|_| reveal_selection);
+    if is_another {
+        area = area.vertical_scroll_offset(0.0);
+    }
+    let revealed = state.selected().filter(|_| reveal_selection || is_another);
     if let Some(row) = revealed.and_then(|object| filter.row(object)) {
         #[expect(clippy::cast_precision_loss, reason = "a place in a list")]
         let row = row as f32;
