@@ -4,8 +4,9 @@ use super::*;
 use egui::vec2;
 use sightline::pick;
 
-/// Cells along each side of a ground of 405,000 triangles. It is drawn in several pieces, even after pieces have grown.
-const SIDE: u32 = 450;
+/// Cells along each side of a ground of 1,280,000 triangles. Its load takes longer than a few frames, and it is drawn in
+/// several pieces, even after pieces have grown.
+const SIDE: u32 = 800;
 /// A point of the picture that shows no object.
 const NOTHING: Pos2 = pos2(480.0, 80.0);
 
@@ -93,7 +94,7 @@ fn what_is_large_is_read_again_in_shares() {
     let old = middle(&window);
     // One more triangle, since an object that has not changed stays as it is.
     let text = std::fs::read_to_string(&path).expect("a file");
-    std::fs::write(&path, text + "f 1 2 452\n").expect("writable");
+    std::fs::write(&path, text + &format!("f 1 2 {}\n", SIDE + 2)).expect("writable");
     window.draw([press(Key::R)]).expect("a frame");
     let seen = watch(&mut window, &old);
     check(&window, &seen, 1);
