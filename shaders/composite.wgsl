@@ -25,8 +25,8 @@ fn inside(px: vec2<f32>, by: vec2<f32>) -> f32 {
     return select(0.0, 1.0, object == composite.selection);
 }
 
-// How much of a pixel is outline: most where half of a disc about it shows the selected object. Unrolled, since loops are
-// slow on software adapters.
+// How much of a pixel is outline: most where half of a disc about it shows the selected object. Unrolled, since loops
+// are slow on software adapters.
 @fragment
 fn outline(@builtin(position) position: vec4<f32>) -> @location(0) f32 {
     let px = position.xy;

@@ -33,8 +33,8 @@ pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
     (Image::new(size, ids), Image::new(size, colours))
 }
 
-/// All that drawing would write for every pixel, by the ray through its centre, on all cores. `None` if that is not done
-/// by `deadline`. Build the scene's trees first.
+/// All that drawing would write for every pixel, by the ray through its centre, on all cores. `None` if that is not
+/// done by `deadline`. Build the scene's trees first.
 pub fn raycast_until(scene: &Scene, view: &View, deadline: Instant) -> Option<Image<Pixel>> {
     let (rays, lens) = (&view.rays(), view.camera.lens());
     let is_late = AtomicBool::new(false);
@@ -158,4 +158,20 @@ fn colour(scene: &Scene, view: &View, ray: &Ray, hit: &SceneHit) -> Srgb {
     };
     let light = look::shade(albedo, if front { normal } else { -normal });
     Srgb::from_linear(light)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::{CameraChoice, Viewport};
+
+    /// A row so wide that sixteen such rows have more pixels than 32 bits can count.
+    #[test]
+    fn a_row_may_be_very_wide() {
+        let size = Viewport::new(1 << 28, 1).expect("a viewport");
+        let camera = CameraChoice::default().resolve(&Scene::default().bounds(), size);
+        let view = View::new(camera.expect("a camera"), size);
+        let pixels = each_in_tiles::<bool, fn(DVec2) -> bool>(&view, |_| None);
+        assert_eq!(pixels.len(), 1 << 28);
+    }
 }

@@ -10,7 +10,7 @@ pub(super) const COLOUR_VALUES: TextureFormat = TextureFormat::Rgba8Unorm;
 pub(super) const IDS: TextureFormat = TextureFormat::Rg32Uint;
 /// Floating point, which reversed depth needs.
 pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
-/// How much of a pixel is selected, or is outline.
+/// How much of a pixel is outline.
 pub(super) const MARKS: TextureFormat = TextureFormat::R8Unorm;
 
 /// Changes between red, green, blue, alpha and the order in which a format with four 8-bit channels stores them, in

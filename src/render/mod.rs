@@ -17,11 +17,12 @@
 //!
 //! Pixels that were found by rays can take the place of drawn ones ([`Renderer::take_pixels`]).
 //!
-//! Each step submits its own work. [`render`] takes all steps for one picture. [`Renderer::advance`] draws a
-//! scene in pieces where that takes long.
+//! Each step submits its own work. [`render`] takes all steps for one picture. [`Renderer::advance`] draws a scene
+//! in pieces where that takes long.
 //!
 //! A pixel shows the surface that the picker's rules choose: the camera is the same, near and far are compared with
-//! view depth, and at equal depth the triangle with the lower number wins, or the object with the lower index of those that touch.
+//! view depth, and at equal depth the triangle with the lower number wins, or the object with the lower index of those
+//! that touch.
 //! Everything is composed in `f64` and rounded to `f32` once (see [`transform`] and [`sphere`]).
 
 mod abilities;

@@ -12,8 +12,8 @@ use bytemuck::Pod;
 use wgpu::BufferUsages;
 
 impl Renderer {
-    /// Takes pixels in place of drawn ones: colours and ids. Draws lines over the colours
-    /// where nothing is in front of them.
+    /// Takes pixels in place of drawn ones: colours and ids. Draws lines over the colours where nothing is
+    /// in front of them.
     ///
     /// # Errors
     /// When memory runs out.

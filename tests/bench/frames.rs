@@ -147,22 +147,15 @@ impl Window {
 
     /// The frame after these events.
     fn draw(&mut self, events: Vec<Event>) -> Frame {
-        self.draw_after(RawInput {
-            events,
-            ..RawInput::default()
-        })
+        self.draw_after(|input| input.events = events)
     }
 
-    fn draw_after(&mut self, input: RawInput) -> Frame {
+    /// The frame after an input that `tell` fills.
+    fn draw_after(&mut self, tell: impl FnOnce(&mut RawInput)) -> Frame {
         *self.due() = None;
         self.time_s += 1.0 / 60.0;
-        #[expect(clippy::cast_precision_loss, reason = "small")]
-        let sides = [SIZE.width(), SIZE.height()].map(|px| px as f32);
-        let input = RawInput {
-            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, sides.into())),
-            time: Some(self.time_s),
-            ..input
-        };
+        let mut input = Offscreen::input_at(self.time_s, SIZE);
+        tell(&mut input);
         let frame = self.program.frame(input, SIZE);
         if let Err(error) = &frame.drawn {
             panic!("{error}");
@@ -193,9 +186,7 @@ impl Window {
 
     fn settle(&mut self) {
         loop {
-            while self.program.is_busy() {
-                self.program.wait_for_jobs();
-            }
+            self.program.finish_jobs();
             self.draw(Vec::new());
             if self.program.is_settled() {
                 return;
@@ -210,10 +201,7 @@ impl Window {
 
     /// Drops a file on the window, and waits for nothing.
     fn begin_to_drop(&mut self, path: PathBuf) {
-        self.draw_after(RawInput {
-            dropped_files: vec![Arc::new(Dropped(path))],
-            ..RawInput::default()
-        });
+        self.draw_after(|input| input.dropped_files = vec![Arc::new(Dropped(path))]);
     }
 
     /// Where a control is. No assistive program asks for the controls at other times.

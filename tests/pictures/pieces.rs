@@ -7,14 +7,14 @@ use sightline::{
     render::{Drawing, Piece, SMOOTH_SAMPLES, Wireframe},
 };
 
-/// The number of pieces, and the ids and colours drawn in them.
+/// The number of pieces, and the ids, the colours and the picture with its marks that were drawn in them.
 fn in_pieces(
     gpu: &Gpu,
     scene: &Scene,
     view: &View,
     samples: u32,
     piece: Piece,
-) -> (usize, Image<Id>, Image<Rgb>) {
+) -> (usize, Image<Id>, Image<Rgb>, Image<Rgb>) {
     let mut renderer = Renderer::new(gpu, samples);
     let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
     let targets = Targets::new(gpu, view.viewport, samples).expect("fits");
@@ -32,12 +32,23 @@ fn in_pieces(
         pieces += 1;
     }
     assert!(drawing.done >= whole, "all of it");
+    let onto = (&buffers, &targets, view);
+    renderer.draw_outline(onto, SELECTED);
+    let picture = renderer.composite_to_image(onto, &MARKS);
     (
         pieces,
         targets.read_ids(gpu).expect("ids"),
         targets.read_colours(gpu).expect("colours"),
+        picture.expect("a picture"),
     )
 }
+
+/// The floor, a square.
+const SELECTED: usize = 0;
+const MARKS: Marks = Marks {
+    selection: Some(SELECTED),
+    hover: None,
+};
 
 fn line() -> Line {
     Line {
@@ -53,14 +64,15 @@ fn pieces_make_the_whole_picture() {
     let scene = shapes(DVec3::ZERO);
     let view = overview([320, 200]);
     for samples in [1, SMOOTH_SAMPLES] {
-        let marks = Marks::default();
-        let (ids, colours, _) = draw(&gpu, &scene, &view, &[line()], &marks, samples);
+        let (ids, colours, picture) = draw(&gpu, &scene, &view, &[line()], &MARKS, samples);
         for (work, instances, least) in [(50, u32::MAX, 20), (1000, 1, 8), (u64::MAX, 2, 4)] {
             let piece = Piece { work, instances };
-            let (pieces, piece_ids, piece_colours) = in_pieces(&gpu, &scene, &view, samples, piece);
+            let (pieces, piece_ids, piece_colours, piece_picture) =
+                in_pieces(&gpu, &scene, &view, samples, piece);
             assert!(pieces >= least, "{pieces} pieces of {piece:?}");
             assert_eq!(differing(&ids, &piece_ids), 0, "{piece:?}");
             assert_eq!(differing(&colours, &piece_colours), 0, "{piece:?}");
+            assert_eq!(differing(&picture, &piece_picture), 0, "{piece:?}");
         }
     }
 }

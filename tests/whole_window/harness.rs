@@ -205,37 +205,37 @@ impl Window {
 
     /// Opens files, as when the dialog is answered with them.
     pub fn open_files(&mut self, paths: Vec<PathBuf>) {
-        self.program_mut().open_files(paths);
-        self.settle();
+        self.settle_after(|program| program.open_files(paths));
     }
 
     /// Saves to a file, as when the dialog is answered with it.
     pub fn save_as(&mut self, path: PathBuf) {
-        self.program_mut().save_as(path);
-        self.settle();
+        self.settle_after(|program| program.save_as(path));
     }
 
     /// Cancels the save dialog.
     pub fn save_nowhere(&mut self) {
-        self.program_mut().save_nowhere();
-        self.settle();
+        self.settle_after(Offscreen::save_nowhere);
     }
 
     /// Answers that no dialog to open files can be shown.
     pub fn open_without_dialog(&mut self) {
-        self.program_mut().open_without_dialog();
-        self.settle();
+        self.settle_after(Offscreen::open_without_dialog);
     }
 
     /// Answers that no dialog to save can be shown.
     pub fn save_without_dialog(&mut self) {
-        self.program_mut().save_without_dialog();
-        self.settle();
+        self.settle_after(Offscreen::save_without_dialog);
     }
 
     /// Closes the window, as the button of its frame does.
     pub fn close(&mut self) {
-        self.program_mut().close();
+        self.settle_after(Offscreen::close);
+    }
+
+    /// Tells the program something, and waits for what comes of it.
+    fn settle_after(&mut self, tell: impl FnOnce(&mut Offscreen)) {
+        tell(self.program_mut());
         self.settle();
     }
 

@@ -40,12 +40,9 @@ impl App {
         let start = Instant::now();
         let mut output = self.run(input);
         let drawn = self.draw_frame(&mut output, screen);
-        match &drawn {
-            Ok(true) if self.host == Host::Window => {
-                let now_s = self.context.input(|input| input.time);
-                self.statistics.frame = Some((start.elapsed(), now_s));
-            }
-            _ => {}
+        if drawn == Ok(true) && self.host == Host::Window {
+            let now_s = self.context.input(|input| input.time);
+            self.statistics.frame = Some((start.elapsed(), now_s));
         }
         Frame {
             platform: output.platform_output,
@@ -76,8 +73,8 @@ impl App {
         output
     }
 
-    /// Draws the shapes that the last run of the panels has put out, and takes them. Returns whether a new picture of the
-    /// scene is shown.
+    /// Draws the shapes that the last run of the panels has put out, and takes them. Returns whether a new picture of
+    /// the scene is shown.
     pub fn draw_frame(
         &mut self,
         output: &mut egui::FullOutput,

@@ -13,7 +13,7 @@ use crate::{
         options::Options,
     },
 };
-use egui::{Context, FullOutput, RawInput, TexturesDelta, Ui};
+use egui::{Context, FullOutput, Pos2, RawInput, Rect, TexturesDelta, Ui};
 use std::{
     path::PathBuf,
     sync::{
@@ -115,6 +115,24 @@ impl Offscreen {
     /// Whether something is under way that will change what is shown.
     pub fn is_busy(&self) -> bool {
         self.app.is_busy()
+    }
+
+    /// Waits until nothing is under way.
+    pub fn finish_jobs(&mut self) {
+        while self.is_busy() {
+            self.wait_for_jobs();
+        }
+    }
+
+    /// egui's input at a time, for a picture of this size at scale 1.
+    pub fn input_at(time_s: f64, size: Viewport) -> RawInput {
+        #[expect(clippy::cast_precision_loss, reason = "no picture is that large")]
+        let sides = [size.width(), size.height()].map(|px| px as f32);
+        RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, sides.into())),
+            time: Some(time_s),
+            ..RawInput::default()
+        }
     }
 
     /// Waits a moment for what is under way, and takes what has come of it. Returns whether anything has.

@@ -10,9 +10,7 @@ use super::{
 use crate::{
     camera::Viewport,
     image::{Image, Pixel},
-    pick::raycast_until,
     render::{Drawing, Gpu, GpuError, SMOOTH_SAMPLES, Targets},
-    scene::Scene,
     viewer::model::Subject,
 };
 
@@ -67,8 +65,7 @@ impl ScenePicture {
             && by_rays::can_cast(subject.scene, brush.began)
             && self.patience.tries()
         {
-            let cast = |scene: &Scene, deadline| raycast_until(scene, &view, deadline);
-            let pixels = by_rays::cast(subject.scene, brush.began, cast);
+            let pixels = by_rays::cast(subject.scene, &view, brush.began);
             self.patience.came(pixels.is_some());
             if let Some(pixels) = pixels {
                 self.show_pixels(brush, subject, wanted, finish, &pixels)?;

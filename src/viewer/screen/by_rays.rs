@@ -1,7 +1,12 @@
-//! Finds pictures and masks by rays, for software adapters. These transform vertices on one core, while a ray costs
-//! little more in a large scene than in a small one.
+//! Finds pictures by rays, for software adapters. These transform vertices on one core, while a ray costs little more in
+//! a large scene than in a small one.
 
-use crate::scene::Scene;
+use crate::{
+    camera::View,
+    image::{Image, Pixel},
+    pick::raycast_until,
+    scene::Scene,
+};
 use std::{
     panic::resume_unwind,
     thread,
@@ -21,16 +26,12 @@ pub(super) fn can_cast(scene: &Scene, began: Instant) -> bool {
     scene.trees_are_built() && began.elapsed() < LONGEST / 2
 }
 
-/// What `cast` finds in time, for a picture of a frame that began at `began`.
-pub(super) fn cast<T: Send>(
-    scene: &Scene,
-    began: Instant,
-    cast: impl FnOnce(&Scene, Instant) -> Option<T> + Send,
-) -> Option<T> {
-    let deadline = began + LONGEST;
+/// The pixels of a frame that began at `began`; `None` where rays are late.
+pub(super) fn cast(scene: &Scene, view: &View, began: Instant) -> Option<Image<Pixel>> {
+    let cast = || raycast_until(scene, view, began + LONGEST);
     // Rays run on other threads only. The window's thread, whose processor time is bounded, waits as for an adapter.
-    let cast = thread::scope(|scope| scope.spawn(|| cast(scene, deadline)).join());
-    cast.unwrap_or_else(|panic| resume_unwind(panic))
+    let pixels = thread::scope(|scope| scope.spawn(cast).join());
+    pixels.unwrap_or_else(|panic| resume_unwind(panic))
 }
 
 /// Decides when a moving picture's rays are tried.
