@@ -122,16 +122,14 @@ fn structs_have_one_layout_on_both_sides() {
         }
     );
     same_layout!(
-        "composite",
-        Composite {
-            origin_px,
-            selection,
-            hover,
+        "marks",
+        Marking {
             selection_colour,
             tint,
             lit,
-            outline_px,
-            coarseness
+            selection,
+            hover,
+            outline_px
         }
     );
 }

@@ -37,14 +37,24 @@ pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
 /// done by `deadline`. Build the scene's trees first.
 pub fn raycast_until(scene: &Scene, view: &View, deadline: Instant) -> Option<Image<Pixel>> {
     let (rays, lens) = (&view.rays(), view.camera.lens());
-    let is_late = AtomicBool::new(false);
+    let late = AtomicBool::new(false);
+    // Asked for each ray: one may take a millisecond, where thousands of objects lie in one place.
+    let is_late = &|| {
+        let is_late = late.load(Relaxed) || Instant::now() >= deadline;
+        if is_late {
+            late.store(true, Relaxed);
+        }
+        is_late
+    };
     let pixels = each_in_tiles(view, |tile| {
-        if is_late.load(Relaxed) || Instant::now() >= deadline {
-            is_late.store(true, Relaxed);
+        if is_late() {
             return None;
         }
         let beam = Beam::of_tile(scene, rays, tile);
         Some(move |px| {
+            if is_late() {
+                return Pixel::default();
+            }
             let ray = &rays.ray(px);
             let hit = nearest(&beam, ray, view.sides, None);
             let (id, colour) = id_and_colour(scene, view, ray, px, hit.as_ref());
@@ -54,7 +64,7 @@ pub fn raycast_until(scene: &Scene, view: &View, deadline: Instant) -> Option<Im
             Pixel { id, colour, depth }
         })
     });
-    (!is_late.into_inner()).then(|| Image::new(view.viewport, pixels))
+    (!late.into_inner()).then(|| Image::new(view.viewport, pixels))
 }
 
 /// The object and triangle that every pixel's ray hits, on all cores; see [`raycast`].

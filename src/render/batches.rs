@@ -11,36 +11,58 @@ use crate::geometry::{Aabb, Placement};
 use glam::DVec3;
 use std::ops::Range;
 
-/// What one call draws, with one instance or many.
+/// The shape of batches that are drawn together.
 #[derive(Clone, Debug)]
 pub(super) struct Kind {
     /// `None` for spheres.
     pub buffers: Option<MeshBuffers>,
-    /// The triangles of each instance; none of spheres.
+    /// The triangles of each batch; none of spheres.
     pub triangles: Range<u32>,
     /// Whether the model matrices mirror; not used for spheres.
     pub mirrors: bool,
 }
 
 impl Kind {
-    /// The end of the triangles that one call can draw from `first` on.
-    pub fn end_of_call(&self, first: u32) -> u32 {
-        let buffers = self.buffers.as_ref();
-        buffers.map_or(0, |buffers| {
-            buffers.end_of_call(first).min(self.triangles.end)
-        })
+    /// Some of the triangles, for as many calls as these take. A sphere is one call without triangles.
+    pub fn calls(&self, triangles: &Range<u32>) -> Vec<Range<u32>> {
+        match &self.buffers {
+            Some(buffers) => buffers.calls(triangles).collect(),
+            None => std::iter::once(0..0).collect(),
+        }
     }
 
-    /// Draws some triangles, or spheres, of some instances by one call.
-    pub fn draw(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        triangles: &Range<u32>,
-        instances: Range<u32>,
-    ) {
+    /// The triangles of one call, or spheres, in rows of a table.
+    pub fn draw(&self, triangles: Range<u32>, instances: Range<u32>) -> Draw {
+        Draw {
+            buffers: self.buffers.clone(),
+            mirrors: self.mirrors,
+            triangles,
+            instances,
+        }
+    }
+}
+
+/// What one call draws: triangles of a mesh, or spheres, once for each row of a table.
+#[derive(Clone, Debug)]
+pub(super) struct Draw {
+    /// `None` for spheres.
+    pub buffers: Option<MeshBuffers>,
+    pub mirrors: bool,
+    triangles: Range<u32>,
+    pub instances: Range<u32>,
+}
+
+impl Draw {
+    /// How many triangles it draws.
+    pub fn triangle_count(&self) -> usize {
+        self.triangles.len() * self.instances.len()
+    }
+
+    /// Draws it.
+    pub fn record(&self, pass: &mut wgpu::RenderPass<'_>) {
         match &self.buffers {
-            Some(buffers) => buffers.draw(pass, triangles, instances),
-            None => pass.draw(0..4, instances),
+            Some(buffers) => buffers.draw(pass, &self.triangles, self.instances.clone()),
+            None => pass.draw(0..4, self.instances.clone()),
         }
     }
 }
@@ -76,7 +98,6 @@ pub(super) struct TriangleBatch {
     /// In vertex space.
     pub bounds: Aabb,
     pub object_of_part_0: u32,
-    pub first_triangle: u32,
     pub numbers_triangles: bool,
 }
 
@@ -127,7 +148,8 @@ impl TriangleBatch {
             translation: to_view.translation.to_array(),
             normal: (normal_to_view(space.view(), placement).as_mat3()).to_cols_array_2d(),
             object_of_part_0: self.object_of_part_0,
-            first_triangle: self.first_triangle,
+            // Each call sets its own.
+            first_triangle: 0,
             flags: numbers | mirrors,
         }
     }

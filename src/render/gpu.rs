@@ -116,7 +116,7 @@ impl Gpu {
     ///
     /// # Errors
     /// When a side is longer than the adapter's textures.
-    pub(super) fn check_picture(&self, viewport: Viewport) -> Result<(), GpuError> {
+    pub(crate) fn check_picture(&self, viewport: Viewport) -> Result<(), GpuError> {
         let (width, height) = (viewport.width(), viewport.height());
         let limit = self.device.limits().max_texture_dimension_2d;
         if width.max(height) > limit {
@@ -193,7 +193,7 @@ impl Gpu {
     }
 
     /// Runs an allocation. Running out of memory is an error for the user, not a panic.
-    pub(super) fn within_memory<T>(&self, allocate: impl FnOnce() -> T) -> Result<T, GpuError> {
+    pub(crate) fn within_memory<T>(&self, allocate: impl FnOnce() -> T) -> Result<T, GpuError> {
         let scope = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let made = allocate();
         match pollster::block_on(scope.pop()) {

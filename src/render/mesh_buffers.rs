@@ -13,18 +13,23 @@ use glam::DVec3;
 use std::{borrow::Cow, collections::HashMap, ops::Range, sync::Arc};
 use wgpu::BufferUsages;
 
+/// The most triangles that a software adapter draws by one call. It keeps them, transformed, until they are drawn: half
+/// a gigabyte for ten million.
+pub(super) const SOFTWARE_CALL: usize = 1 << 18;
+
 /// A mesh in graphics memory. Its triangles are the mesh's, in order.
 #[derive(Clone, Debug)]
 pub(super) struct MeshBuffers {
     pub triangles: u32,
-    /// One, unless it would be larger than a buffer may be.
     chunks: Arc<[Chunk]>,
 }
 
-/// Some of a mesh's triangles.
+/// Triangles of a mesh that one call can draw.
 #[derive(Debug)]
 struct Chunk {
     triangles: Range<u32>,
+    /// The first triangle that is in its buffers.
+    first: u32,
     vertices: wgpu::Buffer,
     /// `None` where each triangle has three vertices to itself.
     indices: Option<wgpu::Buffer>,
@@ -44,42 +49,57 @@ impl MeshBuffers {
         let most = gpu.device.limits().max_buffer_size;
         let largest = size_of_val(vertices).max(size_of_val(triangles)) as u64;
         let is_indexed = gpu.numbers == Numbers::Primitives && largest <= most;
-        let triangles_of_chunk = most / (3 * size_of::<Vertex>()) as u64;
-        let triangles_of_chunk = usize::try_from(triangles_of_chunk).unwrap_or(usize::MAX);
-        let of_chunk = |(at, some): (usize, &[[u32; 3]])| {
-            let own;
-            let (vertices, indices) = if is_indexed {
-                (vertices, Some(triangles))
-            } else {
-                let corners = some.as_flattened().iter();
-                own = corners.map(|&i| vertices[i as usize]).collect::<Vec<_>>();
-                (&*own, None)
-            };
-            let vertices = gpu.buffer("vertices", BufferUsages::VERTEX, vertices)?;
-            let buffer = |all| gpu.buffer("triangles", BufferUsages::INDEX, all);
-            let first = at * triangles_of_chunk;
-            Ok(Chunk {
-                triangles: count(first)..count(first + some.len()),
-                vertices,
-                indices: indices.map(buffer).transpose()?,
+        let held = most / (3 * size_of::<Vertex>()) as u64;
+        let held = usize::try_from(held).unwrap_or(usize::MAX).max(1);
+        let called = if gpu.is_software() {
+            SOFTWARE_CALL
+        } else {
+            usize::MAX
+        };
+        let buffer = |vertices: &[Vertex]| gpu.buffer("vertices", BufferUsages::VERTEX, vertices);
+        // All of them share their buffers, or each has its own.
+        let shared = if is_indexed {
+            let indices = gpu.buffer("triangles", BufferUsages::INDEX, triangles)?;
+            Some((buffer(vertices)?, indices))
+        } else {
+            None
+        };
+        let size = if is_indexed { called } else { called.min(held) };
+        let chunk = |(at, some): (usize, &[[u32; 3]])| {
+            let triangles = count(at * size)..count(at * size + some.len());
+            Ok(match &shared {
+                Some((vertices, indices)) => Chunk {
+                    triangles,
+                    first: 0,
+                    vertices: vertices.clone(),
+                    indices: Some(indices.clone()),
+                },
+                None => Chunk {
+                    first: triangles.start,
+                    triangles,
+                    vertices: {
+                        let corners = some.as_flattened().iter();
+                        buffer(&corners.map(|&i| vertices[i as usize]).collect::<Vec<_>>())?
+                    },
+                    indices: None,
+                },
             })
         };
-        let chunks: Result<_, GpuError> = if is_indexed {
-            of_chunk((0, triangles)).map(|chunk| [chunk].into())
-        } else {
-            let chunks = triangles.chunks(triangles_of_chunk.max(1)).enumerate();
-            chunks.map(of_chunk).collect()
-        };
+        let chunks: Result<_, GpuError> = triangles.chunks(size).enumerate().map(chunk).collect();
         Ok(Self {
             triangles: count(triangles.len()),
             chunks: chunks?,
         })
     }
 
-    /// The end of the triangles that one call can draw from `first` on.
-    pub fn end_of_call(&self, first: u32) -> u32 {
-        let chunk = self.chunk(first);
-        chunk.map_or(self.triangles, |chunk| chunk.triangles.end)
+    /// Triangles as those of one call after another.
+    pub fn calls(&self, triangles: &Range<u32>) -> impl Iterator<Item = Range<u32>> {
+        let within = |chunk: &Chunk| {
+            let start = chunk.triangles.start.max(triangles.start);
+            start..chunk.triangles.end.min(triangles.end)
+        };
+        let calls = self.chunks.iter().map(within);
+        calls.filter(|triangles| !triangles.is_empty())
     }
 
     /// Draws triangles by one call, for some instances. The call numbers them from 0.
@@ -89,11 +109,11 @@ impl MeshBuffers {
         triangles: &Range<u32>,
         instances: Range<u32>,
     ) {
-        let Some(chunk) = self.chunk(triangles.start) else {
+        let mut chunks = self.chunks.iter();
+        let Some(chunk) = chunks.find(|chunk| chunk.triangles.contains(&triangles.start)) else {
             return;
         };
-        let [first, end] =
-            [triangles.start, triangles.end].map(|i| 3 * (i - chunk.triangles.start));
+        let [first, end] = [triangles.start, triangles.end].map(|i| 3 * (i - chunk.first));
         if let Some(indices) = &chunk.indices {
             pass.set_vertex_buffer(0, chunk.vertices.slice(..));
             pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
@@ -103,11 +123,6 @@ impl MeshBuffers {
             pass.set_vertex_buffer(0, chunk.vertices.slice(byte..));
             pass.draw(0..end - first, instances);
         }
-    }
-
-    fn chunk(&self, triangle: u32) -> Option<&Chunk> {
-        let mut chunks = self.chunks.iter();
-        chunks.find(|chunk| chunk.triangles.contains(&triangle))
     }
 
     /// The unit cube as twelve triangles.

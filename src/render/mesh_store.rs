@@ -10,13 +10,13 @@ use std::{
     sync::{Arc, Weak},
 };
 
-/// Meshes in graphics memory, each once for all scenes that show it. A clone shares them.
-#[derive(Clone, Debug, Default)]
-pub struct MeshStore(Arc<HashMap<usize, (Weak<Mesh>, MeshBuffers)>>);
+/// Meshes in graphics memory, each once for all scenes that show it.
+#[derive(Debug, Default)]
+pub struct MeshStore(HashMap<usize, (Weak<Mesh>, MeshBuffers)>);
 
 impl MeshStore {
     /// The buffers of a mesh; `None` if it is not uploaded yet.
-    pub(super) fn known(&self, mesh: &Arc<Mesh>) -> Option<&MeshBuffers> {
+    fn known(&self, mesh: &Arc<Mesh>) -> Option<&MeshBuffers> {
         let (of, buffers) = self.0.get(&Arc::as_ptr(mesh).addr())?;
         // A new mesh may have the address of one that was dropped.
         Arc::ptr_eq(&of.upgrade()?, mesh).then_some(buffers)
@@ -29,12 +29,12 @@ impl MeshStore {
         }
         let buffers = MeshBuffers::upload(gpu, mesh)?;
         let entry = (Arc::downgrade(mesh), buffers.clone());
-        Arc::make_mut(&mut self.0).insert(Arc::as_ptr(mesh).addr(), entry);
+        self.0.insert(Arc::as_ptr(mesh).addr(), entry);
         Ok(buffers)
     }
 
     /// Drops meshes that no scene has any more.
     pub fn forget_dropped(&mut self) {
-        Arc::make_mut(&mut self.0).retain(|_, (mesh, _)| mesh.strong_count() > 0);
+        self.0.retain(|_, (mesh, _)| mesh.strong_count() > 0);
     }
 }

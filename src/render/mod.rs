@@ -6,7 +6,7 @@
 //! Viewport -> Targets (colours, ids, selection)      when the picture's size changes
 //! Renderer::draw            colours and ids          when scene, view or lines change
 //! Renderer::draw_outline    the selection's outline  when the selection changes too
-//! Renderer::composite       the picture with marks   whenever something is to be shown
+//! Renderer::mark            the picture with marks   when what is selected or lit changes too
 //! ```
 //!
 //! Only the batches that a view may show are drawn. Batches of a kind share a draw call where that does not change the
@@ -17,8 +17,7 @@
 //!
 //! Pixels that were found by rays can take the place of drawn ones ([`Renderer::take_pixels`]).
 //!
-//! Each step submits its own work. [`render`] takes all steps for one picture. [`Renderer::advance`] draws a scene
-//! in pieces where that takes long.
+//! Each step submits its own work. [`render`] takes all steps for one picture.
 //!
 //! A pixel shows the surface that the picker's rules choose: the camera is the same, near and far are compared with
 //! view depth, and at equal depth the triangle with the lower number wins, or the object with the lower index of those
@@ -29,22 +28,20 @@ mod abilities;
 mod adapters;
 mod batches;
 pub(crate) mod bindings;
-mod composite;
 mod draw_order;
 mod drawing;
-mod enlarge;
 mod formats;
 mod frustum;
 mod gpu;
 mod gpu_error;
 mod lines;
+mod marking;
 mod mesh_buffers;
 mod mesh_store;
 mod open;
 mod pipelines;
 mod pixels;
 mod probe;
-mod raster;
 mod rasteriser;
 mod readback;
 mod resolve;
@@ -54,9 +51,7 @@ pub(crate) mod section;
 mod seen;
 pub mod shader_structs;
 mod shaders;
-mod slices;
 pub mod sphere;
-mod steps;
 mod targets;
 pub mod transform;
 mod view_rows;
@@ -66,18 +61,15 @@ pub(crate) mod without_depth;
 
 pub use abilities::{Numbers, Restraint};
 pub use adapters::{AdapterCan, AdapterFound, adapters};
-pub use composite::{Destination, Marks};
-pub use drawing::Drawing;
+pub use drawing::Wireframe;
 pub use gpu::{Gpu, GpuError};
 pub use lines::Line;
+pub use marking::Marks;
 pub use mesh_store::MeshStore;
-pub use raster::Wireframe;
 pub use rasteriser::Rasteriser;
 pub(crate) use readback::read_rgb;
 pub use scene_buffers::SceneBuffers;
 pub use shaders::SHADERS;
-pub(crate) use shaders::shader_module;
-pub use slices::Piece;
 pub use targets::Targets;
 
 use crate::{
@@ -90,10 +82,6 @@ use std::cell::OnceCell;
 /// Samples per pixel of a picture at rest, for smooth edges.
 pub const SMOOTH_SAMPLES: u32 = 4;
 
-/// How much a software adapter draws at once. It keeps transformed triangles until they are drawn: half a gigabyte for
-/// 10 million. Waiting for pieces of this size costs no time.
-const SOFTWARE_PIECE: Piece = Piece::of_work(1 << 18);
-
 /// The pipelines of one device, for one number of colour samples.
 #[derive(Debug)]
 pub struct Renderer {
@@ -103,7 +91,7 @@ pub struct Renderer {
     pub wireframe: Option<Wireframe>,
     pipelines: pipelines::Pipelines,
     /// Made at first use.
-    post: Option<composite::PostPasses>,
+    post: Option<marking::PostPasses>,
     /// Made at first use.
     resolve: OnceCell<resolve::Resolve>,
     frame: wgpu::Buffer,
@@ -138,9 +126,9 @@ pub fn render(
     view: &View,
     selection: Option<usize>,
 ) -> Result<(Image<Id>, Image<Rgb>), GpuError> {
-    let drawing = Drawing::of_scene(SMOOTH_SAMPLES, view, Vec::new());
-    let (targets, buffers, mut renderer) = draw_alone(gpu, scene, view, drawing)?;
+    let (targets, buffers, mut renderer) = prepare(gpu, scene, view)?;
     let onto = (&buffers, &targets, view);
+    renderer.draw(onto, &[])?;
     if let Some(object) = selection {
         renderer.draw_outline(onto, object);
     }
@@ -148,7 +136,7 @@ pub fn render(
         selection,
         hover: None,
     };
-    let picture = renderer.composite_to_image(onto, &marks)?;
+    let picture = renderer.read_marked(onto, &marks)?;
     Ok((targets.read_ids(gpu)?, picture))
 }
 
@@ -157,31 +145,21 @@ pub fn render(
 /// # Errors
 /// As [`render`].
 pub fn picture(gpu: &Gpu, scene: &Scene, view: &View) -> Result<Image<Rgb>, GpuError> {
-    let drawing = Drawing::of_smooth_colours(view, Vec::new(), 1);
+    let (targets, buffers, mut renderer) = prepare(gpu, scene, view)?;
+    renderer.draw_colours((&buffers, &targets, view), &[])?;
     // Without marks, the picture is the colours as drawn.
-    let (targets, ..) = draw_alone(gpu, scene, view, drawing)?;
     targets.read_colours(gpu)
 }
 
-/// Draws into new targets. Returns these, and what drew them.
-fn draw_alone(
+/// All that a picture of a scene takes.
+fn prepare(
     gpu: &Gpu,
     scene: &Scene,
     view: &View,
-    mut drawing: Drawing,
 ) -> Result<(Targets, SceneBuffers, Renderer), GpuError> {
     let targets = Targets::new(gpu, view.viewport, SMOOTH_SAMPLES)?;
     let buffers = SceneBuffers::upload(gpu, scene)?;
-    let mut renderer = Renderer::new(gpu, SMOOTH_SAMPLES);
-    let piece = if gpu.is_software() {
-        SOFTWARE_PIECE
-    } else {
-        Piece::WHOLE
-    };
-    while !renderer.advance(&buffers, &targets, &mut drawing, piece)? {
-        gpu.wait()?;
-    }
-    Ok((targets, buffers, renderer))
+    Ok((targets, buffers, Renderer::new(gpu, SMOOTH_SAMPLES)))
 }
 
 fn uniform_buffer<T>(gpu: &Gpu, label: &'static str) -> wgpu::Buffer {

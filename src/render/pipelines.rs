@@ -342,10 +342,7 @@ mod tests {
         camera::{CameraChoice, View, Viewport},
         colour::Srgb,
         geometry::{Placement, Sides},
-        render::{
-            Destination, Drawing, Gpu, Line, Marks, Piece, Renderer, SMOOTH_SAMPLES, SceneBuffers,
-            Targets, without_depth,
-        },
+        render::{Gpu, Line, Marks, Renderer, SMOOTH_SAMPLES, SceneBuffers, Targets},
         scene::{Object, Scene, Shape},
     };
     use glam::DVec3;
@@ -358,10 +355,6 @@ mod tests {
         let object = |shape| Object::new("", shape, Placement::IDENTITY);
         let scene: Scene = shapes.map(object).into_iter().collect();
         let buffers = SceneBuffers::upload(&gpu, &scene).expect("it fits");
-        let format = wgpu::TextureFormat::Bgra8Unorm;
-        let formats = [format.add_srgb_suffix()];
-        let usage = wgpu::TextureUsages::TEXTURE_BINDING;
-        let page = without_depth::texture(&gpu, "page", [64, 64], format, 1, usage, &formats);
         let size = Viewport::new(64, 64).expect("a size");
         let camera = CameraChoice::default().resolve(&scene.bounds(), size);
         let view = View::new(camera.expect("it is framed"), size);
@@ -370,32 +363,21 @@ mod tests {
                 let view = View { sides, ..view };
                 let mut renderer = Renderer::new(&gpu, samples);
                 let mut count = 0;
-                while renderer.make_ahead(&view, format) {
+                while renderer.make_ahead(&view) {
                     count += 1;
                 }
                 let line = Line::new(DVec3::ZERO, DVec3::X, Srgb::NEUTRAL);
                 let targets = Targets::new(&gpu, view.viewport, samples).expect("it fits");
-                for samples in [1, samples] {
-                    let mut drawing = Drawing::of_scene(samples, &view, vec![line]);
-                    while !renderer
-                        .advance(&buffers, &targets, &mut drawing, Piece::WHOLE)
-                        .expect("it fits")
-                    {}
-                }
+                let onto = (&buffers, &targets, &view);
+                renderer.draw_rough(onto, &[line]).expect("it fits");
+                renderer.draw(onto, &[line]).expect("it fits");
                 for object in 0..2 {
-                    renderer.draw_outline((&buffers, &targets, &view), object);
+                    renderer.draw_outline(onto, object);
                     let marks = Marks {
                         selection: Some(object),
                         hover: Some(1 - object),
                     };
-                    let onto = Destination {
-                        texture: &page,
-                        origin_px: [0, 0],
-                        room_px: [64, 64],
-                        coarseness: 1,
-                    };
-                    (renderer.composite((&buffers, &targets, &view), &marks, &onto))
-                        .expect("it works");
+                    renderer.mark(onto, &marks);
                 }
                 let for_marks = renderer.post.as_ref().map_or(0, |post| post.made.len());
                 let made = renderer.pipelines.made.len() + for_marks;
@@ -407,7 +389,7 @@ mod tests {
                 } else {
                     0
                 };
-                assert_eq!(count, 4 + surfaces + 2 + several, "{samples} {sides:?}");
+                assert_eq!(count, 3 + surfaces + 2 + several, "{samples} {sides:?}");
             }
         }
     }

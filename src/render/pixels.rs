@@ -2,10 +2,10 @@
 
 use super::{
     Onto, Renderer,
+    drawing::begin,
     gpu::{Gpu, GpuError},
     lines::{self, Line},
     pipelines::{Drawn, Pass},
-    raster::begin,
 };
 use crate::image::{Image, Pixel};
 use bytemuck::Pod;

@@ -31,7 +31,7 @@ pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
     let texture = without_depth::texture(gpu, "probe", SIZE, IDS, 1, usage, &[]);
     let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
     gpu.submit(|encoder| {
-        let mut pass = without_depth::begin(encoder, &view, true);
+        let mut pass = without_depth::begin(encoder, &view, without_depth::CLEAR);
         pass.set_pipeline(&pipeline);
         pass.draw(0..4 * LANES * 3, 0..1);
     });

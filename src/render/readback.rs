@@ -1,8 +1,8 @@
 //! Reads textures back as pictures on the CPU, among them the finished picture without a window.
 
 use super::{
-    Destination, Marks, Onto, Renderer,
-    formats::{COLOUR, COLOUR_VALUES, reordered},
+    Marks, Onto, Renderer,
+    formats::reordered,
     gpu::{Gpu, GpuError},
     targets::Targets,
     without_depth,
@@ -50,44 +50,14 @@ impl Targets {
 }
 
 impl Renderer {
-    /// The finished picture with its marks: [`Renderer::composite`] without a window.
+    /// The picture with its marks: draws these, and reads it.
     ///
     /// # Errors
     /// When memory runs out or the device is lost.
-    pub fn composite_to_image(
-        &mut self,
-        onto: Onto<'_>,
-        marks: &Marks,
-    ) -> Result<Image<Rgb>, GpuError> {
-        self.composite_at(onto, marks, onto.1.viewport, [0, 0])
-    }
-
-    /// The finished picture as a window of this size, larger or smaller, would show it.
-    ///
-    /// # Errors
-    /// When memory runs out or the device is lost.
-    pub fn composite_at(
-        &mut self,
-        onto: Onto<'_>,
-        marks: &Marks,
-        window: Viewport,
-        origin_px: [u32; 2],
-    ) -> Result<Image<Rgb>, GpuError> {
-        let gpu = &self.gpu;
-        gpu.check_picture(window)?;
-        let size = [window.width(), window.height()];
-        let (usage, values) = (wgpu::TextureUsages::COPY_SRC, [COLOUR_VALUES]);
-        let texture = gpu.within_memory(|| {
-            without_depth::texture(gpu, "picture", size, COLOUR, 1, usage, &values)
-        })?;
-        let destination = Destination {
-            texture: &texture,
-            origin_px,
-            room_px: size,
-            coarseness: 1,
-        };
-        self.composite(onto, marks, &destination)?;
-        read_rgb(&self.gpu, &texture, window)
+    pub fn read_marked(&mut self, onto: Onto<'_>, marks: &Marks) -> Result<Image<Rgb>, GpuError> {
+        self.mark(onto, marks);
+        let (_, targets, _) = onto;
+        read_rgb(&self.gpu, targets.marked_view.texture(), targets.viewport)
     }
 }
 

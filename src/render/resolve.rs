@@ -38,7 +38,7 @@ impl Resolve {
         };
         let samples = wgpu::BindingResource::TextureView(samples);
         let bind_group = bindings::bind(gpu, "resolve", &self.bind_group_layout, [samples]);
-        let mut pass = without_depth::begin(encoder, &targets.colour_view, true);
+        let mut pass = without_depth::begin(encoder, &targets.colour_view, without_depth::CLEAR);
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &bind_group, &[]);
         pass.draw(0..3, 0..1);

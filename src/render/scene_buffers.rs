@@ -1,16 +1,15 @@
 //! The scene in graphics memory: meshes once, objects as rows of small tables.
 
 use super::{
-    batches::{Batch, Kind, Own, TriangleBatch},
+    batches::{Batch, Draw, Kind, Own, TriangleBatch},
     draw_order::index,
     gpu::{Gpu, GpuError},
     mesh_buffers::MeshBuffers,
     mesh_store::MeshStore,
     seen::{Seen, Tables},
     shader_structs::ObjectState,
-    slices::{Piece, work},
     transform::vertex_space,
-    view_rows::{Draw, ToDraw},
+    view_rows::ToDraw,
     view_space::ViewSpace,
 };
 use crate::{
@@ -34,8 +33,6 @@ pub struct SceneBuffers {
     seen: RefCell<Seen>,
     /// The tables of what is seen of it.
     pub(super) tables: Tables,
-    /// The work of drawing it once, with all of it in view.
-    pub whole: Piece,
     /// [`ObjectState`] of each object.
     pub(super) objects: wgpu::Buffer,
     /// Where each object is drawn.
@@ -44,7 +41,6 @@ pub struct SceneBuffers {
     states: Vec<ObjectState>,
     /// The scene as it was uploaded.
     key: SceneKey,
-    meshes: MeshStore,
 }
 
 impl fmt::Debug for SceneBuffers {
@@ -85,10 +81,10 @@ impl SceneBuffers {
     ) -> Result<Self, GpuError> {
         let (cube, square) = (MeshBuffers::cube(gpu)?, MeshBuffers::square(gpu)?);
         let states: Vec<ObjectState> = scene.objects().iter().map(object_state).collect();
-        let (mut kinds, mut known) = (Vec::new(), HashMap::new());
+        let (mut kinds, mut calls, mut known) = (Vec::new(), Vec::new(), HashMap::new());
         let mut batches = Vec::with_capacity(scene.batches().len());
         let mut places = Vec::with_capacity(states.len());
-        let (mut rows, mut whole) = ([0, 0], Piece::default());
+        let mut rows = [0, 0];
         for batch in scene.batches() {
             let object = &scene.objects()[batch.start];
             // A mesh is known by its address, which is never as low as the numbers of the other shapes.
@@ -113,19 +109,18 @@ impl SceneBuffers {
                     Shape::Square => Some(square.clone()),
                     Shape::Mesh { mesh, .. } => Some(meshes.buffers(gpu, mesh)?),
                 };
-                kinds.push(Kind {
+                let kind = Kind {
                     buffers,
                     triangles: triangles.clone(),
                     mirrors,
-                });
+                };
+                calls.push(index(kind.calls(&triangles).len()));
+                kinds.push(kind);
                 *known.entry(key).or_insert(index(kinds.len() - 1))
             };
-            rows[usize::from(is_sphere)] += 1;
-            whole.work += work(&triangles);
-            whole.instances += 1;
+            rows[usize::from(is_sphere)] += calls[kind as usize];
             let number = index(batches.len());
-            let drawn = drawn_batch(scene, batch, kind, triangles.start);
-            batches.push(drawn);
+            batches.push(drawn_batch(scene, batch, kind));
             for object in batch.clone() {
                 let shape = &scene.objects()[object].shape;
                 places.push(Place {
@@ -140,12 +135,10 @@ impl SceneBuffers {
             objects: gpu.buffer("objects", BufferUsages::STORAGE, &states)?,
             seen: RefCell::default(),
             tables,
-            whole,
             all: ToDraw::new(scene, kinds, batches),
             places,
             states,
             key: scene.key(),
-            meshes: meshes.clone(),
         })
     }
 
@@ -155,13 +148,18 @@ impl SceneBuffers {
     }
 
     /// Takes over whatever changed in the scene: visibility, colours, placements, objects. Meshes that were uploaded
-    /// before are not uploaded again.
+    /// to `meshes` before are not uploaded again.
     ///
     /// # Errors
     /// When it does not fit; the buffers are then as before.
-    pub fn update(&mut self, gpu: &Gpu, scene: &Scene) -> Result<(), GpuError> {
+    pub fn update(
+        &mut self,
+        gpu: &Gpu,
+        scene: &Scene,
+        meshes: &mut MeshStore,
+    ) -> Result<(), GpuError> {
         if !self.key.is_of(scene) {
-            *self = Self::upload_beside(gpu, scene, &mut self.meshes)?;
+            *self = Self::upload_beside(gpu, scene, meshes)?;
         }
         Ok(())
     }
@@ -179,25 +177,22 @@ impl SceneBuffers {
         is_shown.then(|| &self.places[object])
     }
 
-    /// The draw of an object by itself, whose row is written here; `None` if it is hidden.
-    pub(super) fn alone(&self, view: &View, object: usize) -> Option<Draw> {
-        let place = self.shown(object)?;
+    /// The draws of an object by itself, without its triangles' numbers. Its row is written here. Empty if it is hidden.
+    pub(super) fn alone(&self, view: &View, object: usize) -> Vec<Draw> {
+        let Some(place) = self.shown(object) else {
+            return Vec::new();
+        };
         let batch = &self.all.batches[place.batch as usize];
         let row = batch.seen_in(&ViewSpace::new(view));
         let row = self.tables.write_alone(&row);
-        let kind = Kind {
-            triangles: place.triangles.clone(),
-            ..self.all.kinds[batch.kind as usize].clone()
-        };
-        Some(Draw {
-            kind,
-            instances: row..row + 1,
-        })
+        let kind = &self.all.kinds[batch.kind as usize];
+        let calls = kind.calls(&place.triangles).into_iter();
+        calls.map(|call| kind.draw(call, row..row + 1)).collect()
     }
 }
 
 /// The batch of a range of objects.
-fn drawn_batch(scene: &Scene, range: &Range<usize>, kind: u32, first_triangle: u32) -> Batch {
+fn drawn_batch(scene: &Scene, range: &Range<usize>, kind: u32) -> Batch {
     let objects = &scene.objects()[range.clone()];
     let object = &objects[0];
     let own = match &object.shape {
@@ -214,7 +209,6 @@ fn drawn_batch(scene: &Scene, range: &Range<usize>, kind: u32, first_triangle: u
                 origin,
                 bounds,
                 object_of_part_0: index(range.start).wrapping_sub(index(first_part)),
-                first_triangle,
                 numbers_triangles: shape.triangles().is_some(),
             })
         }

@@ -1,14 +1,13 @@
 //! What a view shows of a scene: the tables' rows, composed when a picture first needs them, and their draw calls.
 
 use super::{
-    batches::Row,
+    batches::{Draw, Row},
     gpu::{Gpu, GpuError},
     shader_structs,
-    view_rows::{Draw, ToDraw},
+    view_rows::ToDraw,
 };
 use crate::camera::View;
 use bytemuck::{Pod, Zeroable};
-use std::mem::offset_of;
 use wgpu::BufferUsages;
 
 /// The tables that shaders read, each with an extra row for an object drawn by itself.
@@ -46,14 +45,6 @@ impl Tables {
         let at = self.alone[usize::from(matches!(row, Row::Sphere(_)))];
         self.write(at, row);
         at
-    }
-
-    /// Sets the triangle that the next draw of a row begins with.
-    pub fn begin_at(&self, row: u32, first_triangle: u32) {
-        let byte = offset_of!(shader_structs::Batch, first_triangle);
-        let at = u64::from(row) * size_of::<shader_structs::Batch>() as u64 + byte as u64;
-        let bytes = bytemuck::bytes_of(&first_triangle);
-        self.gpu.queue.write_buffer(&self.triangles, at, bytes);
     }
 
     fn write(&self, at: u32, row: &Row) {

@@ -171,24 +171,22 @@ pub struct Sphere {
     pub view_depth: f32,
 }
 
-/// What the composite pass puts over the picture.
+/// What marks a picture.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct Composite {
-    /// Where the picture's top left pixel goes in the destination.
-    pub origin_px: [f32; 2],
-    /// Id of the selected object; `u32::MAX` for none.
-    pub selection: u32,
-    /// Id of the object under the cursor; `u32::MAX` for none.
-    pub hover: u32,
+pub struct Marking {
     /// Linear colour of the selection.
     pub selection_colour: [f32; 3],
     /// How much of a selected pixel is tint.
     pub tint: f32,
     /// Extra light on the object under the cursor: a multiple of its colour, and an amount of white.
     pub lit: [f32; 2],
+    /// Id of the selected object; `u32::MAX` for none.
+    pub selection: u32,
+    /// Id of the object under the cursor; `u32::MAX` for none.
+    pub hover: u32,
     /// Half the outline's width in pixels.
     pub outline_px: f32,
-    /// Pixels of the destination, along each side, that a pixel of the picture covers.
-    pub coarseness: f32,
+    /// Padding.
+    pub padding: [u32; 3],
 }

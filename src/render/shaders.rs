@@ -15,7 +15,7 @@ macro_rules! indexed {
 }
 
 /// WGSL of each shader by name. Shared parts come first.
-pub const SHADERS: [(&str, &str); 9] = [
+pub const SHADERS: [(&str, &str); 8] = [
     (
         "mesh by primitive",
         indexed!("head", "mesh", "mesh_by_primitive"),
@@ -26,9 +26,8 @@ pub const SHADERS: [(&str, &str); 9] = [
         "background and lines",
         wgsl!("head", "cover", "background_and_lines"),
     ),
-    ("composite", wgsl!("cover", "composite")),
+    ("marks", wgsl!("cover", "marks")),
     ("resolve", wgsl!("cover", "resolve")),
-    ("panels", wgsl!("cover", "panels")),
     (
         "probe by primitive",
         indexed!("probe", "probe_by_primitive"),

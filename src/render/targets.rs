@@ -16,8 +16,10 @@ pub struct Targets {
     /// Colour samples per pixel.
     pub samples: u32,
     pub(super) colour_view: wgpu::TextureView,
-    /// The colours, without conversion.
-    pub(super) values_view: wgpu::TextureView,
+    /// The colours with their marks.
+    pub(super) marked_view: wgpu::TextureView,
+    /// The same without conversion: sRGB values as they are.
+    pub(crate) shown_view: wgpu::TextureView,
     pub(super) ids_view: wgpu::TextureView,
     pub(super) depth_view: wgpu::TextureView,
     pub(super) outline_view: wgpu::TextureView,
@@ -35,8 +37,8 @@ impl Targets {
         gpu.check_picture(viewport)?;
         let size = [viewport.width(), viewport.height()];
         let texture = |label, format, samples, usage| {
-            let view_formats: &[_] = match (format, samples) {
-                (COLOUR, 1) => &[COLOUR_VALUES],
+            let view_formats: &[_] = match label {
+                "marked" => &[COLOUR_VALUES],
                 _ => &[],
             };
             without_depth::texture(gpu, label, size, format, samples, usage, view_formats)
@@ -47,7 +49,7 @@ impl Targets {
         let read = TextureUsages::TEXTURE_BINDING | copied;
         let none = TextureUsages::empty();
         gpu.within_memory(|| {
-            let colour = texture("colour", COLOUR, 1, read);
+            let marked = texture("marked", COLOUR, 1, read);
             let multisampled = (samples > 1).then(|| {
                 let sampled = TextureUsages::TEXTURE_BINDING;
                 [
@@ -58,8 +60,9 @@ impl Targets {
             Self {
                 viewport,
                 samples,
-                colour_view: view(&colour),
-                values_view: colour.create_view(&wgpu::TextureViewDescriptor {
+                colour_view: view(&texture("colour", COLOUR, 1, read)),
+                marked_view: view(&marked),
+                shown_view: marked.create_view(&wgpu::TextureViewDescriptor {
                     format: Some(COLOUR_VALUES),
                     ..Default::default()
                 }),

@@ -1,14 +1,15 @@
 //! Composes the GPU tables' rows for a view: one row for each batch that the view may show.
 
 use super::{
-    batches::{Batch, Kind, Row},
+    batches::{Batch, Draw, Kind, Row},
     draw_order::{draw_order, index},
     frustum::Frustum,
+    mesh_buffers::SOFTWARE_CALL,
     shader_structs,
     view_space::ViewSpace,
 };
 use crate::{camera::View, geometry::shares::in_shares, scene::Scene};
-use std::{collections::HashMap, ops::Range};
+use std::collections::HashMap;
 
 /// All that there is to draw, and in which order.
 #[derive(Debug)]
@@ -18,13 +19,6 @@ pub(super) struct ToDraw {
     order: Vec<u32>,
     /// Numbers of [`Batch::twins`] are below this.
     twins: usize,
-}
-
-/// Instances of one kind, in consecutive rows of its table.
-#[derive(Clone, Debug)]
-pub(super) struct Draw {
-    pub kind: Kind,
-    pub instances: Range<u32>,
 }
 
 /// The rows of a view, and the draws that read them.
@@ -67,6 +61,9 @@ impl ToDraw {
                 .collect::<Vec<_>>()
         });
         let mut rows = ViewRows::default();
+        let calls: Vec<_> = (self.kinds.iter())
+            .map(|kind| kind.calls(&kind.triangles))
+            .collect();
         // For each number of twins: whether one of its batches is drawn already.
         let mut drawn = vec![false; self.twins];
         let mut last_kind = None;
@@ -78,16 +75,33 @@ impl ToDraw {
                 }
                 drawn[twins as usize] = batch.shown == batch.objects;
             }
-            let row = match row {
-                Row::Triangles(row) => push(&mut rows.triangles, row),
-                Row::Sphere(row) => push(&mut rows.spheres, row),
-            };
-            match rows.draws.last_mut() {
-                Some(draw) if last_kind == Some(batch.kind) => draw.instances.end = row + 1,
-                _ => rows.draws.push(Draw {
-                    kind: self.kinds[batch.kind as usize].clone(),
-                    instances: row..row + 1,
-                }),
+            let (kind, calls) = (
+                &self.kinds[batch.kind as usize],
+                &calls[batch.kind as usize],
+            );
+            for call in calls {
+                let row = match &row {
+                    Row::Triangles(row) => {
+                        let first_triangle = call.start;
+                        let row = shader_structs::Batch {
+                            first_triangle,
+                            ..*row
+                        };
+                        push(&mut rows.triangles, row)
+                    }
+                    Row::Sphere(row) => push(&mut rows.spheres, *row),
+                };
+                match rows.draws.last_mut() {
+                    // One call draws many batches of a kind, unless each takes several calls.
+                    Some(draw)
+                        if last_kind == Some(batch.kind)
+                            && calls.len() == 1
+                            && draw.triangle_count() < SOFTWARE_CALL =>
+                    {
+                        draw.instances.end = row + 1;
+                    }
+                    _ => rows.draws.push(kind.draw(call.clone(), row..row + 1)),
+                }
             }
             last_kind = Some(batch.kind);
         }

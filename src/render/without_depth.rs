@@ -73,11 +73,14 @@ pub(crate) fn pipeline(
         })
 }
 
-/// Begins a pass without depth. The first one clears the target.
+/// A pass that begins with black.
+pub(crate) const CLEAR: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color::BLACK);
+
+/// Begins a pass without depth.
 pub(crate) fn begin<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     view: &wgpu::TextureView,
-    is_first: bool,
+    load: wgpu::LoadOp<wgpu::Color>,
 ) -> wgpu::RenderPass<'a> {
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: Some("flat"),
@@ -86,11 +89,7 @@ pub(crate) fn begin<'a>(
             depth_slice: None,
             resolve_target: None,
             ops: wgpu::Operations {
-                load: if is_first {
-                    wgpu::LoadOp::Clear(wgpu::Color::BLACK)
-                } else {
-                    wgpu::LoadOp::Load
-                },
+                load,
                 store: wgpu::StoreOp::Store,
             },
         })],

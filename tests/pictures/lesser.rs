@@ -58,7 +58,7 @@ fn all_of(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<Image<Id>>, Vec<Image<R
             selection: Some(1),
             hover: Some(2),
         };
-        let picture = renderer.composite_to_image((&buffers, &targets, view), &marks);
+        let picture = renderer.read_marked((&buffers, &targets, view), &marks);
         colours.push(picture.expect("a picture"));
         ids.push(targets.read_ids(gpu).expect("ids"));
     }

@@ -9,7 +9,6 @@ mod lesser;
 mod looks;
 mod many;
 mod marks;
-mod pieces;
 mod rays;
 #[path = "../common/scenes.rs"]
 mod scenes;
@@ -23,7 +22,7 @@ use sightline::{
     geometry::Sides,
     image::{Id, Image, Rgb},
     pick,
-    render::{Gpu, GpuError, Line, Marks, Renderer, SceneBuffers, Targets},
+    render::{Gpu, GpuError, Line, Marks, MeshStore, Renderer, SceneBuffers, Targets},
     scene::Scene,
 };
 
@@ -54,7 +53,7 @@ fn draw(
     if let Some(object) = marks.selection {
         renderer.draw_outline((&buffers, &targets, view), object);
     }
-    let picture = renderer.composite_to_image((&buffers, &targets, view), marks);
+    let picture = renderer.read_marked((&buffers, &targets, view), marks);
     (
         targets.read_ids(gpu).expect("ids"),
         targets.read_colours(gpu).expect("colours"),
@@ -67,6 +66,7 @@ struct Kept<'a> {
     gpu: &'a Gpu,
     view: View,
     renderer: Renderer,
+    meshes: MeshStore,
     buffers: SceneBuffers,
     targets: Targets,
 }
@@ -77,6 +77,7 @@ impl<'a> Kept<'a> {
             gpu,
             view,
             renderer: Renderer::new(gpu, 1),
+            meshes: MeshStore::default(),
             buffers: SceneBuffers::upload(gpu, scene).expect("fits"),
             targets: Targets::new(gpu, view.viewport, 1).expect("fits"),
         }
@@ -85,7 +86,8 @@ impl<'a> Kept<'a> {
     /// The ids of the scene, which may have changed since it was drawn last.
     fn ids(&mut self, scene: &Scene) -> Image<Id> {
         let (gpu, buffers, targets) = (self.gpu, &mut self.buffers, &self.targets);
-        buffers.update(gpu, scene).expect("fits");
+        let updated = buffers.update(gpu, scene, &mut self.meshes);
+        updated.expect("fits");
         let drawn = self.renderer.draw((buffers, targets, &self.view), &[]);
         drawn.expect("draws");
         targets.read_ids(gpu).expect("ids")

@@ -1,5 +1,4 @@
-//! The selection, lines and wireframes are drawn over the scene and change no id. The picture goes where the window
-//! wants it.
+//! The selection, lines and wireframes are drawn over the scene and change no id.
 
 use crate::{
     common::orthographic,
@@ -11,7 +10,7 @@ use crate::{
 };
 use glam::{DVec3, dvec3};
 use sightline::{
-    camera::{DepthMapping, Lens, View, Viewport},
+    camera::{DepthMapping, Lens, View},
     colour::Srgb,
     image::{Image, Rgb},
     look,
@@ -104,44 +103,6 @@ fn lines_are_in_the_picture_and_not_in_the_ids() {
             assert!(on_ball.count() < 100, "the grid lies behind the mesh");
         }
         assert!(!plain.pixels().contains(&colour.0));
-    }
-}
-
-#[test]
-fn a_picture_goes_where_the_window_wants_it() {
-    let gpu = gpu();
-    let scene = shapes(DVec3::ZERO);
-    let view = overview([60, 40]);
-    let marks = Marks {
-        selection: Some(1),
-        hover: Some(2),
-    };
-    let mut renderer = Renderer::new(&gpu, 1);
-    let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
-    let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
-    renderer
-        .draw((&buffers, &targets, &view), &[])
-        .expect("draws");
-    renderer.draw_outline((&buffers, &targets, &view), 1);
-    let alone = renderer
-        .composite_to_image((&buffers, &targets, &view), &marks)
-        .expect("a picture");
-    // Beside a panel of 20 pixels, and in a window that has just become too small.
-    for size in [[90, 50], [70, 30], [15, 15]] {
-        let origin = [20, 5];
-        let size = Viewport::new(size[0], size[1]).expect("a size");
-        let window = renderer
-            .composite_at((&buffers, &targets, &view), &marks, size, origin)
-            .expect("a picture");
-        for (x, y) in window.positions() {
-            let within = x >= 20 && y >= 5 && x < 80 && y < 45;
-            let expected = if within {
-                alone.at(x - 20, y - 5)
-            } else {
-                [0; 3]
-            };
-            assert_eq!(window.at(x, y), expected, "({x}, {y}) of {size:?}");
-        }
     }
 }
 

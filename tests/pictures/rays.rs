@@ -43,7 +43,6 @@ fn by_rays(
     lines: &[Line],
     object: usize,
     samples: u32,
-    scale_factor: f32,
 ) -> (Image<Pixel>, Targets, Image<Rgb>) {
     let marks = Marks {
         selection: Some(object),
@@ -54,12 +53,11 @@ fn by_rays(
     let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
     let targets = Targets::new(gpu, view.viewport, samples).expect("fits");
     let mut renderer = Renderer::new(gpu, samples);
-    renderer.scale_factor = scale_factor;
     let onto = (&buffers, &targets, view);
     let taken = renderer.take_pixels(onto, &pixels, lines);
     taken.expect("fits");
     renderer.draw_outline(onto, object);
-    let picture = renderer.composite_to_image(onto, &marks);
+    let picture = renderer.read_marked(onto, &marks);
     (pixels, targets, picture.expect("a picture"))
 }
 
@@ -111,8 +109,7 @@ fn pixels_that_rays_found_look_as_if_drawn() {
         };
         let (ids, _, drawn) = draw(&gpu, &scene, &view, &lines, &marks, 1);
         for samples in with_samples {
-            let (pixels, targets, picture) =
-                by_rays(&gpu, &scene, &view, &lines, object, samples, 1.0);
+            let (pixels, targets, picture) = by_rays(&gpu, &scene, &view, &lines, object, samples);
             show(&format!("rays-{name}-{object}-{samples}"), &picture);
             let taken = targets.read_ids(&gpu).expect("ids");
             let [mut on_lines, mut differ] = [0; 2];
@@ -126,25 +123,6 @@ fn pixels_that_rays_found_look_as_if_drawn() {
             // 0.2 % of the picture.
             assert!(differ < 512, "{name}, {object}: {differ} pixels differ");
         }
-    }
-}
-
-/// A window's picture four times as coarse as its pixels has a quarter of its outline's width.
-#[test]
-fn an_outline_surrounds_the_selection_in_a_coarse_picture() {
-    let (gpu, scene, view) = (gpu(), shapes(DVec3::ZERO), overview([160, 100]));
-    scene.build_trees();
-    let (pixels, targets, marked) = by_rays(&gpu, &scene, &view, &[], 3, 1, 0.25);
-    let bare = targets.read_colours(&gpu).expect("colours");
-    let is_selected = |x: u32, y: u32| pixels.at(x, y).id.object == 4;
-    let beside = (1..159)
-        .flat_map(|x| (1..99).map(move |y| (x, y)))
-        .filter(|&(x, y)| !is_selected(x, y))
-        .filter(|&(x, y)| is_selected(x - 1, y) || is_selected(x + 1, y));
-    let beside: Vec<_> = beside.collect();
-    assert!(beside.len() > 10, "{}", beside.len());
-    for (x, y) in beside {
-        assert_ne!(marked.at(x, y), bare.at(x, y), "{x}, {y}");
     }
 }
 

@@ -149,7 +149,7 @@ impl Window {
     }
 
     /// Runs a pass for each event, then waits for the jobs that these began. Positions are in points. Nothing is drawn.
-    /// Unless a picture is late, events act as if the wanted picture were on screen.
+    /// Events act as if the wanted picture were on screen.
     pub fn send(&mut self, events: impl IntoIterator<Item = Event>) {
         for event in events {
             self.program_mut().see_wanted();
@@ -281,9 +281,6 @@ impl Window {
 
     fn draw_whole(&mut self) -> Result<(), GpuError> {
         self.draw([])?;
-        while !self.program().shows_scene() {
-            self.draw([])?;
-        }
         if self.program().is_rough() {
             self.time_s += REST_S;
         }
@@ -391,27 +388,12 @@ impl Window {
     /// Whether the window is at rest after the last event: nothing is animated, and nothing but smooth edges is under
     /// way.
     pub fn is_at_rest(&self) -> bool {
-        self.is_settled && self.program().shows_scene()
-    }
-
-    /// Whether the last frame shows the wanted scene, in whatever resolution.
-    pub fn shows_scene(&self) -> bool {
-        self.program().shows_scene()
-    }
-
-    /// About how many triangles of the scene the last frame drew.
-    pub fn drawn_work(&self) -> u64 {
-        self.program().drawn_work()
+        self.is_settled
     }
 
     /// How many triangles of meshes were uploaded so far.
     pub fn uploaded_triangles(&self) -> u64 {
         self.program().uploaded_triangles()
-    }
-
-    /// Whether the last frame looks different from the one before: a window presents only such frames.
-    pub fn looks_different(&self) -> bool {
-        self.program().looks_different()
     }
 
     /// Whether it fills the screen.

@@ -31,7 +31,6 @@ mod numbers;
 mod object_list;
 mod one_place;
 mod overlays;
-mod panels_kept;
 mod pictures;
 mod red_fields;
 mod remembering;

@@ -1,9 +1,9 @@
-//! At rest a picture has smooth edges, in software too, and no action has to wait for them.
+//! At rest a picture has smooth edges, in software too.
 
 use super::{images::differing, *};
 use sightline::{
     image::{Image, Rgb},
-    look, render,
+    render,
 };
 
 /// Draws a frame, and returns what is then on screen.
@@ -50,40 +50,31 @@ fn edges_get_smooth_at_rest_at_one_blow() {
     }
 }
 
-/// The picture is large and takes several frames to get smooth.
+/// On screens with any number of pixels to a point, a pixel of the picture is a pixel of the window.
 #[test]
-fn what_happens_meanwhile_is_shown_at_once() {
-    let (mut window, _folder) = row(2.0);
-    window.picture().expect("a picture");
-    press_key(&mut window, Modifiers::NONE, Key::Num9);
-    let rough = next(&mut window);
-    window.wait_s(1.0);
-    for _ in 0..2 {
-        assert!(!window.is_software() || differing(&next(&mut window), &rough) == 0);
+fn the_picture_is_shown_pixel_by_pixel() {
+    for scale in [1.0, 1.25, 1.5, 1.75] {
+        let (mut window, _folder) = row(scale);
+        press_key(&mut window, Modifiers::NONE, Key::G);
+        let shown = window.picture().expect("a picture");
+        let state = window.state();
+        let gpu = render::Gpu::headless().unwrap_or_else(|error| panic!("{error}"));
+        let (_, headless) =
+            render::render(&gpu, state.scene(), state.view(), None).expect("a picture");
+        let size = state.view().viewport;
+        let edge = control(&window, "edge of the left side").rect;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "within the window"
+        )]
+        let [left, top] = [edge.right(), edge.top()].map(|at| (at * scale).round() as u32);
+        let [width, height] = [size.width(), size.height()];
+        // The axes' cross lies over the lower left corner, and the panels' borders over the outermost pixels.
+        let inner = (1..height / 2).flat_map(|y| (1..width - 1).map(move |x| (x, y)));
+        let differ = inner.filter(|&(x, y)| headless.at(x, y) != shown.at(left + x, top + y));
+        assert_eq!(differ.count(), 0, "{scale}");
     }
-    // A click is exact, and the next frame shows it.
-    click(&mut window, MIDDLE);
-    assert_eq!(selected(&window), Some("middle"));
-    let clicked = next(&mut window);
-    let outline = clicked
-        .pixels()
-        .iter()
-        .filter(|pixel| **pixel == look::SELECTION.0);
-    assert!(outline.count() > 500);
-    for _ in 0..2 {
-        next(&mut window);
-    }
-    // The next frame shows a turn, too, and nothing of the old picture stays.
-    press_key(&mut window, Modifiers::NONE, Key::Num1);
-    let turned = next(&mut window);
-    assert!(differing(&turned, &clicked) > 1000);
-    let at_rest = window.picture().expect("a picture");
-    let (mut fresh, _folder) = row(2.0);
-    click(&mut fresh, MIDDLE);
-    press_key(&mut fresh, Modifiers::NONE, Key::Num9);
-    click(&mut fresh, MIDDLE);
-    press_key(&mut fresh, Modifiers::NONE, Key::Num1);
-    assert_eq!(differing(&at_rest, &fresh.picture().expect("a picture")), 0);
 }
 
 /// What a key changes is laid out in the frame that shows it, and so is what appears with it: the next frame looks the

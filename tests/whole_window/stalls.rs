@@ -1,4 +1,4 @@
-//! Work that takes long is done in pieces or in the background, and the window answers meanwhile.
+//! Work that takes long is done in the background, and the window answers meanwhile.
 
 use super::*;
 use std::{
@@ -6,10 +6,8 @@ use std::{
     time::{Duration, Instant},
 };
 
-/// Cells along each side of a ground that software draws in two passes, unless earlier passes were quick.
+/// Cells along each side of a ground.
 const SIDE: u32 = 250;
-/// Cells along each side of a ground that software draws with its edges in several passes, quick or not.
-const WIDE: u32 = 450;
 
 /// Far longer than any load here takes.
 const LONGEST_LOAD: Duration = Duration::from_mins(5);
@@ -28,47 +26,6 @@ pub(super) fn ground(folder: &Path, side: u32) -> PathBuf {
     let path = folder.join("ground.obj");
     std::fs::write(&path, text).expect("writable");
     path
-}
-
-#[test]
-fn a_large_scene_is_drawn_in_pieces_and_the_old_picture_stays() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = ground(folder.path(), WIDE);
-    // After quick passes the window draws more in each. With edges no pass is quick, and rays find no edges.
-    let open_with_edges = |path| {
-        let mut window = open(vec![path], 1.0);
-        press_key(&mut window, Modifiers::NONE, Key::W);
-        window
-    };
-    let mut window = open_with_edges(path.clone());
-    let first = window.picture().expect("a picture");
-    let in_software = window.is_software();
-    press_key(&mut window, Modifiers::NONE, Key::Num3);
-    let turned = *window.state().view();
-    // The picture is not complete after its first piece, and there is no older picture to show.
-    let anew = window.draw([]).expect("a frame");
-    assert_eq!(anew, !in_software);
-    assert_eq!(window.is_at_rest(), !in_software);
-    // The window still answers. The picture that was begun is finished first.
-    press_key(&mut window, Modifiers::NONE, Key::G);
-    assert!(!window.state().grid());
-    press_key(&mut window, Modifiers::NONE, Key::G);
-    let mut passes = 1;
-    while !window.is_at_rest() {
-        window.draw([]).expect("a frame");
-        passes += 1;
-        assert!(passes < 1000, "it comes to an end");
-    }
-    assert!(passes > 1 || !in_software);
-    let second = window.picture().expect("a picture");
-    assert_ne!(first.pixels(), second.pixels());
-    // The picture equals that of a window that was always in this view.
-    let mut fresh = open_with_edges(path);
-    press_key(&mut fresh, Modifiers::NONE, Key::Num3);
-    assert_eq!(*fresh.state().view(), turned);
-    let fresh = fresh.picture().expect("a picture");
-    let differ = (fresh.pixels().iter().zip(second.pixels())).filter(|(a, b)| a != b);
-    assert_eq!(differ.count(), 0);
 }
 
 /// Enough objects for a stage to be made in the background.
@@ -109,17 +66,6 @@ fn ndc_of_many_objects_is_made_beside_the_window() {
     assert_eq!(window.messages().count(), 0);
 }
 
-/// Draws until the wanted scene shows.
-fn draw_all(window: &mut Window) {
-    for _ in 0..1000 {
-        window.draw([]).expect("a frame");
-        if window.shows_scene() {
-            return;
-        }
-    }
-    panic!("the scene never shows");
-}
-
 /// The stages share one mesh in graphics memory with the picture. Only NDC has a mesh of its own.
 #[test]
 fn a_stage_uploads_no_triangle_again() {
@@ -127,16 +73,16 @@ fn a_stage_uploads_no_triangle_again() {
     let mut window = open(vec![ground(folder.path(), SIDE)], 1.0);
     // The matrices are open from the start, so the picture keeps its size.
     press_key(&mut window, Modifiers::NONE, Key::P);
-    draw_all(&mut window);
+    window.picture().expect("a picture");
     let whole = window.state().scene().triangle_count() as u64;
     assert_eq!(window.uploaded_triangles(), whole);
     click_on(&mut window, "show NDC");
-    draw_all(&mut window);
+    window.picture().expect("a picture");
     let with_ndc = window.uploaded_triangles();
     assert!(with_ndc > whole, "{with_ndc} of {whole}");
     for stage in ["object", "world", "view", "four"] {
         click_on(&mut window, &format!("show {stage}"));
-        draw_all(&mut window);
+        window.picture().expect("a picture");
         assert_eq!(window.uploaded_triangles(), with_ndc, "{stage}");
     }
 }
@@ -152,35 +98,6 @@ fn a_large_file_is_shown_once_the_adapter_has_it() {
     let dropped = window.picture().expect("a picture");
     let fresh = open(vec![path], 1.0).picture().expect("a picture");
     assert_eq!(dropped.pixels(), fresh.pixels());
-}
-
-/// The world view shares scene and targets with the camera's picture. Until the world's own picture is complete, the
-/// view shows nothing.
-#[test]
-fn the_picture_is_not_shown_as_the_world() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let mut window = open(vec![ground(folder.path(), WIDE)], 1.0);
-    // Rays would be quicker, but they find no edges.
-    press_key(&mut window, Modifiers::NONE, Key::W);
-    window.picture().expect("a picture");
-    window.draw([press(Key::Num4)]).expect("a frame");
-    window.draw([Event::PointerGone]).expect("a frame");
-    let world = control(&window, "stage world").rect;
-    if window.shows_scene() {
-        assert!(!window.is_software(), "software takes longer");
-        return;
-    }
-    let picture = window.drawn().expect("a picture");
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "within the window"
-    )]
-    let [x, y] = [world.center().x as u32, world.bottom() as u32 - 40];
-    let block = (0..30).flat_map(|down| (0..30).map(move |right| (x + right, y + down)));
-    let mut colours: Vec<_> = block.map(|(x, y)| picture.at(x, y)).collect();
-    colours.dedup();
-    assert_eq!(colours.len(), 1, "{colours:?}");
 }
 
 /// How much of a load is done by its bar, in per cent; `None` while there is no bar.
@@ -314,8 +231,7 @@ fn esc_ends_reading_a_mesh() {
     assert!(is_ever, "it was always too late");
 }
 
-/// A pass lays out only the rows in view, however many objects there are. A frame without a change draws
-/// nothing.
+/// A pass lays out only the rows in view, however many objects there are. A frame without a change draws no scene.
 #[test]
 fn a_pass_over_many_objects_lays_out_what_one_over_few_does() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -325,7 +241,6 @@ fn a_pass_over_many_objects_lays_out_what_one_over_few_does() {
         assert_eq!(window.state().scene().objects().len(), count);
         window.picture().expect("a picture");
         assert!(!window.draw([]).expect("a frame"), "nothing had changed");
-        assert_eq!(window.drawn_work(), 0);
         window.controls().len()
     };
     assert_eq!(controls(MANY), controls(200));

@@ -79,9 +79,4 @@ impl App {
         let loading = self.loading.as_ref();
         loading.map(|(load, _)| ("loading", Some(load.fraction())))
     }
-
-    /// A picture that is late, for the progress message.
-    pub(super) fn drawing(&self, now_s: f64) -> Option<Underway> {
-        self.rest.is_late(now_s).then_some(("drawing", None))
-    }
 }

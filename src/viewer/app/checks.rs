@@ -25,13 +25,13 @@ impl App {
     }
 
     /// Begins the comparison that was asked for, once the frame that it is about has been drawn.
-    pub fn start_check(&mut self, canvas: &Canvas) {
+    pub fn start_check(&mut self, canvas: &mut Canvas) {
         if !matches!(self.checking, Checking::Wanted) {
             return;
         }
-        match canvas.read_ids(&self.state.to_show()) {
+        match canvas.drawn_ids(&self.state) {
             Ok(Some(drawn)) => {
-                let rasteriser = canvas.gpu.rasteriser();
+                let rasteriser = canvas.gpu().rasteriser();
                 let check = Check::start(&self.state, rasteriser, drawn, self.waker());
                 self.checking = Checking::On(Box::new(check));
                 self.marks = None;

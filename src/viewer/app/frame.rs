@@ -8,10 +8,11 @@ use super::{
     rest::REST_S,
 };
 use crate::{
+    camera::Viewport,
     render::GpuError,
     viewer::{
         model::{Action, Seen},
-        screen::{Canvas, Laid, Motion, PictureProgress, Screen, write_screenshot},
+        screen::{Canvas, Laid, SceneRect, Screen, Updated, write_screenshot},
         ui::{self, Attempt, Command, Notices, Shown},
     },
 };
@@ -82,30 +83,27 @@ impl App {
     ) -> Result<bool, GpuError> {
         let pixels_per_point = output.pixels_per_point;
         let shapes = mem::take(&mut output.shapes);
-        let primitives = self.context.tessellate(shapes, pixels_per_point);
-        let (now_s, is_held) = (self.context).input(|input| (input.time, input.pointer.any_down()));
+        let now_s = self.context.input(|input| input.time);
         let laid = Laid {
             place: self.place,
             panes: self.panes.clone(),
-            primitives: primitives.into(),
+            primitives: self.context.tessellate(shapes, pixels_per_point),
+            background: ui::background(&self.context),
             pixels_per_point,
-            motion: (self.rest).motion(self.state.all_to_show(), now_s, is_held),
+            moves: self.rest.moves(self.state.all_to_show(), now_s),
         };
         let drawn = self.draw(&laid, screen);
         if let Err(error) = &drawn {
             self.complain(error.to_string());
         }
-        self.rest.drew(&self.picture, now_s);
         let mut delays = output.viewport_output.values();
-        self.rest.is_settled = delays.all(|viewport| viewport.repaint_delay > Duration::ZERO)
-            && self.picture.behind.is_none()
-            && !self.is_busy();
-        if self.picture.rough {
-            let rests = laid.motion == Motion::Rests;
-            let wait_s = if rests { 0.0 } else { REST_S };
+        self.is_settled =
+            delays.all(|viewport| viewport.repaint_delay > Duration::ZERO) && !self.is_busy();
+        if self.is_rough {
+            let wait_s = if laid.moves { REST_S } else { 0.0 };
             (self.context).request_repaint_after(Duration::from_secs_f64(wait_s));
         }
-        if self.host == Host::Window && self.rest.is_settled && self.prepare(screen) {
+        if self.host == Host::Window && self.is_settled && self.prepare(screen) {
             (self.context).request_repaint_after(PREPARE_EVERY);
         }
         drawn
@@ -144,7 +142,7 @@ impl App {
         for action in moves {
             self.obey(Command::Act(action));
         }
-        let underway = self.underway().or_else(|| self.drawing(now_s));
+        let underway = self.underway();
         let docks = self.docks;
         // A screenshot without panels shows no passing messages either.
         let is_shot = self.screenshots.wanted.is_some_and(|shot| shot.alone);
@@ -222,7 +220,7 @@ impl App {
 
     /// Draws a pass, on a new device if the old one is lost. Then does what waited for the frame.
     fn draw(&mut self, laid: &Laid, screen: &mut impl Screen) -> Result<bool, GpuError> {
-        self.picture = PictureProgress::default();
+        self.is_rough = false;
         if screen.restore()? {
             self.textures.renew();
         }
@@ -230,17 +228,22 @@ impl App {
             return Ok(false);
         };
         if self.host == Host::Window {
-            let gpu = &canvas.gpu;
+            let gpu = canvas.gpu();
             gpu.adapter_name().clone_into(&mut self.statistics.adapter);
             self.statistics.software = gpu.is_software();
         }
         canvas.take_textures(&mut self.textures.news);
-        let drawn = screen.draw(&self.state, laid);
-        match &drawn {
-            Ok(progress) => {
+        let updated = canvas.update(&self.state, laid);
+        self.state.see(match canvas.on_screen() {
+            _ if !laid.panes.is_empty() || laid.place.is_none() => Seen::Wanted,
+            Some(seen) => Seen::Picture(seen),
+            None => Seen::Nothing,
+        });
+        match &updated {
+            Ok(Updated { anew, rough }) => {
                 self.state.accepted();
-                self.picture = *progress;
-                if progress.anew {
+                self.is_rough = *rough;
+                if *anew {
                     self.announce();
                 }
             }
@@ -251,39 +254,39 @@ impl App {
             }
             Err(_) => {}
         }
+        screen.paint(laid)?;
+        let size = screen.size();
         if let Some(canvas) = screen.canvas() {
-            let is_late = self.picture.behind.is_some();
-            self.state.see(match canvas.on_screen() {
-                _ if !laid.panes.is_empty() || laid.place.is_none() => Seen::Wanted,
-                Some(seen) if is_late => Seen::Earlier(seen),
-                Some(seen) => Seen::Whole(seen),
-                None => Seen::Nothing,
-            });
-            self.follow_up(canvas, laid);
+            self.start_check(canvas);
+            if let Some(size) = size {
+                self.take_screenshot(canvas, laid, size);
+            }
         }
-        if let Some(wait) = self.picture.behind {
-            self.context.request_repaint_after(wait);
-        }
-        drawn.map(|progress| progress.anew)
-    }
-
-    /// Does what needs a drawn frame: starts comparisons and takes screenshots.
-    fn follow_up(&mut self, canvas: &mut Canvas, laid: &Laid) {
-        self.start_check(canvas);
-        self.take_screenshot(canvas, laid);
+        updated.map(|updated| updated.anew)
     }
 
     /// Saves the frame that was just drawn, if a screenshot was asked for.
-    fn take_screenshot(&mut self, canvas: &mut Canvas, laid: &Laid) {
+    fn take_screenshot(&mut self, canvas: &mut Canvas, laid: &Laid, size: Viewport) {
         let Some(Shot { alone }) = self.screenshots.wanted.take() else {
             return;
         };
         let picture = match laid.place.filter(|_| alone) {
-            Some(place) if laid.panes.is_empty() => canvas.picture_alone(&self.state, place),
+            Some(place) if laid.panes.is_empty() => {
+                let bare = Laid {
+                    place: Some(SceneRect {
+                        origin_px: [0, 0],
+                        ..place
+                    }),
+                    panes: Vec::new(),
+                    primitives: Vec::new(),
+                    ..laid.clone()
+                };
+                canvas.picture(&self.state, &bare, place.viewport)
+            }
             // The labels over the views belong to the panels.
-            Some(place) => (canvas.picture(&self.state, laid))
+            Some(place) => (canvas.picture(&self.state, laid, size))
                 .map(|whole| whole.part(place.origin_px, place.viewport)),
-            None => canvas.picture(&self.state, laid),
+            None => canvas.picture(&self.state, laid, size),
         };
         let written = picture
             .map_err(|error| error.to_string())

@@ -15,7 +15,7 @@ use crate::{
         jobs::{self, Chart, Checking, Job, Loading, Projecting, Saving, Typefaces, Watching},
         model::{Action, Snapshot, Stage, State},
         options::Options,
-        screen::{PictureProgress, SceneRect, Textures},
+        screen::{SceneRect, Textures},
         ui::{
             self, Attempt, Command, Docks, Drag, Filter, Floating, Kind, Notice, Notices,
             Statistics, Tour,
@@ -132,10 +132,12 @@ pub(in crate::viewer) struct App {
     pub(super) place: Option<SceneRect>,
     /// Where each of the stages goes within that place.
     pub(super) panes: Vec<(Stage, SceneRect)>,
-    /// How far the scene's picture has come.
-    pub picture: PictureProgress,
     /// Whether the scene's picture moves or rests.
     pub rest: Rest,
+    /// Whether the scene's picture gets better at rest.
+    pub is_rough: bool,
+    /// Whether the last frame left nothing to do but that.
+    pub is_settled: bool,
     /// The user has quit.
     pub quit: bool,
 }
@@ -191,8 +193,9 @@ impl App {
             fills_screen: false,
             place: None,
             panes: Vec::new(),
-            picture: PictureProgress::default(),
             rest: Rest::default(),
+            is_rough: false,
+            is_settled: false,
             quit: false,
             context,
             textures: Textures::default(),

@@ -3,12 +3,8 @@
 use crate::{
     camera::Viewport,
     render::{Gpu, GpuError, Restraint},
-    viewer::{
-        model::State,
-        screen::{Canvas, Laid, PictureProgress, Screen},
-    },
+    viewer::screen::{Canvas, Laid, Screen},
 };
-use std::mem;
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
@@ -19,18 +15,18 @@ pub(super) struct MemoryPicture {
     /// What the device may do.
     pub restraint: Restraint,
     pub size: Viewport,
-    /// Whether the last frame looks different from the one before.
-    pub is_another: bool,
+    /// The last frame.
+    pub page: Option<wgpu::Texture>,
 }
 
 impl Screen for MemoryPicture {
     fn restore(&mut self) -> Result<bool, GpuError> {
-        let works = |canvas: &Canvas| !canvas.gpu.is_lost();
+        let works = |canvas: &Canvas| !canvas.gpu().is_lost();
         if self.canvas.as_ref().is_some_and(works) {
             return Ok(false);
         }
         let gpu = Gpu::headless_within(&self.restraint)?;
-        self.canvas = Some(Canvas::new(gpu, FORMAT));
+        (self.canvas, self.page) = (Some(Canvas::new(gpu, FORMAT)), None);
         Ok(true)
     }
 
@@ -38,12 +34,21 @@ impl Screen for MemoryPicture {
         self.canvas.as_mut()
     }
 
-    fn draw(&mut self, state: &State, laid: &Laid) -> Result<PictureProgress, GpuError> {
+    fn size(&self) -> Option<Viewport> {
+        Some(self.size)
+    }
+
+    fn paint(&mut self, laid: &Laid) -> Result<(), GpuError> {
         let Some(canvas) = &mut self.canvas else {
-            return Ok(PictureProgress::default());
+            return Ok(());
         };
-        let progress = canvas.draw(self.size, state, laid);
-        self.is_another = mem::take(&mut canvas.unshown);
-        progress
+        let fits = |page: &wgpu::Texture| {
+            [page.width(), page.height()] == [self.size.width(), self.size.height()]
+        };
+        let page = match self.page.take().filter(fits) {
+            Some(page) => page,
+            None => canvas.page(self.size)?,
+        };
+        canvas.paint(laid, self.page.insert(page))
     }
 }

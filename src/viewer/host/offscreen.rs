@@ -5,7 +5,7 @@ use super::memory_picture::MemoryPicture;
 use crate::{
     camera::Viewport,
     image::{Image, Rgb},
-    render::{GpuError, Restraint},
+    render::{GpuError, Restraint, read_rgb},
     scene::Loaded,
     viewer::{
         app::{App, Frame, Host, Wake, Waker, in_turn},
@@ -53,7 +53,7 @@ impl Offscreen {
                 canvas: None,
                 restraint: Restraint::default(),
                 size: Viewport::DEFAULT,
-                is_another: false,
+                page: None,
             },
         }
     }
@@ -98,18 +98,20 @@ impl Offscreen {
 
     /// The frame that was drawn last, as it is on the screen. It is an error if nothing was drawn yet.
     pub fn drawn(&self) -> Result<Image<Rgb>, GpuError> {
-        let canvas = self.picture.canvas.as_ref();
-        canvas.ok_or(GpuError::NoAdapter)?.read()
+        match (&self.picture.canvas, &self.picture.page) {
+            (Some(canvas), Some(page)) => read_rgb(canvas.gpu(), page, self.picture.size),
+            _ => Err(GpuError::NoAdapter),
+        }
     }
 
-    /// Whether the edges of the picture on screen have yet to get smooth, once nothing has moved for [`REST_S`].
+    /// Whether the picture on screen gets better once nothing has moved for [`REST_S`].
     pub fn is_rough(&self) -> bool {
-        self.app.picture.rough
+        self.app.is_rough
     }
 
-    /// Whether the last frame left nothing to do but smooth edges.
+    /// Whether the last frame left nothing to do but that.
     pub fn is_settled(&self) -> bool {
-        self.app.rest.is_settled
+        self.app.is_settled
     }
 
     /// Whether something is under way that will change what is shown.
@@ -153,12 +155,10 @@ impl Offscreen {
         self.app.take_finished();
     }
 
-    /// Unless a picture is late: the next events act as if the wanted picture were on screen.
+    /// The next events act as if the wanted picture were on screen.
     #[doc(hidden)] // public for tests
     pub fn see_wanted(&mut self) {
-        if self.app.picture.behind.is_none() {
-            self.app.state.see(Seen::Wanted);
-        }
+        self.app.state.see(Seen::Wanted);
     }
 
     /// Where screenshots go.
@@ -180,9 +180,9 @@ impl Offscreen {
     /// Destroys the device, as a driver that restarts does.
     pub fn lose_device(&mut self) {
         if let Some(canvas) = &self.picture.canvas {
-            canvas.gpu.device.destroy();
+            canvas.gpu().device.destroy();
             // The next poll reports the loss.
-            let _ = canvas.gpu.wait();
+            let _ = canvas.gpu().wait();
         }
     }
 }

@@ -20,24 +20,9 @@ impl Offscreen {
         notices.map(|notice| notice.text.as_str())
     }
 
-    /// Whether the last frame shows the wanted scene, in whatever resolution.
-    pub fn shows_scene(&self) -> bool {
-        self.app.picture.behind.is_none()
-    }
-
-    /// About how many triangles of the scene the last frame drew.
-    pub fn drawn_work(&self) -> u64 {
-        self.app.picture.drawn
-    }
-
     /// How many triangles of meshes were uploaded so far.
     pub fn uploaded_triangles(&self) -> u64 {
         self.gpu().map_or(0, Gpu::uploaded_triangles)
-    }
-
-    /// Whether the last frame looks different from the one before: a window presents only such frames.
-    pub fn looks_different(&self) -> bool {
-        self.picture.is_another
     }
 
     /// Whether it fills the screen.
@@ -61,6 +46,6 @@ impl Offscreen {
     }
 
     fn gpu(&self) -> Option<&Gpu> {
-        Some(&self.picture.canvas.as_ref()?.gpu)
+        Some(self.picture.canvas.as_ref()?.gpu())
     }
 }

@@ -11,7 +11,6 @@ use crate::viewer::{
 };
 use egui::Theme;
 use std::{
-    mem,
     sync::Arc,
     time::{Duration, Instant},
 };
@@ -44,7 +43,6 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
     let mut host = Program {
         app,
         shell: None,
-        asked: false,
         failed: None,
     };
     let ran = event_loop.run_app(&mut host);
@@ -65,8 +63,6 @@ struct Program {
     app: App,
     /// The window, once the event loop runs.
     shell: Option<Shell>,
-    /// Whether the program itself has requested a redraw.
-    asked: bool,
     /// Why the window could not be opened, for the caller of [`run`].
     failed: Option<ViewerError>,
 }
@@ -97,7 +93,6 @@ impl Program {
 
     fn request_redraw(&mut self) {
         if let Some(shell) = &self.shell {
-            self.asked = true;
             shell.window.request_redraw();
         }
     }
@@ -178,14 +173,7 @@ impl ApplicationHandler<Wake> for Program {
                 self.pass(event_loop);
                 return self.request_redraw();
             }
-            WindowEvent::RedrawRequested => {
-                // The program did not ask, so the system did: what the window showed may be lost.
-                if !mem::take(&mut self.asked) {
-                    shell.surface.expose();
-                }
-                return self.redraw(event_loop);
-            }
-            WindowEvent::Occluded(false) => shell.surface.expose(),
+            WindowEvent::RedrawRequested => return self.redraw(event_loop),
             WindowEvent::Resized(PhysicalSize { width, height }) => {
                 shell.surface.resize(*width, *height);
                 self.app.memory.window = shell.place(self.app.memory.window);

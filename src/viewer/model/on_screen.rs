@@ -12,14 +12,13 @@ pub(in crate::viewer) struct OnScreen {
 
 /// What is on screen, as the last frame left it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "a state has one")]
 pub(in crate::viewer) enum Seen {
     /// Whatever the state wants.
     #[default]
     Wanted,
-    /// What the state wanted when the frame was drawn.
-    Whole(OnScreen),
-    /// An earlier picture.
-    Earlier(OnScreen),
+    /// What the state wanted when the last frame was drawn.
+    Picture(OnScreen),
     /// There is no picture yet.
     Nothing,
 }

@@ -2,6 +2,7 @@
 
 use super::{
     hits::{Landmark, PickView, RayHits},
+    on_screen::Seen,
     showing::Compared,
     state::{Chosen, Cursor, DOUBLE_CLICK_S, Selection, State},
 };
@@ -45,8 +46,9 @@ impl State {
 
     pub(super) fn cursor_at(&self, px: DVec2) -> Cursor {
         let px = pixel_centre(px);
-        let ray = self.seen_view().ray(px);
-        let hit = (!self.is_late()).then(|| self.quick_hit(&ray));
+        let ray = self.view.ray(px);
+        let is_seen = self.seen != Seen::Nothing;
+        let hit = is_seen.then(|| self.quick_hit(&ray));
         let point = |hit: SceneHit| {
             let placement = &self.scene.objects()[hit.object].placement;
             (hit.object, placement.ray_to_object(&ray).at(hit.hit.t))

@@ -33,17 +33,8 @@ impl State {
     /// Then a click picks nothing, since the user has not seen what is there.
     pub(super) fn awaits_scene(&self) -> bool {
         match self.seen {
-            Seen::Whole(seen) => seen.scene_revision != self.scene_revision,
-            _ => self.is_late(),
-        }
-    }
-
-    /// Whether the scene was late already when the last frame was drawn. Then the cursor lights nothing. A scene that
-    /// has changed since is drawn in this frame, together with what the cursor lights.
-    pub(super) fn is_late(&self) -> bool {
-        match self.seen {
-            Seen::Wanted | Seen::Whole(_) => false,
-            Seen::Earlier(seen) => seen.scene_revision != self.scene_revision,
+            Seen::Wanted => false,
+            Seen::Picture(seen) => seen.scene_revision != self.scene_revision,
             Seen::Nothing => true,
         }
     }
@@ -53,16 +44,7 @@ impl State {
     /// is the present view.
     pub(super) fn clicked_view(&self) -> View {
         match self.seen {
-            Seen::Whole(seen) if self.shows_these(&seen) => seen.view,
-            _ => self.seen_view(),
-        }
-    }
-
-    /// The view of the picture that the cursor will be in once this frame is drawn: the present one, or that of a
-    /// picture which is late.
-    pub(super) fn seen_view(&self) -> View {
-        match self.seen {
-            Seen::Earlier(seen) if self.shows_these(&seen) => seen.view,
+            Seen::Picture(seen) if self.shows_these(&seen) => seen.view,
             _ => self.view,
         }
     }

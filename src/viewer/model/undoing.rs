@@ -98,6 +98,8 @@ impl State {
         other.visibility_revision = self.visibility_revision + 1;
         (other.grid, other.overlays) = (self.grid, self.overlays);
         other.panes = self.panes.take();
+        // The picture on screen is still of the scene before.
+        other.seen = self.seen;
         other.measuring.is_on = self.measuring.is_on;
         other.view.viewport = self.view.viewport;
         (other.cursor, other.lit, other.clicked_s) = (None, None, None);

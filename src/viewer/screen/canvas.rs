@@ -1,44 +1,33 @@
-//! The frame: the scene's picture with its marks and the panels over it, drawn onto any texture.
+//! The frame: panels with the scene's picture among them, painted onto any texture.
 
 use super::{
-    brush::Brush,
-    panels_picture::PanelsPicture,
-    picture_progress::PictureProgress,
     place::SceneRect,
-    scene_picture::{Look, ScenePicture},
-    wanted::Motion,
+    scene_picture::{Brush, ScenePicture, Updated},
 };
 use crate::{
     camera::{View, Viewport},
     image::{Id, Image, Rgb},
-    render::{
-        Gpu, GpuError, MeshStore, Renderer, SMOOTH_SAMPLES, read_rgb,
-        without_depth::{self, extent},
-    },
+    render::{Gpu, GpuError, MeshStore, Renderer, SMOOTH_SAMPLES, read_rgb, without_depth},
     viewer::model::{OnScreen, Stage, State, Subject},
 };
-use egui_wgpu::ScreenDescriptor;
-use std::{sync::Arc, time::Instant};
+use egui::{
+    ClippedPrimitive, Color32, Mesh, Pos2, Rect, TextureId, TexturesDelta, epaint::Primitive,
+};
+use egui_wgpu::{RendererOptions, ScreenDescriptor};
+use std::mem;
 use wgpu::TextureFormat;
 
 /// Everything that one device draws, and what it has drawn already.
 pub(in crate::viewer) struct Canvas {
-    pub gpu: Gpu,
-    /// The page's format: values are stored as they are; the scene is drawn through an sRGB view.
-    pub format: TextureFormat,
-    renderer: Renderer,
+    brush: Brush,
+    /// The format of the textures that frames are painted onto. Colours are stored as they are.
+    format: TextureFormat,
     /// The camera's picture, or the world stage.
     scene: ScenePicture,
     /// Pictures of the object, view and NDC stages, while any is shown.
     stages: Option<Box<[ScenePicture; 3]>>,
-    panels: PanelsPicture,
-    /// The frame, kept until something in it changes.
-    page: wgpu::Texture,
-    size: Viewport,
-    /// The page differs from what was presented last.
-    pub unshown: bool,
-    /// What the page shows of the scene, and where.
-    shown: Vec<(SceneRect, Option<Look>)>,
+    /// egui's textures that the next frame may still show.
+    stale: Vec<TextureId>,
 }
 
 /// One frame, laid out.
@@ -48,12 +37,13 @@ pub(in crate::viewer) struct Laid {
     pub place: Option<SceneRect>,
     /// Where each stage goes within it; empty while the camera's picture is shown.
     pub panes: Vec<(Stage, SceneRect)>,
-    /// The panels' triangles.
-    pub primitives: Arc<[egui::ClippedPrimitive]>,
+    /// The panels' triangles, and what is behind them.
+    pub primitives: Vec<ClippedPrimitive>,
+    pub background: Color32,
     /// Physical pixels for a point.
     pub pixels_per_point: f32,
-    /// How the scene moves.
-    pub motion: Motion,
+    /// Whether the scene moves: its picture may then be coarse.
+    pub moves: bool,
 }
 
 /// Where frames go: the surface of a window, or a picture in memory.
@@ -64,195 +54,169 @@ pub(in crate::viewer) trait Screen {
     /// The device's canvas; `None` before there is a device.
     fn canvas(&mut self) -> Option<&mut Canvas>;
 
-    /// Draws and shows a frame. Returns how far the scene's picture has come.
-    fn draw(&mut self, state: &State, laid: &Laid) -> Result<PictureProgress, GpuError>;
+    /// The size of frames; `None` while the window is minimised.
+    fn size(&self) -> Option<Viewport>;
+
+    /// Paints a frame, and shows it.
+    fn paint(&mut self, laid: &Laid) -> Result<(), GpuError>;
 }
 
 impl Canvas {
-    /// A canvas for textures of this format, which must have an sRGB twin.
+    /// A canvas for textures of this format, which is not sRGB.
     pub fn new(gpu: Gpu, format: TextureFormat) -> Self {
+        let options = RendererOptions {
+            // A pixel of the picture is shown as it is.
+            dithering: false,
+            ..RendererOptions::default()
+        };
         Self {
-            panels: PanelsPicture::new(&gpu, format),
-            renderer: Renderer::new(&gpu, SMOOTH_SAMPLES),
-            scene: ScenePicture::new(&gpu),
-            stages: None,
-            page: page(&gpu, Viewport::DEFAULT, format),
-            size: Viewport::DEFAULT,
-            unshown: true,
-            shown: Vec::new(),
-            gpu,
+            brush: Brush {
+                renderer: Renderer::new(&gpu, SMOOTH_SAMPLES),
+                panels: egui_wgpu::Renderer::new(&gpu.device, format, options),
+                meshes: MeshStore::default(),
+                gpu,
+            },
             format,
+            scene: ScenePicture::default(),
+            stages: None,
+            stale: Vec::new(),
         }
+    }
+
+    /// The device.
+    pub fn gpu(&self) -> &Gpu {
+        &self.brush.gpu
     }
 
     /// Makes a pipeline that pictures of a view will need. Returns whether any was missing.
     pub fn make_ahead(&mut self, view: &View) -> bool {
-        self.renderer.make_ahead(view, self.format)
+        self.brush.renderer.make_ahead(view)
     }
 
-    /// The ids on screen, when they are those of `wanted`.
-    pub fn read_ids(&self, wanted: &OnScreen) -> Result<Option<Image<Id>>, GpuError> {
-        self.scene.read_ids(&self.gpu, wanted)
+    /// The ids of the scene's picture, as they are drawn.
+    pub fn drawn_ids(&mut self, state: &State) -> Result<Option<Image<Id>>, GpuError> {
+        self.scene.drawn_ids(&mut self.brush, &state.subject())
     }
 
-    /// What the scene's picture on screen shows.
+    /// What the scene's picture shows.
     pub fn on_screen(&self) -> Option<OnScreen> {
-        self.scene.shown.as_ref().map(|shown| shown.of.on_screen())
+        self.scene.on_screen()
     }
 
-    /// Applies the changes of egui's textures.
-    pub fn take_textures(&mut self, textures: &mut egui::TexturesDelta) {
-        self.panels.take_textures(&self.gpu, textures);
-    }
-
-    /// Brings the page up to date. Returns how far the scene's picture has come.
-    pub fn draw(
-        &mut self,
-        size: Viewport,
-        state: &State,
-        laid: &Laid,
-    ) -> Result<PictureProgress, GpuError> {
-        let began = Instant::now();
-        let is_new = self.size != size;
-        if is_new {
-            (self.page, self.size) = (page(&self.gpu, size, self.format), size);
+    /// Applies the changes of egui's textures. What is dropped may still be in the next frame, and is freed after it.
+    pub fn take_textures(&mut self, textures: &mut TexturesDelta) {
+        let (gpu, panels) = (&self.brush.gpu, &mut self.brush.panels);
+        for (id, deltas) in mem::take(&mut textures.set) {
+            for delta in deltas {
+                panels.update_texture(&gpu.device, &gpu.queue, id, &delta);
+            }
         }
-        let places = places(laid);
+        self.stale.extend(mem::take(&mut textures.free));
+    }
+
+    /// Brings the scene's pictures up to date.
+    pub fn update(&mut self, state: &State, laid: &Laid) -> Result<Updated, GpuError> {
         if laid.panes.is_empty() {
             self.stages = None;
         }
-        let (mut progress, mut looks) = (Ok(PictureProgress::default()), Vec::new());
-        for (stage, place) in &places {
-            let (picture, mut brush, meshes) =
-                self.picture_of(*stage, laid.pixels_per_point, began);
-            picture.scenes.meshes = meshes;
-            let Some(subject) = subject(state, *stage, *place) else {
-                looks.push((*place, None));
+        self.brush.renderer.scale_factor = laid.pixels_per_point;
+        let mut all = Updated::default();
+        for (stage, place) in places(laid) {
+            let Some(subject) = subject(state, stage, place) else {
                 continue;
             };
-            let advanced = picture.advance(&mut brush, &subject, laid.motion);
-            looks.push((*place, picture.look(&subject)));
-            let meshes = picture.scenes.meshes.clone();
-            self.scene.scenes.meshes = meshes;
-            progress = progress.and_then(|progress| Ok(progress.and(advanced?)));
+            let picture = picture_of(&mut self.scene, &mut self.stages, stage);
+            let updated = picture.update(&mut self.brush, &subject, laid.moves)?;
+            all.anew |= updated.anew;
+            all.rough |= updated.rough;
         }
+        Ok(all)
+    }
+
+    /// Paints a frame.
+    pub fn paint(&mut self, laid: &Laid, onto: &wgpu::Texture) -> Result<(), GpuError> {
+        let pictures = places(laid).into_iter().filter_map(|(stage, place)| {
+            let picture = picture_of(&mut self.scene, &mut self.stages, stage);
+            Some(quad(picture.texture(place.viewport)?, place))
+        });
+        let mut primitives: Vec<_> = pictures.collect();
+        primitives.extend_from_slice(&laid.primitives);
         let screen = ScreenDescriptor {
-            size_in_pixels: [size.width(), size.height()],
+            size_in_pixels: [onto.width(), onto.height()],
             pixels_per_point: laid.pixels_per_point,
         };
-        let is_painted = self.panels.update(&self.gpu, &laid.primitives, &screen);
-        let before = self.shown.iter().map(|(place, _)| place);
-        let is_moved = before.ne(places.iter().map(|(_, place)| place));
-        let is_anew = is_painted || is_new || is_moved;
-        if is_anew {
-            self.panels.copy(&self.gpu, &self.page);
+        let [r, g, b, a] = laid
+            .background
+            .to_array()
+            .map(|value| f64::from(value) / 255.0);
+        let Brush { gpu, panels, .. } = &mut self.brush;
+        gpu.submit(|encoder| {
+            panels.update_buffers(&gpu.device, &gpu.queue, encoder, &primitives, &screen);
+            let view = onto.create_view(&wgpu::TextureViewDescriptor::default());
+            let clear = wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a });
+            let mut pass = without_depth::begin(encoder, &view, clear).forget_lifetime();
+            panels.render(&mut pass, &primitives, &screen);
+        });
+        for id in self.stale.drain(..) {
+            panels.free_texture(&id);
         }
-        self.unshown |= is_anew;
-        for (at, (stage, _)) in places.iter().enumerate() {
-            let look = looks[at];
-            if !is_anew && self.shown.get(at) == Some(&look) {
-                continue;
-            }
-            if let (place, Some(look)) = look {
-                let page = self.page.clone();
-                let (picture, mut brush, _) = self.picture_of(*stage, laid.pixels_per_point, began);
-                picture.composite(&mut brush, &look, &page, place)?;
-                self.panels.draw_over(&self.gpu, &self.page, place);
-                self.unshown = true;
-            }
-        }
-        self.shown = looks;
-        if self.gpu.is_software() {
+        if gpu.is_software() {
             // Without this wait, the frame time on display would be that of the submission only.
-            self.gpu.wait()?;
+            gpu.wait()?;
         }
-        self.gpu.check()?;
-        progress
+        gpu.check()
     }
 
-    /// The picture of a stage, or with `None` the camera's; what draws it in this frame; the uploaded meshes.
-    fn picture_of(
+    /// A picture of a frame at rest.
+    pub fn picture(
         &mut self,
-        stage: Option<Stage>,
-        scale_factor: f32,
-        began: Instant,
-    ) -> (&mut ScenePicture, Brush<'_>, MeshStore) {
-        let brush = Brush {
-            gpu: &self.gpu,
-            renderer: &mut self.renderer,
-            scale_factor,
-            began,
-        };
-        let meshes = self.scene.scenes.meshes.clone();
-        let new = || Box::new([(); 3].map(|()| ScenePicture::new(brush.gpu)));
-        let stage = match stage {
-            None | Some(Stage::World) => return (&mut self.scene, brush, meshes),
-            Some(Stage::Object) => 0,
-            Some(Stage::View) => 1,
-            Some(Stage::Ndc) => 2,
-        };
-        let stages = self.stages.get_or_insert_with(new);
-        (&mut stages[stage], brush, meshes)
-    }
-
-    /// Copies the page onto a texture of its format.
-    pub fn show(&mut self, onto: &wgpu::Texture) {
-        self.unshown = false;
-        if onto.usage().contains(wgpu::TextureUsages::COPY_DST) {
-            let (width, height) = (self.page.width(), self.page.height());
-            let size = extent([width.min(onto.width()), height.min(onto.height())]);
-            let (from, to) = (self.page.as_image_copy(), onto.as_image_copy());
-            (self.gpu).submit(|encoder| encoder.copy_texture_to_texture(from, to, size));
-        } else {
-            self.panels.draw_page(&self.gpu, &self.page, onto);
-        }
-    }
-
-    /// A picture of the frame, drawn until its edges are smooth.
-    pub fn picture(&mut self, state: &State, laid: &Laid) -> Result<Image<Rgb>, GpuError> {
-        let rested = Laid {
-            motion: Motion::Rests,
-            ..laid.clone()
-        };
-        self.smooth_picture(self.size, state, &rested)
-    }
-
-    /// The scene's picture without panels, drawn until its edges are smooth.
-    pub fn picture_alone(
-        &mut self,
-        state: &State,
-        place: SceneRect,
-    ) -> Result<Image<Rgb>, GpuError> {
-        let origin_px = [0, 0];
-        let bare = Laid {
-            place: Some(SceneRect { origin_px, ..place }),
-            panes: Vec::new(),
-            primitives: Arc::default(),
-            pixels_per_point: place.pixels_per_point,
-            motion: Motion::Rests,
-        };
-        self.smooth_picture(place.viewport, state, &bare)
-    }
-
-    fn smooth_picture(
-        &mut self,
-        size: Viewport,
         state: &State,
         laid: &Laid,
+        size: Viewport,
     ) -> Result<Image<Rgb>, GpuError> {
-        loop {
-            let progress = self.draw(size, state, laid)?;
-            if progress.behind.is_none() && !progress.rough {
-                break;
-            }
-            self.gpu.wait()?;
-        }
-        self.read()
+        let rested = Laid {
+            moves: false,
+            ..laid.clone()
+        };
+        while self.update(state, &rested)?.rough {}
+        let page = self.page(size)?;
+        self.paint(&rested, &page)?;
+        read_rgb(&self.brush.gpu, &page, size)
     }
 
-    /// Reads the page.
-    pub fn read(&self) -> Result<Image<Rgb>, GpuError> {
-        read_rgb(&self.gpu, &self.page, self.size)
+    /// A texture that frames can be painted onto, and read.
+    pub fn page(&self, size: Viewport) -> Result<wgpu::Texture, GpuError> {
+        let (gpu, px) = (&self.brush.gpu, [size.width(), size.height()]);
+        let usage = wgpu::TextureUsages::COPY_SRC;
+        gpu.check_picture(size)?;
+        gpu.within_memory(|| without_depth::texture(gpu, "page", px, self.format, 1, usage, &[]))
+    }
+}
+
+/// The picture of a stage, or with `None` the camera's.
+fn picture_of<'a>(
+    scene: &'a mut ScenePicture,
+    stages: &'a mut Option<Box<[ScenePicture; 3]>>,
+    stage: Option<Stage>,
+) -> &'a mut ScenePicture {
+    let at = match stage {
+        None | Some(Stage::World) => return scene,
+        Some(Stage::Object) => 0,
+        Some(Stage::View) => 1,
+        Some(Stage::Ndc) => 2,
+    };
+    &mut stages.get_or_insert_default()[at]
+}
+
+/// A picture at its place, pixel by pixel.
+fn quad(texture: TextureId, place: SceneRect) -> ClippedPrimitive {
+    let rect = place.to_points();
+    let whole = Rect::from_min_max(Pos2::ZERO, Pos2::new(1.0, 1.0));
+    let mut mesh = Mesh::with_texture(texture);
+    mesh.add_rect_with_uv(rect, whole, Color32::WHITE);
+    ClippedPrimitive {
+        clip_rect: rect,
+        primitive: Primitive::Mesh(mesh),
     }
 }
 
@@ -278,13 +242,4 @@ fn subject(state: &State, stage: Option<Stage>, place: SceneRect) -> Option<Subj
         },
         ..subject
     })
-}
-
-/// A texture of this size that can be drawn onto, copied and read.
-fn page(gpu: &Gpu, size: Viewport, format: TextureFormat) -> wgpu::Texture {
-    use wgpu::TextureUsages as Usages;
-    let size = [size.width(), size.height()];
-    let usage = Usages::TEXTURE_BINDING | Usages::COPY_SRC | Usages::COPY_DST;
-    let view_formats = [format.add_srgb_suffix()];
-    without_depth::texture(gpu, "page", size, format, 1, usage, &view_formats)
 }

@@ -1,283 +1,302 @@
-//! The picture of the scene: the one on screen, and the next one, which is drawn in pieces.
+//! The picture of a scene: drawn whole, and only when what it shows has changed.
 
 use super::{
-    brush::Brush,
-    by_rays::Patience,
-    finish::Finish,
-    pace::Pace,
-    picture_progress::PictureProgress,
-    place::SceneRect,
     scenes_on_gpu::ScenesOnGpu,
-    wanted::{Drawn, Motion},
+    wanted::{Drawn, lines},
 };
 use crate::{
-    image::{Id, Image},
-    render::{Destination, Drawing, Gpu, GpuError, Marks, Piece, Targets},
+    camera::{View, Viewport},
+    image::{Id, Image, Pixel},
+    pick::raycast_until,
+    render::{Gpu, GpuError, Marks, MeshStore, Renderer, SMOOTH_SAMPLES, Targets},
     viewer::model::{OnScreen, Subject},
 };
-use std::{
-    mem,
-    time::{Duration, Instant},
-};
+use egui::TextureId;
+use std::time::{Duration, Instant};
 
-/// A pass that has worked for this long begins no further piece.
-const WORKED: Duration = Duration::from_millis(4);
-/// How soon a busy adapter is polled again. To poll at once would only keep a processor busy.
-const WAIT: Duration = Duration::from_millis(4);
+/// A software adapter smooths a picture at rest if the last one of one sample was drawn within this time.
+const QUICK: Duration = Duration::from_millis(100);
+/// Pixels of the window, along each side, that a ray of a moving picture stands for.
+const COARSENESS: u32 = 3;
+/// How long the rays of a picture may take, for each of them. On two cores most take a quarter of this.
+const RAY_TAKES: Duration = Duration::from_micros(2);
+/// After rays that were late, this many pictures are drawn before rays are tried again.
+const DRAWN_AFTER_LATE: u32 = 30;
+/// What an object costs besides its triangles, in triangles.
+const OBJECT: usize = 32;
 
-/// A scene on the GPU, and pictures of it.
+/// What pictures are drawn with.
+pub(super) struct Brush {
+    pub gpu: Gpu,
+    pub renderer: Renderer,
+    /// Paints the panels, and the pictures among them.
+    pub panels: egui_wgpu::Renderer,
+    pub meshes: MeshStore,
+}
+
+/// A scene on the GPU, and the picture of it.
+#[derive(Default)]
 pub(super) struct ScenePicture {
-    pub scenes: ScenesOnGpu,
-    pub(super) shown: Option<Picture>,
-    pub(super) next: Option<UnderWay>,
-    /// Targets of earlier pictures, to be used again.
-    pub(super) spare: Vec<Targets>,
-    /// One pace for coarse pictures, and one for others.
-    pub(super) paces: [Pace; 2],
-    /// Decides when a moving picture's rays are tried.
-    pub(super) patience: Patience,
-    /// Counts the changes of what is shown.
-    pub(super) changes: u64,
-    /// The object that is outlined, and since which change.
-    outlined: Option<(usize, u64)>,
+    scenes: ScenesOnGpu,
+    targets: Option<Targets>,
+    /// The picture's name among egui's textures.
+    texture: Option<TextureId>,
+    /// What the targets show.
+    shown: Option<Shown>,
+    /// The marks on the picture, and the object that is outlined.
+    marked: Option<Marks>,
+    outlined: Option<usize>,
+    /// The scene that was drawn with one sample last, and how long that took. The first picture of a scene says nothing:
+    /// it waits for uploads and shaders.
+    took: Option<(u64, Option<Duration>)>,
+    /// Pictures that are drawn before rays are tried again.
+    to_draw: u32,
 }
 
-/// What was begun in a pass.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Begun {
-    /// Nothing, or what is drawn in pieces.
-    Pieces,
-    /// What is drawn in pieces, since rays were late.
-    Late,
-    /// A picture by rays, which is shown already.
-    Shown,
+/// What a picture shows, and how well.
+struct Shown {
+    of: Drawn,
+    finish: Finish,
+    is_by_rays: bool,
 }
 
-/// A finished picture.
-pub(super) struct Picture {
-    pub targets: Targets,
-    pub of: Drawn,
-    pub finish: Finish,
+/// How good a picture is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Finish {
+    /// One ray for several pixels.
+    Coarse,
+    /// Each pixel by its centre.
+    Fine,
+    /// The edges are smooth, too.
+    Smooth,
 }
 
-/// What a scene's picture looks like: two pictures with equal looks are the same to the eye.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Look {
-    change: u64,
-    marks: Marks,
-}
-
-/// An unfinished picture.
-pub(super) struct UnderWay {
-    pub drawing: Drawing,
-    pub of: Drawn,
-    /// `None` where only smooth colours are drawn, onto the picture that is shown.
-    pub targets: Option<Targets>,
-    /// Small enough for one pass.
-    pub at_once: bool,
-    pub finish: Finish,
-    /// It only improves the picture that is shown, so nobody waits for it.
-    pub refines: bool,
+/// What an update of a picture did.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::viewer) struct Updated {
+    /// Whether a scene was drawn anew.
+    pub anew: bool,
+    /// Whether another update, at rest, would improve the picture.
+    pub rough: bool,
 }
 
 impl ScenePicture {
-    pub fn new(gpu: &Gpu) -> Self {
-        Self {
-            scenes: ScenesOnGpu::default(),
-            shown: None,
-            next: None,
-            spare: Vec::new(),
-            paces: [Pace::new(gpu), Pace::new(gpu)],
-            patience: Patience::default(),
-            changes: 0,
-            outlined: None,
-        }
-    }
-
-    /// The ids on screen, when they are those of `wanted`.
-    pub fn read_ids(&self, gpu: &Gpu, wanted: &OnScreen) -> Result<Option<Image<Id>>, GpuError> {
-        let shown = self.shown.as_ref();
-        let is_exact =
-            |shown: &&Picture| shown.finish.is_exact() && shown.of.on_screen() == *wanted;
-        let shown = shown.filter(is_exact);
-        shown.map(|shown| shown.targets.read_ids(gpu)).transpose()
-    }
-
-    /// Brings the picture nearer to what the state wants: all the way if that is little work, else by a piece. A
-    /// picture that was begun is finished first, unless it is of another scene, too slow for a moving picture, or only
-    /// an improvement that is not wanted now. A moving picture may be coarse. At rest it gets exact, and then its edges
-    /// get smooth; nobody waits for either.
-    pub fn advance(
+    /// Brings the picture up to date: draws the scene if what it shows has changed, or if the picture rests and can be
+    /// better; then marks what is selected and lit. While it `moves` it may be coarse.
+    pub fn update(
         &mut self,
         brush: &mut Brush,
         subject: &Subject,
-        motion: Motion,
-    ) -> Result<PictureProgress, GpuError> {
-        let (gpu, revision) = (brush.gpu, subject.revision);
-        self.scenes.forget_unused();
+        moves: bool,
+    ) -> Result<Updated, GpuError> {
         let wanted = Drawn::wanted(subject);
-        let unwanted = self.next.take_if(|next| {
-            let is_of_another = next.of.revision != revision;
-            let moves = motion != Motion::Rests;
-            // A software adapter begins a moving picture anew, coarse and maybe by rays: an exact one could take
-            // seconds.
-            let is_slow = gpu.is_software()
-                && motion == Motion::Goes
-                && next.finish.is_exact()
-                && (next.targets.is_some() || next.of != wanted);
-            is_of_another || is_slow || (next.refines && (next.of != wanted || moves))
-        });
-        self.spare.extend(unwanted.and_then(|next| next.targets));
-        if motion == Motion::Rests {
-            self.patience.rest();
-        }
-        let mut begun = Begun::Pieces;
-        if self.next.is_none() {
-            self.scenes.upload(gpu, subject)?;
-            begun = self.begin(brush, subject, &wanted, motion)?;
-        }
-        if self.next.is_none() && motion == Motion::Rests {
-            self.begin_to_smooth(subject, &wanted);
-        }
-        let is_at_once = self.next.as_ref().is_some_and(|next| next.at_once);
-        let ([anew, waits], drawn) = if begun == Begun::Late && !is_at_once {
-            // Waiting for late rays has used up the time of this pass.
-            Default::default()
-        } else {
-            self.proceed(brush)?
-        };
+        let finish = self.finish(brush, subject, moves);
         let shown = self.shown.as_ref().filter(|shown| shown.of == wanted);
-        let is_whole = shown.is_some() && self.next.as_ref().is_none_or(|next| next.refines);
-        Ok(PictureProgress {
-            anew: anew || begun == Begun::Shown,
-            behind: (!is_whole).then_some(if waits { WAIT } else { Duration::ZERO }),
-            rough: is_whole && shown.is_some_and(|shown| shown.finish < Finish::Smooth),
-            drawn,
-        })
-    }
-
-    /// Draws the next pieces. Returns whether a new picture of the scene is shown, whether the picture waits for a busy
-    /// adapter, and how much was drawn.
-    fn proceed(&mut self, brush: &mut Brush) -> Result<([bool; 2], u64), GpuError> {
-        let gpu = brush.gpu;
-        let (start, mut anew, mut done) = (Instant::now(), false, 0);
-        let is_free = self.paces.iter_mut().all(|pace| pace.is_free(gpu));
-        let finish = self.next.as_ref().map(|next| next.finish);
-        let of = usize::from(finish >= Some(Finish::Rough));
-        let (most, most_smooth) = (self.paces[of].most(), self.paces[of].most_smooth());
-        let mut smooths = false;
-        while let (Some(next), Some(scene)) = (&mut self.next, &self.scenes.now) {
-            let is_smooth = next.refines && next.finish == Finish::Smooth;
-            let piece = if next.at_once {
-                Piece::WHOLE
-            } else if is_smooth {
-                // One such piece a pass: nobody waits for it, but it delays everything else.
-                if mem::replace(&mut smooths, true) || !is_free {
-                    break;
-                }
-                most_smooth
-            } else if is_free && done < most.work && start.elapsed() < WORKED {
-                Piece::of_work(most.work - done)
-            } else {
-                break;
-            };
-            let shown = self.shown.as_ref().map(|shown| &shown.targets);
-            let Some(targets) = next.targets.as_ref().or(shown) else {
-                self.next = None;
-                break;
-            };
-            let before = next.drawing.done;
-            let (buffers, drawing) = (&scene.buffers, &mut next.drawing);
-            brush.renderer.wireframe = next.of.wireframe();
-            brush.scale_for(next.finish);
-            let advanced = brush.renderer.advance(buffers, targets, drawing, piece);
-            let is_whole = advanced.inspect_err(|_| self.next = None)?;
-            let progress = self.next.as_ref().map_or(0, |next| next.drawing.done) - before;
-            done += progress;
-            if is_whole {
-                anew |= self.finish();
-            } else if progress == 0 && piece != Piece::WHOLE {
-                // A background thread still composes the rows to be drawn.
-                break;
-            }
+        let anew = shown.is_none_or(|shown| shown.finish < finish);
+        if anew {
+            self.draw(brush, subject, finish)?;
         }
-        // The time of smooth pieces says nothing about others.
-        if done > 0 && !smooths {
-            self.paces[of].began(gpu, done);
-        }
-        Ok(([anew, !is_free && self.next.is_some()], done))
+        self.mark(brush, subject);
+        let best = self.finish(brush, subject, false);
+        let rough = self.shown.as_ref().is_some_and(|shown| shown.finish < best);
+        Ok(Updated { anew, rough })
     }
 
-    /// Ends what was under way: shows it. Returns whether a new picture of the scene is shown.
-    fn finish(&mut self) -> bool {
-        let Some(next) = self.next.take() else {
-            return false;
-        };
-        self.changes += 1;
-        match (next.targets, &mut self.shown) {
-            (Some(targets), shown) => {
-                let before = shown.replace(Picture {
-                    targets,
-                    of: next.of,
-                    finish: next.finish,
-                });
-                self.spare.extend(before.map(|before| before.targets));
-                true
-            }
-            (None, Some(shown)) => {
-                shown.of = next.of;
-                shown.finish = next.finish;
-                false
-            }
-            (None, None) => false,
-        }
+    /// The picture's name among egui's textures, if it has this size.
+    pub fn texture(&self, size: Viewport) -> Option<TextureId> {
+        let fits = |targets: &Targets| targets.viewport == size;
+        let is_shown = self.shown.is_some() && self.targets.as_ref().is_some_and(fits);
+        self.texture.filter(|_| is_shown)
     }
 
-    /// The picture's look; `None` if there is no picture. The camera's picture does not stand in for a stage of the
-    /// same scene, nor the reverse.
-    pub fn look(&self, subject: &Subject) -> Option<Look> {
-        let is_alike = |shown: &&Picture| shown.of.is_of_stage() == subject.lesson.is_some();
-        let shown = self.shown.as_ref().filter(is_alike)?;
-        let scene = self.scenes.now.as_ref()?;
-        // An object's index holds in its own scene only.
-        let is_of_scene = |of: &u64| *of == scene.revision;
-        let is_marked = [subject.revision, shown.of.revision]
-            .iter()
-            .all(is_of_scene);
-        Some(Look {
-            change: self.changes,
-            marks: Marks {
-                selection: subject.selection.filter(|_| is_marked),
-                hover: subject.hover.filter(|_| is_marked),
-            },
-        })
+    /// What it shows.
+    pub fn on_screen(&self) -> Option<OnScreen> {
+        self.shown.as_ref().map(|shown| shown.of.on_screen())
     }
 
-    /// Draws the picture into its place on a page.
-    pub fn composite(
+    /// The ids as they are drawn. Where the picture on screen was not drawn, but found by rays, it is drawn.
+    pub fn drawn_ids(
         &mut self,
         brush: &mut Brush,
-        look: &Look,
-        page: &wgpu::Texture,
-        place: SceneRect,
+        subject: &Subject,
+    ) -> Result<Option<Image<Id>>, GpuError> {
+        let wanted = Drawn::wanted(subject);
+        let is_drawn = |shown: &Shown| shown.of == wanted && !shown.is_by_rays;
+        if !self.shown.as_ref().is_some_and(is_drawn) {
+            self.to_draw = self.to_draw.max(1);
+            self.draw(brush, subject, Finish::Fine)?;
+        }
+        let targets = self.targets.as_ref();
+        targets
+            .map(|targets| targets.read_ids(&brush.gpu))
+            .transpose()
+    }
+
+    /// How good the picture is to be.
+    fn finish(&self, brush: &Brush, subject: &Subject, moves: bool) -> Finish {
+        let took = self.took.filter(|(of, _)| *of == subject.revision);
+        let is_quick = took
+            .and_then(|(_, took)| took)
+            .is_none_or(|took| took < QUICK);
+        let is_little = !is_much(subject, &subject.view);
+        if !brush.gpu.is_software() || (!moves && is_little && is_quick) {
+            Finish::Smooth
+        } else if moves && self.casts(subject, &coarse(&subject.view)) {
+            Finish::Coarse
+        } else {
+            Finish::Fine
+        }
+    }
+
+    /// Whether a software adapter's picture is found by rays through a view. They need trees, and see no edges of
+    /// triangles.
+    fn casts(&self, subject: &Subject, through: &View) -> bool {
+        let sees_all = Drawn::wanted(subject).wireframe().is_none();
+        let is_ready = sees_all && subject.scene.trees_are_built();
+        self.to_draw == 0 && is_ready && is_much(subject, through)
+    }
+
+    fn draw(
+        &mut self,
+        brush: &mut Brush,
+        subject: &Subject,
+        finish: Finish,
     ) -> Result<(), GpuError> {
-        let (Some(scene), Some(shown)) = (&self.scenes.now, &self.shown) else {
+        let wanted = Drawn::wanted(subject);
+        let (view, lines) = (&wanted.view, lines(subject));
+        let before = self.shown.take();
+        (self.marked, self.outlined) = (None, None);
+        if self.scenes.forget_unused() {
+            brush.meshes.forget_dropped();
+        }
+        self.scenes.upload(&brush.gpu, subject, &mut brush.meshes)?;
+        self.fit(brush, view.viewport)?;
+        let (Some(scene), Some(targets)) = (&self.scenes.now, &self.targets) else {
             return Ok(());
         };
-        let destination = Destination {
-            texture: page,
-            origin_px: place.origin_px,
-            room_px: [place.viewport.width(), place.viewport.height()],
-            coarseness: shown.finish.coarseness(),
+        let onto = (&scene.buffers, targets, view);
+        let through = match finish {
+            Finish::Coarse => coarse(view),
+            Finish::Fine | Finish::Smooth => *view,
         };
-        let view = shown.finish.drawn(&shown.of.view);
-        let onto = (&scene.buffers, &shown.targets, &view);
-        brush.scale_for(shown.finish);
-        let outlined = look.marks.selection.map(|object| (object, look.change));
-        if let (Some((object, _)), true) = (outlined, self.outlined != outlined) {
-            brush.renderer.draw_outline(onto, object);
+        let is_software = brush.gpu.is_software();
+        let mut by_rays = None;
+        if is_software && finish < Finish::Smooth && self.casts(subject, &through) {
+            by_rays = cast(subject, &through);
+            if by_rays.is_none() {
+                self.to_draw = DRAWN_AFTER_LATE;
+            }
         }
-        self.outlined = outlined;
-        (brush.renderer).composite(onto, &look.marks, &destination)
+        brush.renderer.wireframe = wanted.wireframe();
+        if let Some(pixels) = &by_rays {
+            let pixels = enlarged(pixels, view.viewport);
+            brush.renderer.take_pixels(onto, &pixels, &lines)?;
+        } else if finish == Finish::Smooth {
+            let has_ids = |shown: Shown| shown.of == wanted && shown.finish == Finish::Fine;
+            if before.is_some_and(has_ids) {
+                brush.renderer.draw_colours(onto, &lines)?;
+            } else {
+                brush.renderer.draw(onto, &lines)?;
+            }
+        } else {
+            let began = Instant::now();
+            brush.renderer.draw_rough(onto, &lines)?;
+            if is_software {
+                brush.gpu.wait()?;
+            }
+            let again = self.took.filter(|(of, _)| *of == subject.revision);
+            self.took = Some((subject.revision, again.map(|_| began.elapsed())));
+            self.to_draw = self.to_draw.saturating_sub(1);
+        }
+        self.shown = Some(Shown {
+            of: wanted,
+            // Pictures that are drawn are never coarse.
+            finish: match by_rays {
+                Some(_) => finish,
+                None => finish.max(Finish::Fine),
+            },
+            is_by_rays: by_rays.is_some(),
+        });
+        Ok(())
     }
+
+    /// Makes targets of a size, unless there are.
+    fn fit(&mut self, brush: &mut Brush, size: Viewport) -> Result<(), GpuError> {
+        if self
+            .targets
+            .as_ref()
+            .is_some_and(|targets| targets.viewport == size)
+        {
+            return Ok(());
+        }
+        // The old ones first: there is room for one of them.
+        self.targets = None;
+        let targets = Targets::new(&brush.gpu, size, SMOOTH_SAMPLES)?;
+        let (device, nearest) = (&brush.gpu.device, wgpu::FilterMode::Nearest);
+        let (panels, shown) = (&mut brush.panels, &targets.shown_view);
+        match self.texture {
+            Some(id) => panels.update_egui_texture_from_wgpu_texture(device, shown, nearest, id),
+            None => self.texture = Some(panels.register_native_texture(device, shown, nearest)),
+        }
+        self.targets = Some(targets);
+        Ok(())
+    }
+
+    /// Marks what is selected and lit, unless it is marked already.
+    fn mark(&mut self, brush: &mut Brush, subject: &Subject) {
+        let (Some(scene), Some(targets)) = (&self.scenes.now, &self.targets) else {
+            return;
+        };
+        let marks = Marks {
+            selection: subject.selection,
+            hover: subject.hover,
+        };
+        if self.marked == Some(marks) {
+            return;
+        }
+        let onto = (&scene.buffers, targets, &subject.view);
+        if let Some(object) = marks
+            .selection
+            .filter(|object| self.outlined != Some(*object))
+        {
+            brush.renderer.draw_outline(onto, object);
+            self.outlined = Some(object);
+        }
+        brush.renderer.mark(onto, &marks);
+        self.marked = Some(marks);
+    }
+}
+
+/// Whether a scene has more triangles than a view has pixels. A software adapter takes about as long for a triangle as
+/// for a ray.
+fn is_much(subject: &Subject, through: &View) -> bool {
+    let scene = subject.scene;
+    scene.triangle_count() + OBJECT * scene.objects().len() > pixels(through)
+}
+
+fn pixels(view: &View) -> usize {
+    view.viewport.width() as usize * view.viewport.height() as usize
+}
+
+/// The view of a coarse picture.
+fn coarse(view: &View) -> View {
+    let of = |side: u32| side.div_ceil(COARSENESS);
+    let size = Viewport::new(of(view.viewport.width()), of(view.viewport.height()));
+    View {
+        viewport: size.unwrap_or(view.viewport),
+        ..*view
+    }
+}
+
+/// A picture by rays; `None` if they are late, as where each of them meets thousands of objects.
+fn cast(subject: &Subject, through: &View) -> Option<Image<Pixel>> {
+    let rays = u32::try_from(pixels(through)).unwrap_or(u32::MAX);
+    raycast_until(subject.scene, through, Instant::now() + RAY_TAKES * rays)
+}
+
+/// A picture in which each pixel of another stands for several, up to this size.
+fn enlarged(pixels: &Image<Pixel>, size: Viewport) -> Image<Pixel> {
+    let times = size.width().div_ceil(pixels.size().width());
+    let row = |y| (0..size.width()).map(move |x| pixels.at(x / times, y / times));
+    Image::new(size, (0..size.height()).flat_map(row).collect())
 }

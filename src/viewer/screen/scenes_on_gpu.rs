@@ -22,25 +22,26 @@ pub(super) struct ScenesOnGpu {
     pub now: Option<OnGpu>,
     /// Scenes before this one that may still come back; the latest first.
     before: Vec<OnGpu>,
-    /// The meshes of all pictures.
-    pub meshes: MeshStore,
     /// The revision of a scene that does not fit, and why. It is not tried again.
     unfit: Option<(u64, GpuError)>,
 }
 
 impl ScenesOnGpu {
-    /// Drops scenes that cannot come back.
-    pub fn forget_unused(&mut self) {
+    /// Drops scenes that cannot come back. Returns whether there were any.
+    pub fn forget_unused(&mut self) -> bool {
         let count = self.before.len();
         self.before
             .retain(|before| before.buffers.key().is_in_use());
-        if self.before.len() < count {
-            self.meshes.forget_dropped();
-        }
+        self.before.len() < count
     }
 
-    /// Uploads a picture's scene, or what changed in it.
-    pub fn upload(&mut self, gpu: &Gpu, subject: &Subject) -> Result<(), GpuError> {
+    /// Uploads a picture's scene, or what changed in it. `meshes` are those of all pictures.
+    pub fn upload(
+        &mut self,
+        gpu: &Gpu,
+        subject: &Subject,
+        meshes: &mut MeshStore,
+    ) -> Result<(), GpuError> {
         let revision = subject.revision;
         if self.now.as_ref().is_none_or(|now| now.revision != revision) {
             if let Some((_, error)) = self.unfit.as_ref().filter(|(of, _)| *of == revision) {
@@ -48,7 +49,7 @@ impl ScenesOnGpu {
             }
             let buffers = match self.known(subject.scene) {
                 Some(buffers) => Ok(buffers),
-                None => SceneBuffers::upload_beside(gpu, subject.scene, &mut self.meshes),
+                None => SceneBuffers::upload_beside(gpu, subject.scene, meshes),
             };
             let buffers =
                 buffers.inspect_err(|error| self.unfit = Some((revision, error.clone())))?;
@@ -57,7 +58,7 @@ impl ScenesOnGpu {
             self.before.truncate(MOST_BEFORE);
         }
         if let Some(now) = &mut self.now {
-            now.buffers.update(gpu, subject.scene)?;
+            now.buffers.update(gpu, subject.scene, meshes)?;
         }
         Ok(())
     }

@@ -7,17 +7,6 @@ use crate::{
     viewer::model::{Frozen, Lesson, OnScreen, Overlay, Overlays, Subject},
 };
 
-/// How the scene's picture moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::viewer) enum Motion {
-    /// Nobody moves it: it may get smooth edges.
-    Rests,
-    /// It jumped to another view, now or a moment ago.
-    Leapt,
-    /// It keeps moving: a coarse picture will do.
-    Goes,
-}
-
 /// All that colours and ids depend on.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Drawn {
@@ -45,11 +34,6 @@ impl Drawn {
             frozen: subject.frozen,
             lesson: subject.lesson,
         }
-    }
-
-    /// Whether it is of one of the four views.
-    pub fn is_of_stage(&self) -> bool {
-        self.lesson.is_some()
     }
 
     /// Which objects' edges are drawn.

@@ -1,13 +1,9 @@
 //! The window's surface: presents frames, and is made again when it or the whole device is lost.
 
-use super::{
-    canvas::{Canvas, Laid, Screen},
-    picture_progress::PictureProgress,
-};
+use super::canvas::{Canvas, Laid, Screen};
 use crate::{
     camera::Viewport,
     render::{Gpu, GpuError},
-    viewer::model::State,
 };
 use std::sync::Arc;
 use wgpu::{
@@ -45,16 +41,10 @@ impl WindowSurface {
         Ok(surface)
     }
 
-    /// Presents the page again: what the window shows may be lost.
-    pub fn expose(&mut self) {
-        self.canvas.unshown = true;
-    }
-
     /// The window has another size; 0 while it is minimised.
     pub fn resize(&mut self, width: u32, height: u32) {
         (self.config.width, self.config.height) = (width, height);
         self.configure();
-        self.expose();
     }
 
     /// The next texture to draw on; `None` when there is none now, such as while the window is minimised.
@@ -86,14 +76,15 @@ impl WindowSurface {
     /// Configures the surface, unless it is empty.
     fn configure(&self) {
         if self.config.width > 0 && self.config.height > 0 {
-            self.screen.configure(&self.canvas.gpu.device, &self.config);
+            self.screen
+                .configure(&self.canvas.gpu().device, &self.config);
         }
     }
 }
 
 impl Screen for WindowSurface {
     fn restore(&mut self) -> Result<bool, GpuError> {
-        if !self.canvas.gpu.is_lost() {
+        if !self.canvas.gpu().is_lost() {
             return Ok(false);
         }
         let screen = create(&self.instance, &self.window)?;
@@ -109,19 +100,18 @@ impl Screen for WindowSurface {
         Some(&mut self.canvas)
     }
 
-    fn draw(&mut self, state: &State, laid: &Laid) -> Result<PictureProgress, GpuError> {
-        let Ok(size) = Viewport::new(self.config.width, self.config.height) else {
-            return Ok(PictureProgress::default());
-        };
-        let progress = self.canvas.draw(size, state, laid);
-        if self.canvas.unshown
-            && let Some(frame) = self.acquire()?
-        {
-            self.canvas.show(&frame.texture);
+    fn size(&self) -> Option<Viewport> {
+        Viewport::new(self.config.width, self.config.height).ok()
+    }
+
+    fn paint(&mut self, laid: &Laid) -> Result<(), GpuError> {
+        if let Some(frame) = self.acquire()? {
+            let painted = self.canvas.paint(laid, &frame.texture);
             self.window.pre_present_notify();
-            self.canvas.gpu.queue.present(frame);
+            self.canvas.gpu().queue.present(frame);
+            painted?;
         }
-        progress
+        Ok(())
     }
 }
 
@@ -145,7 +135,7 @@ fn configuration(
     let format = format.ok_or_else(|| gpu.failed(&"the screen takes no 8-bit colours"))?;
     let size = window.inner_size();
     Ok(SurfaceConfiguration {
-        usage: can.usages & (TextureUsages::RENDER_ATTACHMENT | TextureUsages::COPY_DST),
+        usage: TextureUsages::RENDER_ATTACHMENT,
         format,
         color_space: wgpu::SurfaceColorSpace::Auto,
         width: size.width,
@@ -160,7 +150,6 @@ fn configuration(
 #[cfg(all(test, target_os = "linux"))]
 mod tests {
     use super::*;
-    use crate::{camera::CameraChoice, geometry::Sides, scene::Loaded, viewer::screen::Motion};
     use std::{env, process::Command};
     use winit::{
         application::ApplicationHandler,
@@ -183,23 +172,21 @@ mod tests {
             let surface = WindowSurface::new(window, event_loop.owned_display_handle());
             let mut surface = surface.unwrap_or_else(|error| panic!("{error}"));
             assert_eq!(surface.restore(), Ok(false), "nothing is lost");
-            surface.canvas.gpu.device.destroy();
+            surface.canvas.gpu().device.destroy();
             // The next poll reports the loss.
-            let _ = surface.canvas.gpu.wait();
+            let _ = surface.canvas.gpu().wait();
             assert_eq!(surface.restore(), Ok(true));
             assert_eq!(surface.restore(), Ok(false), "once for each loss");
-            let (loaded, camera) = (Loaded::default(), CameraChoice::default());
-            let state = State::new(loaded, camera, Viewport::DEFAULT, Sides::Both);
             let laid = Laid {
                 place: None,
                 panes: Vec::new(),
-                primitives: Arc::default(),
+                primitives: Vec::new(),
+                background: egui::Color32::BLACK,
                 pixels_per_point: 1.0,
-                motion: Motion::Rests,
+                moves: false,
             };
-            let drawn = surface.draw(&state.expect("nothing is framed"), &laid);
-            drawn.unwrap_or_else(|error| panic!("{error}"));
-            assert!(!surface.canvas.unshown, "it is presented");
+            let painted = surface.paint(&laid);
+            painted.unwrap_or_else(|error| panic!("{error}"));
             self.is_done = true;
             event_loop.exit();
         }

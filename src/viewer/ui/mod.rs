@@ -14,6 +14,6 @@ pub(super) use focus::leave_text;
 pub(super) use mouse::{Drag, moves_ahead};
 pub(super) use notice::{Attempt, Kind, Notice, Notices};
 pub(super) use panels::{Docks, Filter, Floating, Shown, Statistics, Underway, show};
-pub(super) use theme::{Look, color32, dress, note_missing};
+pub(super) use theme::{Look, background, color32, dress, note_missing};
 pub use tour::tour_text;
 pub(super) use tour::{JustDone, Tour};

@@ -71,6 +71,8 @@ pub(in crate::viewer) fn dress(context: &egui::Context) {
         let mut visuals = theme.default_visuals();
         visuals.error_fg_color = color32(Srgb(error));
         visuals.warn_fg_color = color32(warning);
+        // The frame behind the panels has their colour already.
+        visuals.panel_fill = Color32::TRANSPARENT;
         visuals.override_text_color = Some(Color32::from_gray(text));
         visuals.weak_text_color = Some(Color32::from_gray(weak));
         let style = Style {
@@ -79,6 +81,11 @@ pub(in crate::viewer) fn dress(context: &egui::Context) {
         };
         context.set_style_of(theme, style);
     }
+}
+
+/// What is behind the panels.
+pub(in crate::viewer) fn background(context: &egui::Context) -> Color32 {
+    context.theme().default_visuals().panel_fill
 }
 
 /// Notes the characters that egui's own typefaces lack.

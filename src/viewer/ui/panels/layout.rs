@@ -14,11 +14,11 @@ use crate::viewer::{
     jobs::Checking,
     model::Stage,
     ui::{
-        keys,
+        background, keys,
         mouse::{self, Drag},
     },
 };
-use egui::{CentralPanel, Panel, Popup};
+use egui::{CentralPanel, Frame, Panel, Popup, UiBuilder, UiStackInfo};
 
 /// The result of a pass over the panels.
 pub(in crate::viewer) struct Asked {
@@ -37,6 +37,11 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     // Esc closes a menu while the panels are laid out, so this is asked before.
     let has_menu = Popup::is_any_open(ui.ctx());
     let window = ui.max_rect().size();
+    // What the panels are painted on, into which what is scrolled fades.
+    let behind = Frame::new().fill(background(ui.ctx()));
+    let behind = UiStackInfo::default().with_frame(behind);
+    let whole = UiBuilder::new().max_rect(ui.max_rect());
+    let ui = &mut ui.new_child(whole.ui_stack_info(behind));
     let wanted = panels(shown);
     if !shown.is_bare {
         Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &mut of_toolbar));

@@ -1,17 +1,15 @@
-// Draws the selection's outline, and copies the picture with its marks to a target.
+// Marks a picture: draws the selection's outline, and what is selected or lit.
 
-struct Composite {
-    origin_px: vec2<f32>,
-    selection: u32,
-    hover: u32,
+struct Marking {
     selection_colour: vec3<f32>,
     tint: f32,
     lit: vec2<f32>,
+    selection: u32,
+    hover: u32,
     outline_px: f32,
-    coarseness: f32,
 }
 
-@group(0) @binding(0) var<uniform> composite: Composite;
+@group(0) @binding(0) var<uniform> marking: Marking;
 @group(0) @binding(1) var picture: texture_2d<f32>;
 @group(0) @binding(2) var ids: texture_2d<u32>;
 // How much of each pixel is outline; `outline` itself writes it.
@@ -20,9 +18,9 @@ struct Composite {
 fn inside(px: vec2<f32>, by: vec2<f32>) -> f32 {
     // Beyond the picture's border its last pixel continues, so that no outline runs along the border.
     let last = vec2<i32>(textureDimensions(ids)) - 1;
-    let at = vec2<i32>(floor(px + composite.outline_px * by));
+    let at = vec2<i32>(floor(px + marking.outline_px * by));
     let object = textureLoad(ids, clamp(at, vec2<i32>(0), last), 0).r;
-    return select(0.0, 1.0, object == composite.selection);
+    return select(0.0, 1.0, object == marking.selection);
 }
 
 // How much of a pixel is outline: most where half of a disc about it shows the selected object. Unrolled, since loops
@@ -41,17 +39,6 @@ fn outline(@builtin(position) position: vec4<f32>) -> @location(0) f32 {
     return smoothstep(0.0, 0.35, min(share, 1.0 - share));
 }
 
-// The picture's pixel that is shown at a position of the destination.
-fn pixel(position: vec4<f32>) -> vec2<i32> {
-    return vec2<i32>((position.xy - composite.origin_px) / composite.coarseness);
-}
-
-// Values are copied as they are: neither side converts sRGB.
-@fragment
-fn copy(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
-    return textureLoad(picture, pixel(position), 0);
-}
-
 // The same as look::luminance.
 fn luminance(colour: vec3<f32>) -> f32 {
     return dot(colour, vec3<f32>(0.2126, 0.7152, 0.0722));
@@ -61,22 +48,22 @@ fn luminance(colour: vec3<f32>) -> f32 {
 fn marked(px: vec2<i32>) -> vec3<f32> {
     let colour = textureLoad(picture, px, 0).rgb;
     let object = textureLoad(ids, px, 0).r;
-    let tint = composite.selection_colour * (luminance(colour) / luminance(composite.selection_colour));
-    let tinted = mix(colour, tint, select(0.0, composite.tint, object == composite.selection));
-    let lit = tinted * (1.0 + composite.lit.x) + composite.lit.y;
-    return select(tinted, lit, object == composite.hover);
+    let tint = marking.selection_colour * (luminance(colour) / luminance(marking.selection_colour));
+    let tinted = mix(colour, tint, select(0.0, marking.tint, object == marking.selection));
+    let lit = tinted * (1.0 + marking.lit.x) + marking.lit.y;
+    return select(tinted, lit, object == marking.hover);
 }
 
-// Drawn over the copy, where the hovered object may be.
+// Drawn over a copy of the picture, where the hovered object may be.
 @fragment
 fn hover(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
-    return vec4<f32>(marked(pixel(position)), 1.0);
+    return vec4<f32>(marked(vec2<i32>(position.xy)), 1.0);
 }
 
 // Drawn last, where the selected object may be, with its outline.
 @fragment
 fn selection(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
-    let px = pixel(position);
+    let px = vec2<i32>(position.xy);
     let outline = textureLoad(outlined, px, 0).r;
-    return vec4<f32>(mix(marked(px), composite.selection_colour, outline), 1.0);
+    return vec4<f32>(mix(marked(px), marking.selection_colour, outline), 1.0);
 }
