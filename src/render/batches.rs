@@ -79,8 +79,6 @@ pub(super) struct Batch {
     /// Its objects, and how many of them are visible.
     pub objects: u32,
     pub shown: u32,
-    /// Batches with the same number have the same shape in the same place: only the first is seen.
-    pub twins: Option<u32>,
 }
 
 /// What is particular to a batch of triangles, or to a sphere.

@@ -221,7 +221,6 @@ fn drawn_batch(scene: &Scene, range: &Range<usize>, kind: u32) -> Batch {
         bounds_world: Aabb::EMPTY,
         objects: index(objects.len()),
         shown: index(shown),
-        twins: None,
     };
     batch.bounds_world = batch.with_room(scene.bounds_of_batch(range));
     batch

@@ -2,6 +2,7 @@
 
 use super::{
     batches::{Draw, Row},
+    draw_order::index,
     gpu::{Gpu, GpuError},
     shader_structs,
     view_rows::ToDraw,
@@ -76,9 +77,22 @@ impl Seen {
         if self.view == Some(*view) {
             return;
         }
-        let rows = all.seen_in(view);
-        tables.write_rows(&tables.triangles, 0, &rows.triangles);
-        tables.write_rows(&tables.spheres, 0, &rows.spheres);
-        (self.view, self.draws) = (Some(*view), rows.draws);
+        let [mut triangles, mut spheres] = [0, 0];
+        self.draws.clear();
+        for share in all.seen_in(view) {
+            tables.write_rows(&tables.triangles, triangles, &share.triangles);
+            tables.write_rows(&tables.spheres, spheres, &share.spheres);
+            self.draws.extend(share.draws.into_iter().map(|mut draw| {
+                let first = match draw.buffers {
+                    Some(_) => triangles,
+                    None => spheres,
+                };
+                draw.instances = draw.instances.start + first..draw.instances.end + first;
+                draw
+            }));
+            triangles += index(share.triangles.len());
+            spheres += index(share.spheres.len());
+        }
+        self.view = Some(*view);
     }
 }
