@@ -170,12 +170,13 @@
 //! | a camera from flags or from a scene file | `camera/choice.rs` |
 //! | work on all cores | `geometry/shares.rs` |
 //! | a scene without most of its triangles, for one pick | `scene/narrowed.rs`, `pick/narrowed.rs` |
-//! | how fine a moving picture is drawn | `viewer/screen/finish.rs`, `viewer/screen/pace.rs` |
+//! | how fine a picture is, and whether rays find it | `viewer/screen/scene_picture.rs` |
+//! | what can be asked for, with its key, hint and place in the menus | `viewer/ui/menus.rs` |
 //! | whether back faces are hit and drawn | `Sides` in `geometry/hit.rs` |
 //! | which class `verify` gives a pixel | `verify/surface.rs`, by the bounds in `verify/bound.rs` |
 //! | what a section cuts from a pick | `geometry/section.rs`; the hits it keeps `pick/order.rs` |
 //! | a camera that is pasted | `viewer/app/commands.rs` |
-//! | when edges become smooth | `viewer/screen/begin.rs` |
+//! | when edges become smooth | `viewer/screen/scene_picture.rs`, at rest `viewer/app/rest.rs` |
 //! | the window's title and its dot | `viewer/app/program.rs` |
 //! | files that are dropped on the window | `viewer/app/frame.rs`, then `viewer/app/files.rs` |
 //!
@@ -217,13 +218,13 @@
 //! * **pivot**: the world point that the mouse turns the view about; in `render`, the point that is subtracted from
 //!   vertices or pixels before they become `f32`.
 //! * **at rest**: the window's picture when nothing has moved for a moment; its edges are then smooth. Until then it is
-//!   *rough*. Ids are the same in both. *Coarse*: drawn with pixels larger than the window's, as a moving picture is on
-//!   a software adapter.
+//!   *rough*. Ids are the same in both. *Coarse*: a moving picture whose rays stand for nine pixels each, on a software
+//!   adapter.
 //! * **stage**: one of the spaces along M, V, P: object, world, view, NDC (`viewer::model::Stage`). Each of the *four
 //!   views* shows one stage, seen by its own *observer*. The *picture* is the camera's and none of these four.
 //! * **followed**: the point that is shown at every stage. It is the pick's, or the one under the cursor.
 //! * **step**: one part of a pick, for which the study compares methods ([`study::step`]). Elsewhere it is named in
-//!   full: a step of the tour, of undo (`viewer::model::State::next_step`), of drawing.
+//!   full: a step of the tour, of undo (`viewer::model::State::next_step`).
 //! * **exhibit**: a scene of the failure gallery ([`scene::gallery::Exhibit`]).
 //!
 //! # To add
@@ -241,9 +242,8 @@
 //! [`study::methods`], and give it a line in that step's list with its author or paper. Tests, table, charts and the
 //! gallery's menu read the list.
 //!
-//! **An overlay.** Add a variant to `viewer::model::Overlay` and to its list of all, a key to the table in
-//! `viewer/ui/keys.rs` and to README's, and its lines in world space to `viewer/screen/overlay_lines.rs`. Nearer
-//! surfaces hide lines.
+//! **An overlay.** Add a variant to `viewer::model::Overlay` and to its list of all, an item to the table in
+//! `viewer/ui/menus.rs`, and its lines in world space to `viewer/screen/overlay_lines.rs`. Nearer surfaces hide lines.
 //!
 //! **A command.** A file in `cli` with its arguments and `run`, a variant of `cli::Command` and a row in README's
 //! table, without which `tests/readme.rs` fails. Results go to stdout; everything else goes through `log` or is an

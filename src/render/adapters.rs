@@ -45,9 +45,9 @@ pub struct AdapterCan {
 pub fn adapters() -> Vec<AdapterFound> {
     let instance = instance();
     let used = pollster::block_on(best_adapter(&instance, None));
-    let used = used.map(|adapter| adapter.get_info());
+    let best = used.map(|adapter| adapter.get_info());
     let all = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
-    all.into_iter()
+    let mut found: Vec<_> = (all.into_iter())
         .map(|adapter| {
             let info = adapter.get_info();
             let driver = [info.driver.as_str(), info.driver_info.as_str()];
@@ -57,12 +57,21 @@ pub fn adapters() -> Vec<AdapterFound> {
                 backend: info.backend.to_str(),
                 driver: driver.trim().to_owned(),
                 numbers: [info.vendor, info.device],
-                is_used: used.as_ref().is_ok_and(|used| *used == info),
+                is_used: best.as_ref().is_ok_and(|best| *best == info),
                 name: info.name,
                 can: Gpu::of(adapter, &Restraint::default()).map(|gpu| can(&gpu)),
             }
         })
-        .collect()
+        .collect();
+    // Where the best one fails, the first that draws takes its place.
+    let fails = |found: &AdapterFound| found.is_used && found.can.is_err();
+    if let (Some(best), Some(other)) = (
+        found.iter().position(fails),
+        found.iter().position(|found| found.can.is_ok()),
+    ) {
+        (found[best].is_used, found[other].is_used) = (false, true);
+    }
+    found
 }
 
 fn can(gpu: &Gpu) -> AdapterCan {

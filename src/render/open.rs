@@ -22,8 +22,9 @@ impl Gpu {
     /// # Errors
     /// As [`Gpu::headless`].
     pub fn headless_for_colours() -> Result<Self, GpuError> {
-        let adapter = pollster::block_on(best_adapter(&instance(), None))?;
-        Self::unmeasured(adapter, &Restraint::default())
+        first_that_draws(&instance(), None, |adapter| {
+            Self::unmeasured(adapter, &Restraint::default())
+        })
     }
 
     /// [`Gpu::headless`], restricted to what a lesser adapter can do.
@@ -31,8 +32,7 @@ impl Gpu {
     /// # Errors
     /// As [`Gpu::headless`].
     pub fn headless_within(restraint: &Restraint) -> Result<Self, GpuError> {
-        let adapter = pollster::block_on(best_adapter(&instance(), None))?;
-        Self::of(adapter, restraint)
+        first_that_draws(&instance(), None, |adapter| Self::of(adapter, restraint))
     }
 
     /// A device that can draw on a window's surface.
@@ -43,9 +43,13 @@ impl Gpu {
         instance: &wgpu::Instance,
         surface: &wgpu::Surface<'_>,
     ) -> Result<Self, GpuError> {
-        let adapter = pollster::block_on(best_adapter(instance, Some(surface)));
-        let adapter = adapter.map_err(|_| Self::no_window(instance))?;
-        Self::of(adapter, &Restraint::default())
+        let made = first_that_draws(instance, Some(surface), |adapter| {
+            Self::of(adapter, &Restraint::default())
+        });
+        made.map_err(|error| match error {
+            GpuError::NoAdapter => Self::no_window(instance),
+            error => error,
+        })
     }
 
     /// Why a window's surface cannot be drawn on: there is no adapter, or it only draws into pictures.
@@ -75,6 +79,39 @@ impl Gpu {
     }
 }
 
+/// The device of the best adapter; where that fails, of another that draws.
+fn first_that_draws(
+    instance: &wgpu::Instance,
+    surface: Option<&wgpu::Surface<'_>>,
+    open: impl Fn(wgpu::Adapter) -> Result<Gpu, GpuError>,
+) -> Result<Gpu, GpuError> {
+    let best = pollster::block_on(best_adapter(instance, surface))?;
+    let info = best.get_info();
+    let others = || {
+        let all = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
+        let shows = move |other: &wgpu::Adapter| {
+            other.get_info() != info && surface.is_none_or(|on| other.is_surface_supported(on))
+        };
+        all.into_iter().filter(shows)
+    };
+    first_that_works(best, others, open)
+}
+
+/// What `work` makes of the first item, or else of the first other of which it makes anything. The error is that of the
+/// first item.
+fn first_that_works<T, R, E: std::fmt::Display, I: Iterator<Item = T>>(
+    first: T,
+    others: impl FnOnce() -> I,
+    work: impl Fn(T) -> Result<R, E>,
+) -> Result<R, E> {
+    let failed = match work(first) {
+        Ok(made) => return Ok(made),
+        Err(error) => error,
+    };
+    log::warn!("{failed}; others are tried");
+    others().find_map(|other| work(other).ok()).ok_or(failed)
+}
+
 /// The instance that finds adapters, without a window. `WGPU_BACKEND` narrows the choice, as everywhere in wgpu.
 pub(super) fn instance() -> wgpu::Instance {
     wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env())
@@ -92,4 +129,36 @@ pub(super) async fn best_adapter(
     };
     let adapter = instance.request_adapter(&options).await;
     adapter.map_err(|_| GpuError::NoAdapter)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::first_that_works;
+    use std::cell::RefCell;
+
+    /// Adapters are tried in turn until one draws. If none does, the best one's error is told.
+    #[test]
+    fn the_first_that_works_is_taken() {
+        let tried = RefCell::new(Vec::new());
+        let first = |works: [bool; 3]| {
+            tried.borrow_mut().clear();
+            let work = |at: usize| {
+                tried.borrow_mut().push(at);
+                if works[at] { Ok(at) } else { Err(at) }
+            };
+            first_that_works(0, || 1..3, work)
+        };
+        for (works, made, asked) in [
+            ([true, true, true], Ok(0), 1),
+            ([false, true, true], Ok(1), 2),
+            ([false, false, true], Ok(2), 3),
+            ([false, false, false], Err(0), 3),
+        ] {
+            assert_eq!(
+                (first(works), tried.borrow().len()),
+                (made, asked),
+                "{works:?}"
+            );
+        }
+    }
 }

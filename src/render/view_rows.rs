@@ -135,7 +135,7 @@ mod tests {
         let object = |i: u32| {
             let at = DVec3::X * 3.0 * f64::from(i / 2);
             let placement = Placement::new(DAffine3::from_translation(at));
-            let shape = if i % 2 == 0 {
+            let shape = if i.is_multiple_of(2) {
                 Shape::Cube
             } else {
                 Shape::Sphere

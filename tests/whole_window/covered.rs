@@ -23,15 +23,15 @@ fn no_tooltip_lies_over_help() {
     assert!(has_control(&window, "Take the tour") && !explains(&window));
 }
 
-/// Groups lose their names from the first to the last.
+/// Groups of tools lose their names from the first to the last.
 #[test]
-fn the_toolbar_names_no_group_before_one_without_names() {
+fn the_bar_names_no_group_before_one_without_names() {
     let mut named = 0;
     for width in [640, 800, 1000, 1280, 1600, 2560] {
         let mut window = demo(SIZE);
         window.resize(px([width, 720], 1.0));
         // One of each group. An icon alone is narrower than this.
-        let tools = ["Reload", "Undo", "Reset", "Grid", "Look"];
+        let tools = ["Reload", "Undo", "Reset", "Grid", "Help", "Compare"];
         let shown = tools.into_iter().filter(|tool| has_control(&window, tool));
         let names: Vec<_> = shown
             .map(|tool| control(&window, tool).rect.width() > 40.0)

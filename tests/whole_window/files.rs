@@ -113,7 +113,7 @@ fn what_is_saved_is_what_is_open_from_then_on() {
     std::fs::remove_file(folder.path().join("row.toml")).expect("it was there");
     key(&mut window, Key::E);
     assert!(window.state().showing().is_some());
-    click_on(&mut window, "Gallery");
+    click_on(&mut window, "Learn");
     click_on(&mut window, "leave the gallery");
     assert_eq!(window.state().name(), "kept.toml");
     // A name that Sightline completed is not the user's choice, so a file of that name is not overwritten.

@@ -208,7 +208,7 @@ fn esc_goes_back_step_by_step_and_out() {
     let mut window = open(vec![PathBuf::from("gallery:needles")], 1.0);
     escape(&mut window);
     assert!(window.state().showing().is_some());
-    control(&window, "Menu Gallery, leave the gallery: opens the demo.");
+    control(&window, "Menu Learn, leave the gallery: opens the demo.");
 }
 
 /// Redo leads back in only until something else is done. So the question comes when the gallery is left.
@@ -234,7 +234,7 @@ fn what_is_edited_in_the_gallery_is_asked_about_before_it_is_left() {
     // Edits of an exhibit before the present one would go as well.
     press_key(&mut window, Modifiers::NONE, Key::E);
     assert_ne!(window.state().name(), name);
-    click_on(&mut window, "Gallery");
+    click_on(&mut window, "Learn");
     click_on(&mut window, "leave the gallery");
     click_on(&mut window, "Leave, drop the edits");
     assert_eq!(window.state().name(), "row.toml");

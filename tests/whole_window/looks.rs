@@ -131,7 +131,7 @@ fn every_word_is_explained() {
     // A section is an edit, which would be asked about below.
     click_on(&mut window, "Camera");
     click_on(&mut window, "section");
-    for menu in ["Recent", "Views", "Overlays", "Gallery"] {
+    for menu in ["File", "Edit", "View", "Show", "Learn"] {
         click_on(&mut window, menu);
         check(&window);
         press_key(&mut window, Modifiers::NONE, Key::Escape);

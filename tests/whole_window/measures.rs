@@ -175,7 +175,7 @@ fn measures_are_not_lost_without_a_question() {
     window.close();
     assert!(is_asked(&window) && !window.has_quit());
     click_on(&mut window, "Cancel");
-    click_on(&mut window, "Gallery");
+    click_on(&mut window, "Learn");
     click_on(&mut window, "leave the gallery");
     assert_eq!(values(&window), [8.0]);
 

@@ -89,17 +89,17 @@ fn esc_closes_a_menu_and_nothing_else() {
     assert_eq!(selected(&window), Some("front"));
     esc(&mut window);
     assert_eq!(selected(&window), None);
-    // A menu of the toolbar, over the four views and in the gallery.
+    // A menu of the bar, over the four views and in the gallery.
     press_key(&mut window, Modifiers::NONE, Key::Num4);
-    click_on(&mut window, "Overlays");
-    assert!(has_control(&window, "wireframe"));
+    click_on(&mut window, "Show");
+    assert!(has_control(&window, "Wireframe"));
     esc(&mut window);
-    assert!(!has_control(&window, "wireframe"));
+    assert!(!has_control(&window, "Wireframe"));
     assert_eq!(window.state().views(), Views::Four);
     esc(&mut window);
     assert_eq!(window.state().views(), Views::Picture);
     press_key(&mut window, Modifiers::NONE, Key::E);
-    click_on(&mut window, "Views");
+    click_on(&mut window, "View");
     assert!(has_control(&window, "Bottom"));
     esc(&mut window);
     assert!(!has_control(&window, "Bottom"));

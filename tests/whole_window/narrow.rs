@@ -22,7 +22,7 @@ fn help_is_as_narrow_as_the_window() {
     let mut window = demo([400, 700]);
     press_key(&mut window, NONE, Key::H);
     is_within(&window, "Take the tour");
-    is_within(&window, "undo; redo (either key)");
+    is_within(&window, "Undo: take the last change back");
 }
 
 /// A reason can be read below the field that was left.

@@ -80,7 +80,7 @@ fn the_gallery_and_back_keeps_everything() {
             press_key(&mut window, CTRL, Key::Z);
         } else {
             press_key(&mut window, Modifiers::NONE, Key::E);
-            click_on(&mut window, "Gallery");
+            click_on(&mut window, "Learn");
             click_on(&mut window, "leave the gallery");
         }
         assert_eq!(window.state().name(), "row.toml");
@@ -148,7 +148,7 @@ fn what_is_chosen_to_open_asks_before_edits_go() {
             window.open_files(vec![folder.join("row.toml")]);
         }),
         ("recent", |window, _| {
-            click_on(window, "Recent");
+            click_on(window, "File");
             click_on(window, "row.toml");
         }),
     ];
@@ -260,7 +260,7 @@ fn a_scene_is_saved_as_it_was_when_asked() {
     assert!(is_marked(&window));
     window.save_as(folder.path().join("again.toml"));
     assert!(!is_marked(&window), "it was the one that was left");
-    click_on(&mut window, "Gallery");
+    click_on(&mut window, "Learn");
     click_on(&mut window, "leave the gallery");
     assert_eq!(window.state().name(), "again.toml");
 }

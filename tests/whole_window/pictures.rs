@@ -32,10 +32,10 @@ fn shown(name: &str, text: &str) -> (Window, Part, TempDir) {
             window.set_theme(egui::Theme::Light);
             [960, 0, 320, 720]
         }
-        // The menu of further tools is open over the right panels, in the smallest window.
+        // A menu is open over picture and panels, in the smallest window.
         "small" => {
             window.resize(px([640, 400], 1.0));
-            click_on(&mut window, "more");
+            click_on(&mut window, "File");
             window.send([Event::PointerGone]);
             [0, 0, 640, 400]
         }
@@ -69,7 +69,9 @@ fn over_the_scene(name: &str) -> &'static [Part] {
     match name {
         // The bar, and the names beside the counts of pixels.
         "gallery" => &[[276, 25, 686, 50], [778, 470, 121, 208]],
-        "help" => &[[150, 46, 980, 628]],
+        "help" => &[[150, 60, 980, 600]],
+        // The menu.
+        "small" => &[[12, 26, 165, 190]],
         _ => &[],
     }
 }

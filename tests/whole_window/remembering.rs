@@ -31,7 +31,7 @@ fn what_was_opened_and_how_panels_stood_is_remembered() {
 
     let mut window = remembering(&memory, Vec::new());
     assert!(!has_control(&window, "fov") && !control(&window, "left side").is_on);
-    click_on(&mut window, "Recent");
+    click_on(&mut window, "File");
     let above = control(&window, "other.toml").rect.top();
     assert!(
         above < control(&window, "row.toml").rect.top(),
@@ -41,10 +41,10 @@ fn what_was_opened_and_how_panels_stood_is_remembered() {
     assert_eq!(window.state().name(), "row.toml");
     // A missing file is reported, and leaves the list.
     fs::remove_file(&other).expect("it was there");
-    click_on(&mut window, "Recent");
+    click_on(&mut window, "File");
     click_on(&mut window, "other.toml");
     assert!(window.messages().any(|text| text.contains("other.toml")));
-    click_on(&mut window, "Recent");
+    click_on(&mut window, "File");
     assert!(!has_control(&window, "other.toml"));
 }
 
@@ -60,7 +60,8 @@ fn a_memory_without_end_is_not_read() {
     assert!(made.expect("mkfifo").success());
     for endless in [Path::new("/dev/zero"), &pipe, &large] {
         std::os::unix::fs::symlink(endless, &memory).expect("a link");
-        let window = remembering(&memory, Vec::new());
+        let mut window = remembering(&memory, Vec::new());
+        click_on(&mut window, "View");
         let look = control(&window, "Look").description.clone();
         assert!(look.ends_with("as on the desktop"), "{endless:?}: {look}");
         drop(window);

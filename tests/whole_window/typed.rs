@@ -57,7 +57,7 @@ fn a_typed_number_is_asked_about_before_it_goes() {
             window.close();
         }),
         ("recent", |window, _| {
-            click_on(window, "Recent");
+            click_on(window, "File");
             click_on(window, "row.toml");
         }),
     ];

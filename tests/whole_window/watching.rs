@@ -17,7 +17,7 @@ fn count(window: &Window) -> usize {
 }
 
 fn leave_the_gallery(window: &mut Window) {
-    click_on(window, "Gallery");
+    click_on(window, "Learn");
     click_on(window, "leave the gallery");
     assert_eq!(window.state().name(), "row.toml");
 }

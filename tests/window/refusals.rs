@@ -42,3 +42,23 @@ fn without_a_driver_it_refuses() {
         "{said}"
     );
 }
+
+/// Where the environment names a Wayland compositor that is gone, the window opens on X11.
+#[test]
+fn a_compositor_that_is_gone_gives_way_to_x11() {
+    let screen = Screen::new(640, 480);
+    let folder = tempfile::tempdir().expect("a folder");
+    let report = |display: &str| {
+        let mut command = Command::new(SIGHTLINE);
+        command.arg("doctor").env("DISPLAY", display);
+        command.env("WAYLAND_DISPLAY", "wayland-gone");
+        command.env("XDG_RUNTIME_DIR", folder.path());
+        command.env_remove("WAYLAND_SOCKET");
+        let output = command.output().expect("it runs");
+        String::from_utf8_lossy(&output.stdout).into_owned()
+    };
+    let text = report(&screen.display);
+    assert!(text.contains("display: there is one"), "{text}");
+    let text = report(":999");
+    assert!(text.contains("display: no display"), "{text}");
+}

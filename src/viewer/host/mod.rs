@@ -10,6 +10,8 @@ mod offscreen_files;
 mod reader;
 mod shell;
 mod views_picture;
+#[cfg(target_os = "linux")]
+mod wayland;
 mod window;
 
 pub use offscreen::Offscreen;

@@ -19,6 +19,9 @@ pub(super) struct Shell {
     pub egui: egui_winit::State,
     clipboard: Option<Clipboard>,
     pub surface: WindowSurface,
+    /// What was asked of the system last.
+    title: String,
+    fills_screen: bool,
 }
 
 impl Shell {
@@ -52,6 +55,8 @@ impl Shell {
             egui,
             clipboard,
             surface,
+            title: String::new(),
+            fills_screen: false,
         })
     }
 
@@ -89,12 +94,27 @@ impl Shell {
         })
     }
 
-    /// Enters or leaves full screen.
-    pub fn fill_screen(&self, wanted: bool) {
-        if self.window.fullscreen().is_some() != wanted {
+    /// Sets the title, if it is new.
+    pub fn set_title(&mut self, title: String) {
+        if self.title != title {
+            self.window.set_title(&title);
+            self.title = title;
+        }
+    }
+
+    /// Enters or leaves full screen, if that is a new wish. What the desktop itself does in between stays.
+    pub fn fill_screen(&mut self, wanted: bool) {
+        if self.fills_screen != wanted {
             let whole = wanted.then_some(Fullscreen::Borderless(None));
             self.window.set_fullscreen(whole);
+            self.fills_screen = wanted;
         }
+    }
+
+    /// Whether the window fills the screen, by our wish or by the desktop's.
+    pub fn fills_screen(&mut self) -> bool {
+        self.fills_screen = self.window.fullscreen().is_some();
+        self.fills_screen
     }
 }
 

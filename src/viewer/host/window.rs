@@ -24,8 +24,7 @@ use winit::{
 
 /// Opens the window and returns when it is closed.
 pub fn run(options: Options) -> Result<(), ViewerError> {
-    let event_loop = EventLoop::with_user_event().build();
-    let event_loop = event_loop.map_err(|error| ViewerError::no_display(&error))?;
+    let event_loop = event_loop()?;
     event_loop.set_control_flow(ControlFlow::Wait);
     let proxy = event_loop.create_proxy();
     // Sending fails once the loop has ended with the window: then nobody is to be woken.
@@ -52,10 +51,20 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
 
 /// Checks that there is a display to open a window on. Not to be called in a process that has a window.
 pub fn display() -> Result<(), ViewerError> {
-    let event_loop = EventLoop::<()>::with_user_event().build();
-    event_loop
-        .map(drop)
-        .map_err(|error| ViewerError::no_display(&error))
+    event_loop::<()>().map(drop)
+}
+
+/// An event loop on the display that answers: Wayland's before X11's.
+fn event_loop<T>() -> Result<EventLoop<T>, ViewerError> {
+    let mut builder = EventLoop::with_user_event();
+    #[cfg(target_os = "linux")]
+    if std::env::var_os("DISPLAY").is_some() && super::wayland::is_dead() {
+        use winit::platform::x11::EventLoopBuilderExtX11 as _;
+        log::warn!("no compositor answers at WAYLAND_DISPLAY: the window opens on X11");
+        builder.with_x11();
+    }
+    let built = builder.build();
+    built.map_err(|error| ViewerError::no_display(&error))
 }
 
 /// The program in its window.
@@ -80,7 +89,7 @@ impl Program {
         let Some(shell) = &mut self.shell else { return };
         let frame = self.app.frame(shell.input(), &mut shell.surface);
         shell.obey(frame.platform);
-        shell.window.set_title(&self.app.title());
+        shell.set_title(self.app.title());
         shell.fill_screen(self.app.fills_screen);
         self.leave_if_done(event_loop);
     }
@@ -176,6 +185,7 @@ impl ApplicationHandler<Wake> for Program {
             WindowEvent::RedrawRequested => return self.redraw(event_loop),
             WindowEvent::Resized(PhysicalSize { width, height }) => {
                 shell.surface.resize(*width, *height);
+                self.app.fills_screen = shell.fills_screen();
                 self.app.memory.window = shell.place(self.app.memory.window);
             }
             // The user changes the desktop's theme in another window, so the theme may be new when this one gets the

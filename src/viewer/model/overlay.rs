@@ -25,33 +25,6 @@ impl Overlay {
         Self::Boxes,
     ];
 
-    /// Its name, its key and what it shows.
-    pub fn about(self) -> [&'static str; 3] {
-        match self {
-            Self::Triangle => ["picked triangle", "Y", "with its corners and barycentrics"],
-            Self::Distance => [
-                "distance",
-                "D",
-                "between the last two picks, in world units",
-            ],
-            Self::Wireframe => [
-                "wireframe",
-                "W",
-                "of the selection, or of everything; spheres have none",
-            ],
-            Self::Normals => [
-                "normals",
-                "L",
-                "outward, of the selection's faces, or of all",
-            ],
-            Self::Boxes => [
-                "bounding boxes",
-                "X",
-                "along the world's axes, of the selection, or of everything",
-            ],
-        }
-    }
-
     /// Whether it is drawn with the scene, and not by the panels over the picture.
     fn is_in_scene(self) -> bool {
         !matches!(self, Self::Triangle | Self::Distance)

@@ -3,6 +3,7 @@
 mod command;
 mod focus;
 mod keys;
+mod menus;
 mod mouse;
 mod notice;
 mod panels;

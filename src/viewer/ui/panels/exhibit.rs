@@ -28,7 +28,7 @@ pub(super) const WRONG: Color32 = color32(look::WRONG);
 /// The colour of what is right.
 pub(super) const RIGHT: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
 
-/// The gallery's scenes, for the toolbar.
+/// The gallery's scenes, for the menu.
 pub(super) fn menu(ui: &mut Ui, shown: &Shown, commands: &mut Vec<Command>) {
     let now = shown.state.showing().map(|showing| showing.exhibit.name);
     for exhibit in &GALLERY {
@@ -63,7 +63,7 @@ pub(super) fn show(
     ui.weak(match (showing.method, state.has_outside()) {
         (Some(_), _) => "Esc: pick by Sightline's own method again.",
         (None, true) => "Esc, with nothing selected, leaves the gallery.",
-        (None, false) => "Menu Gallery, leave the gallery: opens the demo.",
+        (None, false) => "Menu Learn, leave the gallery: opens the demo.",
     });
     ui.separator();
     methods(ui, showing, commands);

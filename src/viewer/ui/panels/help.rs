@@ -1,14 +1,48 @@
-//! The help: keys, from the table that dispatches them, and what the mouse does.
+//! The help: what the mouse does, and every item of the menus with its keys, searched by any of its words.
 
 use super::{field::text_width, prelude::*, tour_card};
-use crate::viewer::ui::{command::TourMove, keys};
-use egui::{Context, ScrollArea, TextStyle, Window};
+use crate::viewer::ui::{
+    command::TourMove,
+    menus::{Item, MENUS},
+};
+use egui::{Context, Id, ScrollArea, TextEdit, TextStyle, Window};
 
 /// The space around the rows, and the width of a row that does not wrap, in points.
-const MARGIN: Vec2 = vec2(60.0, 90.0);
+const MARGIN: Vec2 = vec2(60.0, 120.0);
 const ROW: f32 = 620.0;
 /// Two columns stand side by side if each can be at least this wide, in points.
 const NARROW: f32 = 500.0;
+
+/// Width in points that keys take at least, so that most tables have their columns in one line.
+const KEYS: f32 = 120.0;
+
+/// What the mouse does.
+const MOUSE: &[(&str, &str)] = &[
+    ("left drag", "orbit about the point under the cursor"),
+    (
+        "Ctrl+left drag",
+        "turn the scene's camera, also from one of the four views",
+    ),
+    ("right, middle, Shift+left drag", "pan"),
+    ("wheel, pinch", "zoom at the cursor"),
+    ("click", "pick; the same pixel again: the surface behind"),
+    ("right click", "a menu for what is under the cursor"),
+    (
+        "double click",
+        "centre the point, turn about it; on nothing: frame all",
+    ),
+    (
+        "click on the cross of axes",
+        "look along an axis, from the end that is clicked",
+    ),
+    (
+        "drag the section's arrow",
+        "move the plane along its normal",
+    ),
+];
+
+/// Rows about one subject: what is pressed, and what that does.
+type Section = (&'static str, Vec<[String; 2]>);
 
 pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
     let mut open = true;
@@ -26,22 +60,28 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
         .resizable(false)
         .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
         .show(ctx, |ui| {
-            let bindings = keys::BINDINGS
-                .iter()
-                .map(|binding| (binding.keys, binding.does));
-            let rows: Vec<_> = keys::MOUSE.iter().copied().chain(bindings).collect();
-            if ui.button("Take the tour").hint(tour_card::ABOUT).clicked() {
-                commands.push(Command::ToggleHelp);
-                commands.push(Command::Tour(TourMove::Begin));
+            let searched = ui.horizontal_wrapped(|ui| {
+                if ui.button("Take the tour").hint(tour_card::ABOUT).clicked() {
+                    commands.push(Command::ToggleHelp);
+                    commands.push(Command::Tour(TourMove::Begin));
+                }
+                search(ui)
+            });
+            let sections = sections(&searched.inner);
+            if sections.is_empty() {
+                ui.weak("nothing has these words");
             }
             ScrollArea::vertical().max_height(room.y).show(ui, |ui| {
-                // A window of 1280 x 720 has room for all rows.
-                ui.spacing_mut().item_spacing.y = 2.0;
+                ui.spacing_mut().item_spacing.y = 1.0;
                 ui.horizontal_top(|ui| {
-                    for (column, rows) in rows.chunks(rows.len().div_ceil(columns)).enumerate() {
+                    for column in in_columns(&sections, columns) {
                         ui.vertical(|ui| {
                             ui.set_width(width);
-                            table(ui, column, rows);
+                            for (name, rows) in column {
+                                ui.strong(*name);
+                                table(ui, name, rows);
+                                ui.add_space(4.0);
+                            }
                         });
                     }
                 });
@@ -52,20 +92,67 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
     }
 }
 
-fn table(ui: &mut Ui, column: usize, rows: &[(&str, &str)]) {
+/// The field for words. Returns what stands in it, in small letters.
+fn search(ui: &mut Ui) -> String {
+    let id = Id::unique("words in the help");
+    let mut words: String = ui.data_mut(|data| data.get_temp(id).unwrap_or_default());
+    let field = TextEdit::singleline(&mut words).hint_text("search");
+    let field = ui.add(field.desired_width(180.0)).named("search the help");
+    field.hint("shows only what has these words");
+    let small = words.to_lowercase();
+    ui.data_mut(|data| data.insert_temp(id, words));
+    small
+}
+
+/// The rows that have all of these words, by subject.
+fn sections(words: &str) -> Vec<Section> {
+    let mouse = MOUSE.iter().map(|row| [row.0, row.1].map(str::to_owned));
+    let row = |item: &Item| {
+        let does = format!("{}: {}", item.name, item.hint);
+        [item.all_keys(), does.trim_end_matches("; now").to_owned()]
+    };
+    let menus = MENUS.iter().map(|menu| {
+        let rows = menu.groups.iter().flatten().map(row);
+        (menu.name, rows.collect())
+    });
+    let all = std::iter::once(("Mouse", mouse.collect())).chain(menus);
+    let found = all.map(|(name, rows): Section| {
+        let has_all = |row: &[String; 2]| {
+            let text = format!("{name} {} {}", row[0], row[1]).to_lowercase();
+            words.split_whitespace().all(|word| text.contains(word))
+        };
+        (name, rows.into_iter().filter(has_all).collect::<Vec<_>>())
+    });
+    found.filter(|(_, rows)| !rows.is_empty()).collect()
+}
+
+/// The sections one after the other, in so many columns of about the same height.
+fn in_columns(sections: &[Section], columns: usize) -> Vec<&[Section]> {
+    let height =
+        |sections: &[Section]| -> usize { sections.iter().map(|(_, rows)| rows.len() + 1).sum() };
+    if columns < 2 {
+        return vec![sections];
+    }
+    let longer = |at: &usize| height(&sections[..*at]).max(height(&sections[*at..]));
+    let at = (0..=sections.len()).min_by_key(longer).unwrap_or(0);
+    vec![&sections[..at], &sections[at..]]
+}
+
+fn table(ui: &mut Ui, name: &str, rows: &[[String; 2]]) {
     // In a narrow window, words wrap.
     let font = TextStyle::Monospace.resolve(ui.style());
-    let inputs = rows.iter().map(|(input, _)| text_width(ui, input, &font));
-    let inputs = inputs.fold(0.0, f32::max);
+    let keys = rows.iter().map(|[keys, _]| text_width(ui, keys, &font));
+    let keys = keys.fold(0.0, f32::max);
     let room = ui.available_width() - ui.spacing().item_spacing.x;
-    Grid::new(column)
+    Grid::new(name)
         .num_columns(2)
-        .max_col_width((room - inputs).max(0.5 * room))
+        .min_col_width(KEYS.min(0.3 * room))
+        .max_col_width((room - keys).max(0.5 * room))
         .striped(true)
         .show(ui, |ui| {
-            for (input, does) in rows {
-                ui.monospace(*input);
-                ui.label(*does);
+            for [keys, does] in rows {
+                ui.monospace(keys);
+                ui.label(does);
                 ui.end_row();
             }
         });

@@ -3,12 +3,14 @@
 use super::{
     field::{short, value_text},
     prelude::*,
-    tools,
     value_rows::{Digits, PLACES, rows},
 };
 use crate::{
     pick::Pick,
-    viewer::model::{DepthSteps, Overlay, triangle},
+    viewer::{
+        model::{DepthSteps, Overlay, triangle},
+        ui::menus::item_of,
+    },
 };
 use egui::{CollapsingHeader, ScrollArea, collapsing_header::CollapsingState};
 
@@ -93,7 +95,7 @@ fn corners(ui: &mut Ui, state: &State, hit: &Pick, digits: Digits, commands: &mu
             let weight = ("  weight", format!("{weight:.PLACES$}"), hint);
             rows(ui, name, &[corner, weight]);
         }
-        tools::overlay(ui, state, Overlay::Triangle, commands);
+        overlay(ui, state, Overlay::Triangle, commands);
     });
 }
 
@@ -119,7 +121,7 @@ fn distance(ui: &mut Ui, state: &State, digits: Digits, commands: &mut Vec<Comma
             ("along z", length(by.z), along),
         ];
         rows(ui, "between", &lines);
-        tools::overlay(ui, state, Overlay::Distance, commands);
+        overlay(ui, state, Overlay::Distance, commands);
     });
 }
 
@@ -167,5 +169,16 @@ fn depth(ui: &mut Ui, steps: &DepthSteps, commands: &mut Vec<Command>) {
         let text = "Two surfaces are closer here than the depth buffer can tell apart: rounding decides which one shows.";
         ui.colored_label(ui.visuals().warn_fg_color, text)
             .hint(hint);
+    }
+}
+
+/// A checkbox that shows an overlay.
+fn overlay(ui: &mut Ui, state: &State, which: Overlay, commands: &mut Vec<Command>) {
+    let command = Command::Act(Action::Toggle(which));
+    if let Some(item) = item_of(&command) {
+        let mut shows = state.overlays().shows(which);
+        let toggle = ui.checkbox(&mut shows, item.name);
+        let hint = format!("{} ({})", item.hint, item.first_keys());
+        toggle.asks(hint, command, commands);
     }
 }

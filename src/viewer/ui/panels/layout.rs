@@ -4,11 +4,11 @@
 use super::{
     axis_cross, banner, differences,
     docks::{PanelKind, Side, room},
-    help, marks, menu, messages, panes,
+    help, marks, menu, menu_bar, messages, panes,
     prelude::*,
     question, section_handle,
     shown::Shown,
-    status, toolbar, tour_card, wings,
+    status, tour_card, wings,
 };
 use crate::viewer::{
     jobs::Checking,
@@ -32,8 +32,8 @@ pub(in crate::viewer) struct Asked {
 
 /// Lays out the window.
 pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<Drag>) -> Asked {
-    // The toolbar's commands come after those of the fields, whose numbers count once a click has left them.
-    let (mut commands, mut of_toolbar) = (Vec::new(), Vec::new());
+    // The bar's commands come after those of the fields, whose numbers count once a click has left them.
+    let (mut commands, mut of_bar) = (Vec::new(), Vec::new());
     // Esc closes a menu while the panels are laid out, so this is asked before.
     let has_menu = Popup::is_any_open(ui.ctx());
     let window = ui.max_rect().size();
@@ -44,7 +44,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     let ui = &mut ui.new_child(whole.ui_stack_info(behind));
     let wanted = panels(shown);
     if !shown.is_bare {
-        Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &mut of_toolbar));
+        Panel::top("menus").show(ui, |ui| menu_bar::show(ui, shown, &mut of_bar));
         Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
     }
     if let Some(tour) = shown.tour.filter(|_| !shown.is_bare) {
@@ -53,7 +53,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     let room = room(window, ui.available_size());
     let showed = shown.docks.showing;
     let widths = shown.docks.lay_out(&wanted, room);
-    // The toolbar, which says what shows, was laid out before.
+    // The bar, which says what shows, was laid out before.
     if shown.docks.showing != showed {
         ui.ctx().request_repaint();
     }
@@ -100,7 +100,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     if let Some(intent) = shown.question {
         question::show(ui.ctx(), shown.state, intent, &mut commands);
     }
-    commands.append(&mut of_toolbar);
+    commands.append(&mut of_bar);
     if has_menu {
         keys::take_escape(ui.ctx());
     }

@@ -1,6 +1,7 @@
 //! The menu of the right mouse button: what can be done with what is under the cursor.
 
 use super::prelude::*;
+use crate::viewer::ui::menus::keys_of;
 use egui::{Id, Label, PointerButton, Popup, RichText};
 use glam::DVec2;
 
@@ -73,26 +74,26 @@ pub(super) fn of_object(
         // stays.
         let is_selected = state.selected() == Some(index);
         let select = (!is_selected).then_some(Action::Select(Some(index)));
-        let mut selected = |name, key, hint, action| {
+        let mut selected = |name, hint, action| {
             // The key acts on what is selected.
-            let key = if is_selected { key } else { "" };
+            let key = Some(keys_of(action)).filter(|_| is_selected);
             let asked: Vec<_> = select.into_iter().chain([action]).collect();
-            lines.add(name, key, hint, &asked);
+            lines.add(name, &key.unwrap_or_default(), hint, &asked);
         };
         let hint = "move the camera until it fills the view";
-        selected("Frame it", "F", hint, Action::FrameSelection);
+        selected("Frame it", hint, Action::FrameSelection);
         let hint = "what is hidden is neither drawn nor picked";
-        selected("Hide it", "Shift+H", hint, Action::HideSelection);
+        selected("Hide it", hint, Action::HideSelection);
         let hint = "only this object is drawn and picked";
-        selected("Hide all others", "I", hint, Action::Isolate);
+        selected("Hide all others", hint, Action::Isolate);
         lines.show_all(state);
         lines.ui.separator();
         if is_selected && state.picked().is_some() {
             let hint = "the full record of its picked point, as JSON";
-            lines.ask("Copy the pick", "J", hint, Command::CopyPick);
+            lines.ask("Copy the pick", hint, Command::CopyPick);
         }
         let copy = Command::Copy(object.name.clone());
-        lines.ask("Copy its name", "", "as it stands in the list", copy);
+        lines.ask("Copy its name", "as it stands in the list", copy);
     });
 }
 
@@ -102,9 +103,9 @@ fn of_nothing(picture: &Response, state: &State, commands: &mut Vec<Command>) {
         let mut lines = Lines { ui, commands };
         if state.stages().is_empty() {
             let hint = "move the camera until all of the scene is in view";
-            lines.add("Frame all", "A", hint, &[Action::FrameAll]);
+            lines.ask("Frame all", hint, Action::FrameAll);
             let hint = "the view that the scene opened with";
-            lines.add("Reset the view", "Enter", hint, &[Action::ResetView]);
+            lines.ask("Reset the view", hint, Action::ResetView);
         } else {
             let hint = "all of it in view again, as it was at first; the camera stays";
             lines.add("Frame this view", "", hint, &[Action::ResetView]);
@@ -113,12 +114,12 @@ fn of_nothing(picture: &Response, state: &State, commands: &mut Vec<Command>) {
         lines.ui.separator();
         let name = "Copy the view as a command";
         let hint = "a command line that shows and picks exactly this";
-        lines.ask(name, "C", hint, Command::CopyCommandLine);
+        lines.ask(name, hint, Command::CopyCommandLine);
         let hint = "as a scene file writes it; Ctrl+V pastes it";
-        lines.ask("Copy the camera", "Shift+C", hint, Command::CopyCamera);
+        lines.ask("Copy the camera", hint, Command::CopyCamera);
         let hint = "a PNG file without the panels";
         let save = Command::Screenshot { alone: true };
-        lines.ask("Save the picture", "Shift+F12", hint, save);
+        lines.ask("Save the picture", hint, save);
     });
 }
 
@@ -129,14 +130,15 @@ struct Lines<'a> {
 }
 
 impl Lines<'_> {
-    /// A line with its name, its key, what it means and what it asks for.
-    fn ask(&mut self, name: &str, key: &str, hint: &str, command: Command) {
-        if self.is_clicked(name, key, hint) {
+    /// A line with its name, what it means and what it asks for. It shows the key that asks for the same.
+    fn ask(&mut self, name: &str, hint: &str, command: impl Into<Command>) {
+        let command = command.into();
+        if self.is_clicked(name, &keys_of(command.clone()), hint) {
             self.commands.push(command);
         }
     }
 
-    /// The same for actions, one after the other.
+    /// The same for actions, one after the other, with a text in place of the key.
     fn add(&mut self, name: &str, key: &str, hint: &str, actions: &[Action]) {
         if self.is_clicked(name, key, hint) {
             (self.commands).extend(actions.iter().copied().map(Command::Act));
@@ -146,7 +148,7 @@ impl Lines<'_> {
     /// Adds "Show all" if something is hidden.
     fn show_all(&mut self, state: &State) {
         if state.scene().hidden_count() > 0 {
-            self.add("Show all", "U", "show what is hidden", &[Action::ShowAll]);
+            self.ask("Show all", "show what is hidden", Action::ShowAll);
         }
     }
 

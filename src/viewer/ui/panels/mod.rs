@@ -18,6 +18,7 @@ mod marks;
 mod matrix_rows;
 mod measure;
 mod menu;
+mod menu_bar;
 mod messages;
 mod model_matrix;
 mod objects;
@@ -35,8 +36,6 @@ mod shown;
 mod status;
 #[cfg(test)]
 mod tests;
-mod toolbar;
-mod tools;
 mod tour_card;
 mod value_rows;
 mod wings;

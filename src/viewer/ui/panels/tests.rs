@@ -18,7 +18,7 @@ use crate::{
         model::{Action, State},
         ui::{
             command::Command,
-            keys::BINDINGS,
+            menus::{SHORTCUTS, items},
             notice::Notices,
             theme::{self, Look},
         },
@@ -143,14 +143,14 @@ fn each_key_asks_for_what_its_line_says() {
     let state = opened("gallery:needles");
     let idle =
         |command: &Command| !matches!(command, Command::Act(Action::Resize(_) | Action::Hover(_)));
-    for (modifiers, key, command) in BINDINGS.iter().flat_map(|binding| binding.shortcuts) {
+    for ((modifiers, key), command) in SHORTCUTS.iter() {
         let modifiers = Modifiers {
             ctrl: modifiers.command,
             ..*modifiers
         };
         let (_, asked) = pass(&state, vec![press(*key, modifiers)]);
         let asked: Vec<_> = asked.into_iter().filter(idle).collect();
-        let expected = std::slice::from_ref(command);
+        let expected = std::slice::from_ref(*command);
         assert_eq!(asked, expected, "{key:?} with {modifiers:?}");
     }
 }
@@ -348,26 +348,15 @@ fn a_number_has_room_in_its_column() {
     }
 }
 
-/// Compares README's table with the bindings. Where a key is bound alone too, README may describe its use with Shift or
-/// Ctrl in words, so only the key alone is compared.
+/// No key asks for two things, and no two items have one name.
 #[test]
-fn readme_names_every_key_and_no_other() {
-    let readme = include_str!("../../../../README.md");
-    let (_, rest) = readme.split_once("## Mouse and keys").expect("a heading");
-    let table = rest.split("\n\n").nth(1).expect("a table");
-    let inputs = (table.lines().skip(2)).filter_map(|row| row.split('|').nth(1));
-    let words = inputs.flat_map(str::split_whitespace);
-    let words = words.map(|word| word.trim_matches([',', ';']));
-    let is_key =
-        |word: &str| !word.starts_with(|c: char| c.is_lowercase() || "\u{b7}+".contains(c));
-    let named: BTreeSet<_> = words
-        .filter(|word| is_key(word) && !["Shift", "Ctrl"].contains(word))
+fn keys_and_names_are_each_about_one_thing() {
+    let keys: BTreeSet<_> = SHORTCUTS
+        .iter()
+        .map(|(shortcut, _)| format!("{shortcut:?}"))
         .collect();
-    let mut bound = BTreeSet::new();
-    for binding in BINDINGS {
-        let keys: Vec<_> = binding.keys.split(", ").collect();
-        let alone = |key: &&str| !key.contains('+') || !keys.contains(&&key[key.len() - 1..]);
-        bound.extend(keys.iter().copied().filter(alone));
-    }
-    assert_eq!(named, bound);
+    assert_eq!(keys.len(), SHORTCUTS.len());
+    let names: BTreeSet<_> = items().map(|item| item.name).collect();
+    assert_eq!(names.len(), items().count());
+    assert!(names.len() > 40, "{}", names.len());
 }

@@ -1,0 +1,610 @@
+//! All that can be asked for by name: one table, which the menu bar, the toolbar, the shortcuts, the menus of the right
+//! button, the help and the tests read.
+
+use super::{
+    command::{Command, TourMove},
+    panels::Shown,
+};
+use crate::{
+    geometry::Sides,
+    viewer::{
+        jobs::Checking,
+        model::{Action, Overlay},
+    },
+};
+use egui::{Key, Modifiers};
+use glam::DVec3;
+use std::sync::LazyLock;
+
+/// A menu of the bar.
+pub(in crate::viewer) struct Menu {
+    pub name: &'static str,
+    /// What it is about.
+    pub hint: &'static str,
+    /// What it holds, in groups.
+    pub groups: Vec<Vec<Item>>,
+    /// What else it holds.
+    pub more: Option<More>,
+}
+
+/// What a menu holds that changes.
+#[derive(Clone, Copy)]
+pub(in crate::viewer) enum More {
+    /// The scenes that were opened before.
+    Recent,
+    /// The scenes of the gallery.
+    Exhibits,
+}
+
+/// Something that can be asked for.
+pub(in crate::viewer) struct Item {
+    pub name: &'static str,
+    /// What it does, in a few words.
+    pub hint: &'static str,
+    /// The keys that ask for it.
+    pub shortcuts: Vec<Shortcut>,
+    /// A glyph of the panels' own fonts; `None` where the toolbar does not have it.
+    pub icon: Option<&'static str>,
+    pub command: Command,
+    /// Whether what it switches is on; `None` if it switches nothing.
+    pub is_on: Option<fn(&Shown) -> bool>,
+    /// Whether it would do anything now.
+    pub is_of_use: fn(&Shown) -> bool,
+    /// What it is about now; empty where there is nothing to say.
+    pub now: fn(&Shown) -> String,
+}
+
+/// A key, with the keys that are held.
+pub(in crate::viewer) type Shortcut = (Modifiers, Key);
+
+const NONE: Modifiers = Modifiers::NONE;
+const SHIFT: Modifiers = Modifiers::SHIFT;
+const CTRL: Modifiers = Modifiers::COMMAND;
+const CTRL_SHIFT: Modifiers = CTRL.plus(SHIFT);
+
+/// The table.
+pub(in crate::viewer) static MENUS: LazyLock<[Menu; 5]> =
+    LazyLock::new(|| [file(), edit(), view(), show(), learn()]);
+
+/// Every shortcut with its command. One with more keys held stands before one with fewer, which would match both.
+pub(in crate::viewer) static SHORTCUTS: LazyLock<Vec<(Shortcut, &Command)>> = LazyLock::new(|| {
+    let of_item = |item: &'static Item| {
+        let shortcuts = item.shortcuts.iter();
+        shortcuts.map(move |shortcut| (*shortcut, &item.command))
+    };
+    let mut all: Vec<_> = items().flat_map(of_item).collect();
+    let held = |held: Modifiers| u8::from(held.shift) + u8::from(held.command);
+    all.sort_by_key(|((modifiers, _), _)| std::cmp::Reverse(held(*modifiers)));
+    all
+});
+
+/// All items, in order.
+pub(in crate::viewer) fn items() -> impl Iterator<Item = &'static Item> {
+    MENUS.iter().flat_map(|menu| menu.groups.iter().flatten())
+}
+
+/// The item that asks for a command.
+pub(in crate::viewer) fn item_of(command: &Command) -> Option<&'static Item> {
+    items().find(|item| item.command == *command)
+}
+
+/// The first shortcut for a command, as a text; empty where it has none.
+pub(in crate::viewer) fn keys_of(command: impl Into<Command>) -> String {
+    item_of(&command.into()).map_or(String::new(), Item::first_keys)
+}
+
+/// A shortcut as a text.
+pub(in crate::viewer) fn keys((modifiers, key): Shortcut) -> String {
+    let ctrl = if modifiers.command { "Ctrl+" } else { "" };
+    // A question mark tells by itself that Shift is held.
+    let shift = if modifiers.shift && key != Key::Questionmark {
+        "Shift+"
+    } else {
+        ""
+    };
+    let key = match key {
+        Key::Escape => "Esc",
+        Key::Questionmark => "?",
+        key => key.name(),
+    };
+    format!("{ctrl}{shift}{key}")
+}
+
+impl Item {
+    /// All of its keys, as a text.
+    pub fn all_keys(&self) -> String {
+        let mut all: Vec<_> = self.shortcuts.iter().copied().map(keys).collect();
+        all.dedup();
+        all.join(", ")
+    }
+
+    /// The first of its keys, as a text.
+    pub fn first_keys(&self) -> String {
+        self.shortcuts.first().copied().map_or(String::new(), keys)
+    }
+
+    /// What it does, and what it is about now.
+    pub fn tells(&self, shown: &Shown) -> String {
+        let now = (self.now)(shown);
+        if now.is_empty() {
+            self.hint.to_owned()
+        } else {
+            format!("{}: {now}", self.hint)
+        }
+    }
+
+    fn icon(mut self, icon: &'static str) -> Self {
+        self.icon = Some(icon);
+        self
+    }
+
+    fn on_if(mut self, is_on: fn(&Shown) -> bool) -> Self {
+        self.is_on = Some(is_on);
+        self
+    }
+
+    fn of_use_if(mut self, is_of_use: fn(&Shown) -> bool) -> Self {
+        self.is_of_use = is_of_use;
+        self
+    }
+
+    fn now(mut self, now: fn(&Shown) -> String) -> Self {
+        self.now = now;
+        self
+    }
+}
+
+fn item<const N: usize>(
+    name: &'static str,
+    shortcuts: [Shortcut; N],
+    command: impl Into<Command>,
+    hint: &'static str,
+) -> Item {
+    Item {
+        name,
+        hint,
+        shortcuts: shortcuts.into(),
+        icon: None,
+        command: command.into(),
+        is_on: None,
+        is_of_use: |_| true,
+        now: |_| String::new(),
+    }
+}
+
+fn file() -> Menu {
+    let files = vec![
+        item(
+            "Open\u{2026}",
+            [(CTRL, Key::O)],
+            Command::OpenDialog,
+            "OBJ and scene files; or drop them on the window",
+        )
+        .icon("\u{1f4c2}"),
+        item(
+            "Save\u{2026}",
+            [(CTRL, Key::S)],
+            Command::SaveDialog,
+            "as a scene file",
+        )
+        .icon("\u{1f4be}"),
+        item(
+            "Reload",
+            [(NONE, Key::R)],
+            Command::Reload,
+            "read the files again",
+        )
+        .icon("\u{27f3}"),
+    ];
+    let pictures = vec![
+        item(
+            "Save the window",
+            [(NONE, Key::F12)],
+            Command::Screenshot { alone: false },
+            "what is on screen as a PNG file",
+        ),
+        item(
+            "Save the picture",
+            [(SHIFT, Key::F12)],
+            Command::Screenshot { alone: true },
+            "as a PNG file, without the panels",
+        ),
+    ];
+    let quit = item(
+        "Quit",
+        [(CTRL, Key::Q)],
+        Command::Quit,
+        "asks first where edits or measures would be lost",
+    );
+    Menu {
+        name: "File",
+        hint: "open and save scenes and pictures",
+        groups: vec![files, pictures, vec![quit]],
+        more: Some(More::Recent),
+    }
+}
+
+fn edit() -> Menu {
+    let step = |name, shortcuts: &[Shortcut], action, hint, icon| {
+        let mut step = item(name, [], action, hint).icon(icon);
+        step.shortcuts = shortcuts.into();
+        step
+    };
+    let (undo, redo) = (
+        step(
+            "Undo",
+            &[(CTRL, Key::Z)],
+            Action::Undo,
+            "take the last change back",
+            "\u{21a9}",
+        ),
+        step(
+            "Redo",
+            &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)],
+            Action::Redo,
+            "make it again",
+            "\u{21aa}",
+        ),
+    );
+    let undo = undo
+        .now(|shown| next_step(shown, true))
+        .of_use_if(|shown| shown.state.next_step(true).is_some());
+    let redo = redo
+        .now(|shown| next_step(shown, false))
+        .of_use_if(|shown| shown.state.next_step(false).is_some());
+    let hiding = vec![
+        item(
+            "Hide the selection",
+            [(SHIFT, Key::H)],
+            Action::HideSelection,
+            "what is hidden is neither drawn nor picked",
+        )
+        .of_use_if(has_selection),
+        item(
+            "Hide all others",
+            [(NONE, Key::I)],
+            Action::Isolate,
+            "only the selection is drawn and picked",
+        )
+        .of_use_if(has_selection),
+        item(
+            "Show all",
+            [(NONE, Key::U)],
+            Action::ShowAll,
+            "what is hidden, too",
+        )
+        .of_use_if(|shown| shown.state.scene().hidden_count() > 0),
+    ];
+    let selecting = vec![
+        item(
+            "Next object",
+            [(NONE, Key::ArrowDown)],
+            Command::SelectRow { down: true },
+            "select the next in the list of objects",
+        ),
+        item(
+            "Object before",
+            [(NONE, Key::ArrowUp)],
+            Command::SelectRow { down: false },
+            "select the one before in the list of objects",
+        ),
+        item(
+            "Escape",
+            [(NONE, Key::Escape)],
+            Command::Escape,
+            "cancel, close, deselect, or leave the gallery: the first that applies",
+        ),
+    ];
+    Menu {
+        name: "Edit",
+        hint: "changes, what is hidden, what is selected, copies",
+        groups: vec![vec![undo, redo], hiding, selecting, surfaces(), copies()],
+        more: None,
+    }
+}
+
+fn surfaces() -> Vec<Item> {
+    vec![
+        item(
+            "Next surface",
+            [(NONE, Key::N)],
+            Action::Step { forward: true },
+            "pick the next surface on the pick's ray",
+        ),
+        item(
+            "Surface before",
+            [(SHIFT, Key::N)],
+            Action::Step { forward: false },
+            "pick the surface before it on the pick's ray",
+        ),
+    ]
+}
+
+fn copies() -> Vec<Item> {
+    vec![
+        item(
+            "Copy as a command",
+            [(NONE, Key::C)],
+            Command::CopyCommandLine,
+            "a command line that repeats the pick; no pick: the view",
+        ),
+        item(
+            "Copy the pick",
+            [(NONE, Key::J)],
+            Command::CopyPick,
+            "its full record, as JSON",
+        ),
+        item(
+            "Copy the camera",
+            [(SHIFT, Key::C)],
+            Command::CopyCamera,
+            "as a scene file writes it; Ctrl+V pastes a copied one",
+        ),
+    ]
+}
+
+fn next_step(shown: &Shown, back: bool) -> String {
+    shown.state.next_step(back).unwrap_or("nothing").to_owned()
+}
+
+fn has_selection(shown: &Shown) -> bool {
+    shown.state.selected().is_some()
+}
+
+fn view() -> Menu {
+    let framing = vec![
+        item(
+            "Frame all",
+            [(NONE, Key::A), (NONE, Key::Home)],
+            Action::FrameAll,
+            "move the camera until all of the scene is in view",
+        )
+        .icon("\u{26f6}"),
+        item(
+            "Frame selection",
+            [(NONE, Key::F)],
+            Action::FrameSelection,
+            "move the camera until the selected object fills the view",
+        )
+        .icon("\u{1f3af}"),
+        item(
+            "Reset",
+            [(NONE, Key::Enter)],
+            Action::ResetView,
+            "the view that the scene opened with",
+        )
+        .icon("\u{1f3e0}"),
+    ];
+    let look = |(name, modifiers, key, to_eye)| {
+        let hint = "look at the scene from there";
+        item(name, [(modifiers, key)], Action::LookFrom(to_eye), hint)
+    };
+    let looking = [
+        ("Front", NONE, Key::Num1, DVec3::Z),
+        ("Back", CTRL, Key::Num1, DVec3::NEG_Z),
+        ("Right", NONE, Key::Num3, DVec3::X),
+        ("Left", CTRL, Key::Num3, DVec3::NEG_X),
+        ("Top", NONE, Key::Num7, DVec3::Y),
+        ("Bottom", CTRL, Key::Num7, DVec3::NEG_Y),
+        ("Corner", NONE, Key::Num9, DVec3::ONE),
+    ];
+    let switches = vec![
+        item(
+            "Orthographic",
+            [(NONE, Key::Num5)],
+            Action::ToggleProjection,
+            "in place of perspective",
+        )
+        .on_if(|shown| shown.state.controls().orthographic),
+        item(
+            "Fronts only",
+            [(NONE, Key::B)],
+            Action::ToggleSides,
+            "back faces are neither drawn nor picked",
+        )
+        .on_if(|shown| shown.state.view().sides == Sides::Front),
+        item(
+            "Section",
+            [(NONE, Key::Z)],
+            Action::ToggleSection,
+            "a plane cuts the scene open",
+        )
+        .on_if(|shown| shown.state.view().section.is_some()),
+    ];
+    let window = vec![
+        item(
+            "Full screen",
+            [(NONE, Key::F11)],
+            Command::ToggleFullScreen,
+            "and back",
+        ),
+        item("Look", [], Command::NextLook, "dark or light panels; now")
+            .now(|shown| shown.look.about().to_owned()),
+    ];
+    Menu {
+        name: "View",
+        hint: "where the camera looks from, and what it leaves out",
+        groups: vec![
+            framing,
+            looking.map(look).into_iter().collect(),
+            switches,
+            window,
+        ],
+        more: None,
+    }
+}
+
+fn show() -> Menu {
+    let around = vec![
+        item(
+            "Grid",
+            [(NONE, Key::G)],
+            Action::ToggleGrid,
+            "with axes: x red, y green, z blue",
+        )
+        .icon("\u{25a6}")
+        .on_if(|shown| shown.state.grid()),
+        item(
+            "Freeze",
+            [(NONE, Key::T)],
+            Action::ToggleFreeze,
+            "leave a copy of this camera in the scene, with the pick's ray, and look at it from elsewhere",
+        )
+        .icon("\u{2744}")
+        .on_if(|shown| shown.state.frozen().is_some())
+        .of_use_if(|shown| shown.state.stages().is_empty()),
+    ];
+    let overlays = vec![
+        item(
+            "Picked triangle",
+            [(NONE, Key::Y)],
+            Action::Toggle(Overlay::Triangle),
+            "with its corners and barycentrics",
+        )
+        .on_if(|shown| shown.state.overlays().shows(Overlay::Triangle)),
+        item(
+            "Distance",
+            [(NONE, Key::D)],
+            Action::Toggle(Overlay::Distance),
+            "between the last two picks, in world units",
+        )
+        .on_if(|shown| shown.state.overlays().shows(Overlay::Distance)),
+        item(
+            "Wireframe",
+            [(NONE, Key::W)],
+            Action::Toggle(Overlay::Wireframe),
+            "of the selection, or of everything; spheres have none",
+        )
+        .on_if(|shown| shown.state.overlays().shows(Overlay::Wireframe)),
+        item(
+            "Normals",
+            [(NONE, Key::L)],
+            Action::Toggle(Overlay::Normals),
+            "outward, of the selection's faces, or of all",
+        )
+        .on_if(|shown| shown.state.overlays().shows(Overlay::Normals)),
+        item(
+            "Bounding boxes",
+            [(NONE, Key::X)],
+            Action::Toggle(Overlay::Boxes),
+            "along the world's axes, of the selection, or of everything",
+        )
+        .on_if(|shown| shown.state.overlays().shows(Overlay::Boxes)),
+    ];
+    let level = |shown: &Shown| {
+        let level = shown.state.overlays().tree_level;
+        level.map_or("none shows".to_owned(), |level| {
+            format!("level {level} shows")
+        })
+    };
+    let trees = vec![
+        item(
+            "Boxes of trees, a level down",
+            [(NONE, Key::K)],
+            Action::TreeLevel { deeper: true },
+            "of the search trees (BVH) of the selection's mesh, or of all; small meshes have none; now",
+        )
+        .now(level),
+        item(
+            "Boxes of trees, a level up",
+            [(SHIFT, Key::K)],
+            Action::TreeLevel { deeper: false },
+            "level 0 is the box around a mesh; now",
+        )
+        .now(level),
+    ];
+    Menu {
+        name: "Show",
+        hint: "lines around the scene and over it",
+        groups: vec![around, overlays, trees],
+        more: None,
+    }
+}
+
+fn learn() -> Menu {
+    let views = vec![
+        item(
+            "Four views",
+            [(NONE, Key::Num4)],
+            Command::ToggleFour,
+            "object, world, view and NDC side by side, all live",
+        )
+        .icon("\u{229e}")
+        .on_if(|shown| !shown.state.stages().is_empty()),
+        item(
+            "Matrices panel",
+            [(NONE, Key::P)],
+            Command::TogglePipeline,
+            "the matrices P, V and M, and the pick on its way through them",
+        )
+        .icon("\u{25a4}")
+        .on_if(|shown| shown.docks.shows_matrices(shown.floating.pipeline)),
+        item(
+            "Compare",
+            [(NONE, Key::V)],
+            Command::ToggleCheck,
+            "each pixel as drawn with what a click there picks",
+        )
+        .icon("\u{2714}")
+        .on_if(|shown| !matches!(shown.checking, Checking::Off)),
+    ];
+    let help = vec![
+        item(
+            "Tour",
+            [],
+            Command::Tour(TourMove::Begin),
+            "what a pick is, step by step",
+        ),
+        item(
+            "Help",
+            [
+                (NONE, Key::H),
+                (NONE, Key::F1),
+                (SHIFT, Key::Questionmark),
+                (NONE, Key::Questionmark),
+            ],
+            Command::ToggleHelp,
+            "keys and mouse",
+        )
+        .icon("\u{2753}")
+        .on_if(|shown| shown.floating.help),
+    ];
+    let gallery = vec![
+        item(
+            "Next scene of the gallery",
+            [(NONE, Key::E)],
+            Command::NextExhibit { forward: true },
+            "scenes on which known methods break",
+        ),
+        item(
+            "Scene before",
+            [(SHIFT, Key::E)],
+            Command::NextExhibit { forward: false },
+            "the gallery's scene before this one",
+        ),
+        item(
+            "Next method",
+            [(NONE, Key::M)],
+            Action::NextMethod { forward: true },
+            "in the gallery: pick by the next method",
+        )
+        .of_use_if(is_in_gallery),
+        item(
+            "Method before",
+            [(SHIFT, Key::M)],
+            Action::NextMethod { forward: false },
+            "in the gallery: pick by the method before",
+        )
+        .of_use_if(is_in_gallery),
+    ];
+    Menu {
+        name: "Learn",
+        hint: "how a pick works, and where others break",
+        groups: vec![help, views, gallery],
+        more: Some(More::Exhibits),
+    }
+}
+
+fn is_in_gallery(shown: &Shown) -> bool {
+    shown.state.showing().is_some()
+}

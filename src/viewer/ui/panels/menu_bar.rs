@@ -1,0 +1,162 @@
+//! The row at the top: the menus, and the tools, which are the menus' items that have icons. As the row gets narrower,
+//! names go first, then groups of tools: the menus have all of them.
+
+use super::{docks::Side, exhibit, field::text_width, prelude::*, shown::Shown};
+use crate::viewer::ui::menus::{Item, MENUS, Menu, More};
+use egui::{AtomExt as _, Atoms, MenuBar, TextStyle};
+
+/// How much of a group of tools shows.
+#[derive(Clone, Copy, PartialEq)]
+enum Shows {
+    Names,
+    Icons,
+    Nothing,
+}
+
+/// Width of an icon in points.
+const ICON: f32 = 18.0;
+/// Width in points of the buttons at the end, which fold sides.
+const END: f32 = 70.0;
+
+pub(super) fn show(ui: &mut Ui, shown: &mut Shown, commands: &mut Vec<Command>) {
+    MenuBar::new().ui(ui, |ui| {
+        // A menu's own padding leaves switches too little of their colour.
+        ui.spacing_mut().button_padding = vec2(5.0, 1.0);
+        for menu in MENUS.iter() {
+            let inside = |ui: &mut Ui| items(ui, menu, shown, commands);
+            ui.menu_button(menu.name, inside).response.hint(menu.hint);
+        }
+        let groups = tools();
+        let shows = fit(ui, &groups, ui.available_width() - END);
+        for (group, how) in groups.iter().zip(shows) {
+            if how == Shows::Nothing {
+                break;
+            }
+            ui.separator();
+            for item in group {
+                tool(ui, shown, item, how == Shows::Names, commands);
+            }
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            for (side, picture, name) in [
+                (Side::Right, "\u{25e8}", "right side"),
+                (Side::Left, "\u{25e7}", "left side"),
+            ] {
+                let on = shown.docks.showing[side as usize];
+                let fold = Button::selectable(on, icon(picture)).frame_when_inactive(true);
+                let fold = ui.add(fold).named(name);
+                let hint =
+                    "show or fold the panels at this side; the picture keeps half of the window";
+                if fold.hint(hint).clicked() {
+                    shown.docks.toggle(side);
+                }
+            }
+        });
+    });
+}
+
+/// What a menu holds.
+fn items(ui: &mut Ui, menu: &Menu, shown: &Shown, commands: &mut Vec<Command>) {
+    for (at, group) in menu.groups.iter().enumerate() {
+        if at > 0 {
+            ui.separator();
+        }
+        for item in group {
+            let is_on = item.is_on.is_some_and(|is_on| is_on(shown));
+            let line = Button::selectable(is_on, item.name).shortcut_text(item.first_keys());
+            let line = ui.add_enabled((item.is_of_use)(shown), line);
+            let line = line.named(item.name);
+            line.asks(item.tells(shown), item.command.clone(), commands);
+        }
+    }
+    if let Some(more) = menu.more {
+        ui.separator();
+        match more {
+            More::Recent => recent(ui, shown, commands),
+            More::Exhibits => exhibit::menu(ui, shown, commands),
+        }
+    }
+}
+
+/// Scenes that were opened before.
+fn recent(ui: &mut Ui, shown: &Shown, commands: &mut Vec<Command>) {
+    if shown.recent.is_empty() {
+        ui.weak("nothing was opened before")
+            .hint("files that you open are offered here");
+    }
+    for paths in shown.recent {
+        let names = paths.iter().filter_map(|path| path.file_name());
+        let names: Vec<_> = names.map(|name| name.to_string_lossy()).collect();
+        let whole = paths.iter().map(|path| path.display().to_string());
+        let whole: Vec<_> = whole.collect();
+        let open = ui.button(names.join(" + "));
+        open.asks(whole.join("\n"), Command::Open(paths.clone()), commands);
+    }
+}
+
+/// The items that are tools, by the groups of their menus.
+fn tools() -> Vec<Vec<&'static Item>> {
+    let groups = MENUS.iter().flat_map(|menu| &menu.groups);
+    let groups = groups.map(|group| group.iter().filter(|item| item.icon.is_some()).collect());
+    groups.filter(|group: &Vec<_>| !group.is_empty()).collect()
+}
+
+/// How much of each group shows in `room` points. Groups whose icons say least stand last and keep their names longest:
+/// no group has names while a later one has none.
+fn fit(ui: &Ui, groups: &[Vec<&Item>], room: f32) -> Vec<Shows> {
+    let mut shows = vec![Shows::Names; groups.len()];
+    let spacing = ui.spacing();
+    let (gap, padding) = (spacing.item_spacing.x, 2.0 * spacing.button_padding.x);
+    let font = TextStyle::Button.resolve(ui.style());
+    let width = |group: &[&Item], named: bool| -> f32 {
+        let tool = |item: &&Item| {
+            let name = || text_width(ui, item.name, &font) + spacing.icon_spacing;
+            padding + gap + ICON + if named { name() } else { 0.0 }
+        };
+        group.iter().map(tool).sum::<f32>() + 6.0 + gap
+    };
+    let named: Vec<_> = groups.iter().map(|group| width(group, true)).collect();
+    let bare: Vec<_> = groups.iter().map(|group| width(group, false)).collect();
+    let all = 0..groups.len();
+    let names = all.clone().map(|at| (at, Shows::Icons));
+    let groups = all.rev().map(|at| (at, Shows::Nothing));
+    let mut total: f32 = named.iter().sum();
+    for (at, how) in names.chain(groups) {
+        if total <= room {
+            break;
+        }
+        total -= if how == Shows::Nothing {
+            bare[at]
+        } else {
+            named[at] - bare[at]
+        };
+        shows[at] = how;
+    }
+    shows
+}
+
+/// An icon. It is as large beside a name as alone.
+fn icon(picture: &str) -> RichText {
+    RichText::new(picture).font(FontId::monospace(14.0))
+}
+
+/// An item in the row.
+fn tool(ui: &mut Ui, shown: &Shown, item: &Item, with_name: bool, commands: &mut Vec<Command>) {
+    let mut atoms = Atoms::new(icon(item.icon.unwrap_or_default()).atom_size(vec2(ICON, 16.0)));
+    if with_name {
+        atoms.push_right(item.name);
+    }
+    let button = match item.is_on {
+        Some(is_on) => Button::selectable(is_on(shown), atoms).frame_when_inactive(true),
+        None => Button::new(atoms),
+    };
+    let button = ui.add_enabled((item.is_of_use)(shown), button);
+    let tells = format!("{} ({})", item.tells(shown), item.all_keys());
+    let hint = if with_name {
+        tells
+    } else {
+        format!("{}: {tells}", item.name)
+    };
+    let button = button.named(item.name);
+    button.asks(hint, item.command.clone(), commands);
+}
