@@ -18,7 +18,7 @@ fn on_an_object_it_does_what_applies_to_it() {
     assert!(!window.state().scene().objects()[0].visible);
     // The entries that show now.
     open_menu(&mut window, MIDDLE);
-    click_on(&mut window, "Hide all others");
+    click_on(&mut window, "Isolate it");
     let visible = |window: &Window| -> Vec<_> {
         let objects = window.state().scene().objects().iter();
         objects.map(|object| object.visible).collect()

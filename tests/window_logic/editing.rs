@@ -225,3 +225,37 @@ fn sizes_that_no_view_holds_are_refused() {
     state.apply(action);
     assert!(state.edited());
 }
+
+/// What is hidden and shown again is no edit, in whichever way it was. What the file hides is an edit once it is shown.
+#[test]
+fn what_shows_as_in_the_file_is_no_edit() {
+    let mut state = front_view();
+    let count = state.scene().objects().len();
+    assert!(count > 1 && !state.unsaved());
+    state.apply(Action::Select(Some(0)));
+    state.apply(Action::Isolate);
+    assert!(state.unsaved());
+    state.apply(Action::ShowAll);
+    assert!(!state.unsaved(), "isolated, and shown again");
+    for visible in [false, true] {
+        for object in 0..count {
+            assert_eq!(state.unsaved(), object > 0 || visible, "{object}");
+            state.apply(Action::SetVisible(object, visible));
+        }
+    }
+    assert!(!state.unsaved(), "one by one");
+    // Undo leads through the same edits.
+    for step in 0..2 * count {
+        state.apply(Action::Undo);
+        assert_eq!(state.unsaved(), step + 1 < 2 * count, "{step}");
+    }
+    // A matrix is an edit, whatever shows.
+    let aside = Trs {
+        translation: DVec3::new(0.2, 0.0, 2.0),
+        ..STILL
+    };
+    place(&mut state, 0, aside);
+    state.apply(Action::Isolate);
+    state.apply(Action::ShowAll);
+    assert!(state.unsaved() && state.edited());
+}

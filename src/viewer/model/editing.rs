@@ -57,7 +57,18 @@ impl State {
         }
         let edits = self.edit(|edits| &mut edits.visibility);
         let inverse = self.make(Edit::Toggle(objects));
+        if self.shows_as_filed() {
+            self.edits.visibility = self.filed.visibility;
+        }
         self.record(None, UndoStep::Edited(inverse, edits, chosen));
+    }
+
+    /// Whether the objects that its file shows are visible, and no others: then it has no edit there, whatever was
+    /// hidden meanwhile.
+    fn shows_as_filed(&self) -> bool {
+        let shown = self.scene.objects().iter().map(|object| object.visible);
+        let filed = self.filed_shown.as_ref();
+        filed.is_some_and(|filed| shown.eq(filed.iter().copied()))
     }
 
     /// Adds the objects of other files to the scene. View and selection stay.

@@ -34,6 +34,7 @@ impl State {
         let orbit = Orbit::of_camera(&camera, up_axis);
         let controls = LensControls::of(&choice);
         Ok(Self {
+            filed_shown: Some(shown_in(&loaded.scene)),
             scene: loaded.scene,
             scene_revision: 0,
             visibility_revision: 0,
@@ -232,6 +233,7 @@ impl State {
         }
         state.name = scene::title(&source.paths);
         state.filed = snapshot.edits;
+        state.filed_shown = Some(shown_in(&snapshot.scene));
         state.filed_section = snapshot.section;
         let materials = mem::take(&mut state.source.materials);
         state.source = Source {
@@ -239,6 +241,15 @@ impl State {
             ..source
         };
     }
+}
+
+/// Which objects of a scene are visible.
+pub(super) fn shown_in(scene: &Scene) -> Vec<bool> {
+    scene
+        .objects()
+        .iter()
+        .map(|object| object.visible)
+        .collect()
 }
 
 /// A scene as it was when the user asked to save it.

@@ -2,6 +2,7 @@
 
 use super::{
     made::Made,
+    opening::shown_in,
     showing::Showing,
     state::{Chosen, Edit, Edits, State, UndoStep},
 };
@@ -35,6 +36,7 @@ impl State {
         if made.hides_as_filed {
             self.filed.visibility = self.edits.visibility;
         }
+        self.filed_shown = made.hides_as_filed.then(|| shown_in(&self.scene));
         if is_rewritten {
             // The rounded coordinates are the same, but the file may write them differently, and measures are of what
             // it writes.
@@ -60,6 +62,7 @@ impl State {
         self.carry_steps(&made, before);
         self.outdate_all_measures();
         self.chosen.carry(&made);
+        self.filed_shown = made.hides_as_filed.then(|| shown_in(&made.scene));
         self.scene = made.scene;
         self.scene_revision += 1;
         self.visibility_revision += 1;

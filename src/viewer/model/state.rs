@@ -194,6 +194,8 @@ pub struct State {
     pub(super) edits: Edits,
     /// The edits that its file has.
     pub(super) filed: Edits,
+    /// Which objects its file shows, in order; `None` where that is not known.
+    pub(super) filed_shown: Option<Vec<bool>>,
     /// The section as the scene was opened or saved with it.
     pub(super) filed_section: Option<Section>,
     pub(super) timeline: Timeline<UndoStep>,

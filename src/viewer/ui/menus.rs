@@ -254,14 +254,14 @@ fn edit() -> Menu {
         .of_use_if(|shown| shown.state.next_step(false).is_some());
     let hiding = vec![
         item(
-            "Hide the selection",
+            "Hide",
             [(SHIFT, Key::H)],
             Action::HideSelection,
-            "what is hidden is neither drawn nor picked",
+            "the selection is neither drawn nor picked",
         )
         .of_use_if(has_selection),
         item(
-            "Hide all others",
+            "Isolate",
             [(NONE, Key::I)],
             Action::Isolate,
             "only the selection is drawn and picked",
@@ -355,7 +355,7 @@ fn view() -> Menu {
     let framing = vec![
         item(
             "Frame all",
-            [(NONE, Key::A), (NONE, Key::Home)],
+            [(NONE, Key::A)],
             Action::FrameAll,
             "move the camera until all of the scene is in view",
         )
@@ -369,7 +369,7 @@ fn view() -> Menu {
         .icon("\u{1f3af}"),
         item(
             "Reset",
-            [(NONE, Key::Enter)],
+            [(NONE, Key::Enter), (NONE, Key::Home)],
             Action::ResetView,
             "the view that the scene opened with",
         )

@@ -85,7 +85,7 @@ pub(super) fn of_object(
         let hint = "what is hidden is neither drawn nor picked";
         selected("Hide it", hint, Action::HideSelection);
         let hint = "only this object is drawn and picked";
-        selected("Hide all others", hint, Action::Isolate);
+        selected("Isolate it", hint, Action::Isolate);
         lines.show_all(state);
         lines.ui.separator();
         if is_selected && state.picked().is_some() {
