@@ -142,14 +142,15 @@ fn ids_are_numbers_for_people_and_functions_take_indices() {
     let ball = Object::new("ball", Shape::Sphere, Placement::IDENTITY);
     let mut scene = Scene::new(vec![ball; 3]);
     let shown = |scene: &Scene| [0, 1, 2].map(|object| scene.objects()[object].visible);
-    scene.hide(&[2, 0, 2]);
+    scene.show(&[2, 0, 2], false);
     assert_eq!(shown(&scene), [false, true, false]);
     assert_eq!(scene.hidden_count(), 2);
     assert_eq!(scene.index_of(3), Ok(2));
     for id in [0, 4, usize::MAX] {
         assert_eq!(scene.index_of(id), Err(NoSuchObject { id, objects: 3 }));
     }
-    let refused = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| scene.hide(&[1, 3])));
+    let refused =
+        std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| scene.show(&[1, 3], false)));
     assert!(refused.is_err());
     assert_eq!(shown(&scene), [false, true, false]);
 }

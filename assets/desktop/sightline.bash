@@ -71,7 +71,7 @@ _sightline() {
 
     case "${cmd}" in
         sightline)
-            opts="-v -h -V --verbose --views --tour --size --eye --target --look --up --fov --ortho --near --far --depth --cull --up-axis --section --hide --help --version render pick list study verify doctor completions help"
+            opts="-v -h -V --verbose --views --tour --size --eye --target --look --up --fov --ortho --near --far --depth --cull --up-axis --section --hide --show --help --version render pick list study verify doctor completions help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 1 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -130,6 +130,10 @@ _sightline() {
                     return 0
                     ;;
                 --hide)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --show)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
@@ -309,7 +313,7 @@ _sightline() {
             return 0
             ;;
         sightline__subcmd__pick)
-            opts="-v -h --verbose --at --snap --all-hits --stored --size --eye --target --look --up --fov --ortho --near --far --depth --cull --up-axis --section --hide --help"
+            opts="-v -h --verbose --at --snap --all-hits --stored --size --eye --target --look --up --fov --ortho --near --far --depth --cull --up-axis --section --hide --show --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -375,6 +379,10 @@ _sightline() {
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
+                --show)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
                 *)
                     COMPREPLY=()
                     ;;
@@ -383,7 +391,7 @@ _sightline() {
             return 0
             ;;
         sightline__subcmd__render)
-            opts="-v -o -h --verbose --output --by --pick --ids --views --size --eye --target --look --up --fov --ortho --near --far --depth --cull --up-axis --section --hide --help"
+            opts="-v -o -h --verbose --output --by --pick --ids --views --size --eye --target --look --up --fov --ortho --near --far --depth --cull --up-axis --section --hide --show --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -465,6 +473,10 @@ _sightline() {
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
+                --show)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
                 *)
                     COMPREPLY=()
                     ;;
@@ -473,7 +485,7 @@ _sightline() {
             return 0
             ;;
         sightline__subcmd__study)
-            opts="-v -o -h --verbose --out --quick --seed --budget --size --eye --target --look --up --fov --ortho --near --far --depth --cull --up-axis --section --hide --help"
+            opts="-v -o -h --verbose --out --quick --seed --budget --size --eye --target --look --up --fov --ortho --near --far --depth --cull --up-axis --section --hide --show --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -547,6 +559,10 @@ _sightline() {
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
+                --show)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
                 *)
                     COMPREPLY=()
                     ;;
@@ -555,7 +571,7 @@ _sightline() {
             return 0
             ;;
         sightline__subcmd__verify)
-            opts="-v -h --verbose --image --json --picker --size --eye --target --look --up --fov --ortho --near --far --depth --cull --up-axis --section --hide --help"
+            opts="-v -h --verbose --image --json --picker --size --eye --target --look --up --fov --ortho --near --far --depth --cull --up-axis --section --hide --show --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -618,6 +634,10 @@ _sightline() {
                     return 0
                     ;;
                 --hide)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --show)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;

@@ -1,6 +1,6 @@
 # Print an optspec for argparse to handle cmd's options that are independent of any subcommand.
 function __fish_sightline_global_optspecs
-    string join \n v/verbose views= tour size= eye= target= look= up= fov= ortho= near= far= depth= cull up-axis= section= hide= h/help V/version
+    string join \n v/verbose views= tour size= eye= target= look= up= fov= ortho= near= far= depth= cull up-axis= section= hide= show= h/help V/version
 end
 
 function __fish_sightline_needs_command
@@ -45,6 +45,7 @@ complete -c sightline -n "__fish_sightline_needs_command" -l up-axis -d 'Which w
 z\t''"
 complete -c sightline -n "__fish_sightline_needs_command" -l section -d 'Cut the world by a plane: what lies behind is not drawn, not picked' -r
 complete -c sightline -n "__fish_sightline_needs_command" -l hide -d 'Hide objects: neither drawn nor picked' -r
+complete -c sightline -n "__fish_sightline_needs_command" -l show -d 'Show objects that the scene file hides' -r
 complete -c sightline -n "__fish_sightline_needs_command" -s v -l verbose -d 'Say on stderr what is being done'
 complete -c sightline -n "__fish_sightline_needs_command" -l tour -d 'Open the demo and begin the tour of cameras and raycasting'
 complete -c sightline -n "__fish_sightline_needs_command" -l cull -d 'Show and hit front faces only'
@@ -84,6 +85,7 @@ complete -c sightline -n "__fish_sightline_using_subcommand render" -l up-axis -
 z\t''"
 complete -c sightline -n "__fish_sightline_using_subcommand render" -l section -d 'Cut the world by a plane: what lies behind is not drawn, not picked' -r
 complete -c sightline -n "__fish_sightline_using_subcommand render" -l hide -d 'Hide objects: neither drawn nor picked' -r
+complete -c sightline -n "__fish_sightline_using_subcommand render" -l show -d 'Show objects that the scene file hides' -r
 complete -c sightline -n "__fish_sightline_using_subcommand render" -s v -l verbose -d 'Say on stderr what is being done'
 complete -c sightline -n "__fish_sightline_using_subcommand render" -l cull -d 'Show and hit front faces only'
 complete -c sightline -n "__fish_sightline_using_subcommand render" -s h -l help -d 'Print help (see more with \'--help\')'
@@ -104,6 +106,7 @@ complete -c sightline -n "__fish_sightline_using_subcommand pick" -l up-axis -d 
 z\t''"
 complete -c sightline -n "__fish_sightline_using_subcommand pick" -l section -d 'Cut the world by a plane: what lies behind is not drawn, not picked' -r
 complete -c sightline -n "__fish_sightline_using_subcommand pick" -l hide -d 'Hide objects: neither drawn nor picked' -r
+complete -c sightline -n "__fish_sightline_using_subcommand pick" -l show -d 'Show objects that the scene file hides' -r
 complete -c sightline -n "__fish_sightline_using_subcommand pick" -s v -l verbose -d 'Say on stderr what is being done'
 complete -c sightline -n "__fish_sightline_using_subcommand pick" -l all-hits -d 'Give every surface along the ray, from front to back'
 complete -c sightline -n "__fish_sightline_using_subcommand pick" -l stored -d 'Print first, as a line of JSON, the numbers that picks are made of'
@@ -130,6 +133,7 @@ complete -c sightline -n "__fish_sightline_using_subcommand study" -l up-axis -d
 z\t''"
 complete -c sightline -n "__fish_sightline_using_subcommand study" -l section -d 'Cut the world by a plane: what lies behind is not drawn, not picked' -r
 complete -c sightline -n "__fish_sightline_using_subcommand study" -l hide -d 'Hide objects: neither drawn nor picked' -r
+complete -c sightline -n "__fish_sightline_using_subcommand study" -l show -d 'Show objects that the scene file hides' -r
 complete -c sightline -n "__fish_sightline_using_subcommand study" -s v -l verbose -d 'Say on stderr what is being done'
 complete -c sightline -n "__fish_sightline_using_subcommand study" -l quick -d 'Run fewer cases and rounds: quicker, but less accurate'
 complete -c sightline -n "__fish_sightline_using_subcommand study" -l cull -d 'Show and hit front faces only'
@@ -152,6 +156,7 @@ complete -c sightline -n "__fish_sightline_using_subcommand verify" -l up-axis -
 z\t''"
 complete -c sightline -n "__fish_sightline_using_subcommand verify" -l section -d 'Cut the world by a plane: what lies behind is not drawn, not picked' -r
 complete -c sightline -n "__fish_sightline_using_subcommand verify" -l hide -d 'Hide objects: neither drawn nor picked' -r
+complete -c sightline -n "__fish_sightline_using_subcommand verify" -l show -d 'Show objects that the scene file hides' -r
 complete -c sightline -n "__fish_sightline_using_subcommand verify" -s v -l verbose -d 'Say on stderr what is being done'
 complete -c sightline -n "__fish_sightline_using_subcommand verify" -l json -d 'Print one line of JSON instead of the table'
 complete -c sightline -n "__fish_sightline_using_subcommand verify" -l cull -d 'Show and hit front faces only'

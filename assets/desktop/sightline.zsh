@@ -29,6 +29,7 @@ _sightline() {
 '--up-axis=[Which world axis points up \[default\: y\]]:AXIS:(y z)' \
 '--section=[Cut the world by a plane\: what lies behind is not drawn, not picked]:PLANE:_default' \
 '*--hide=[Hide objects\: neither drawn nor picked]:ID,...:_default' \
+'*--show=[Show objects that the scene file hides]:ID,...:_default' \
 '-v[Say on stderr what is being done]' \
 '--verbose[Say on stderr what is being done]' \
 '()--tour[Open the demo and begin the tour of cameras and raycasting]' \
@@ -69,6 +70,7 @@ raycast\:"One ray per pixel, on the CPU"))' \
 '--up-axis=[Which world axis points up \[default\: y\]]:AXIS:(y z)' \
 '--section=[Cut the world by a plane\: what lies behind is not drawn, not picked]:PLANE:_default' \
 '*--hide=[Hide objects\: neither drawn nor picked]:ID,...:_default' \
+'*--show=[Show objects that the scene file hides]:ID,...:_default' \
 '-v[Say on stderr what is being done]' \
 '--verbose[Say on stderr what is being done]' \
 '--cull[Show and hit front faces only]' \
@@ -94,6 +96,7 @@ _arguments "${_arguments_options[@]}" : \
 '--up-axis=[Which world axis points up \[default\: y\]]:AXIS:(y z)' \
 '--section=[Cut the world by a plane\: what lies behind is not drawn, not picked]:PLANE:_default' \
 '*--hide=[Hide objects\: neither drawn nor picked]:ID,...:_default' \
+'*--show=[Show objects that the scene file hides]:ID,...:_default' \
 '-v[Say on stderr what is being done]' \
 '--verbose[Say on stderr what is being done]' \
 '--all-hits[Give every surface along the ray, from front to back]' \
@@ -133,6 +136,7 @@ _arguments "${_arguments_options[@]}" : \
 '--up-axis=[Which world axis points up \[default\: y\]]:AXIS:(y z)' \
 '--section=[Cut the world by a plane\: what lies behind is not drawn, not picked]:PLANE:_default' \
 '*--hide=[Hide objects\: neither drawn nor picked]:ID,...:_default' \
+'*--show=[Show objects that the scene file hides]:ID,...:_default' \
 '-v[Say on stderr what is being done]' \
 '--verbose[Say on stderr what is being done]' \
 '--quick[Run fewer cases and rounds\: quicker, but less accurate]' \
@@ -160,6 +164,7 @@ usual\:"In f32\: rays from the inverse of Projection * View, tested by Moeller-T
 '--up-axis=[Which world axis points up \[default\: y\]]:AXIS:(y z)' \
 '--section=[Cut the world by a plane\: what lies behind is not drawn, not picked]:PLANE:_default' \
 '*--hide=[Hide objects\: neither drawn nor picked]:ID,...:_default' \
+'*--show=[Show objects that the scene file hides]:ID,...:_default' \
 '-v[Say on stderr what is being done]' \
 '--verbose[Say on stderr what is being done]' \
 '--json[Print one line of JSON instead of the table]' \

@@ -5,7 +5,7 @@ use crate::{
     camera::{CameraChoice, DepthMapping, Projection, SectionChoice, UpAxis, View, Viewport},
     geometry::Sides,
     scene::Loaded,
-    viewer::model,
+    viewer::model::{self, HideAndShow},
 };
 use glam::DVec3;
 
@@ -76,6 +76,10 @@ pub struct ViewArgs {
     #[arg(long, value_name = "ID,...", value_delimiter = ',', value_parser = value::id)]
     #[arg(allow_hyphen_values = true)]
     pub hide: Vec<usize>,
+    /// Show objects that the scene file hides
+    #[arg(long, value_name = "ID,...", value_delimiter = ',', value_parser = value::id)]
+    #[arg(allow_hyphen_values = true)]
+    pub show: Vec<usize>,
 }
 
 impl ViewArgs {
@@ -96,6 +100,14 @@ impl ViewArgs {
         }
     }
 
+    /// What the flags say about which objects show.
+    pub fn visibility(&self) -> HideAndShow {
+        HideAndShow {
+            hide: self.hide.clone(),
+            show: self.show.clone(),
+        }
+    }
+
     /// The picture's size.
     pub fn size(&self) -> Viewport {
         self.size.unwrap_or(Viewport::DEFAULT)
@@ -106,11 +118,11 @@ impl ViewArgs {
         if self.cull { Sides::Front } else { Sides::Both }
     }
 
-    /// Hides the objects of `--hide`, and returns the view of the scene without them. It is an error if an id names no
+    /// Hides and shows the objects of `--hide` and `--show`, and returns the view of the scene. It is an error if an id names no
     /// object, or if flags and scene give no valid camera.
     pub fn apply(&self, loaded: &mut Loaded) -> Result<View, CliError> {
-        let hidden = model::hide(&mut loaded.scene, &self.hide);
-        hidden.map_err(|error| CliError::usage(format!("--hide: {error}")))?;
+        let hidden = self.visibility().apply(&mut loaded.scene);
+        hidden.map_err(CliError::usage)?;
         let flags = self.choice();
         let choice = flags.or(loaded.camera);
         let in_file = |what: String| {

@@ -83,7 +83,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
             paths: args.scene.scenes.clone(),
             camera: args.view.choice(),
             sides: args.view.sides(),
-            hidden: args.view.hide.clone(),
+            visibility: args.view.visibility(),
             views,
             ..viewer::Options::default()
         };

@@ -47,7 +47,7 @@ pub(super) fn run(args: &WindowArgs) -> Result<(), CliError> {
         paths: args.scene.scenes.clone(),
         camera: args.view.choice(),
         sides: args.view.sides(),
-        hidden: args.view.hide.clone(),
+        visibility: args.view.visibility(),
         size: args.view.size,
         memory: viewer::memory_file(),
         views: args.views.unwrap_or_default(),

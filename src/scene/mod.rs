@@ -224,14 +224,14 @@ impl Scene {
         index.ok_or(NoSuchObject { id, objects })
     }
 
-    /// Hides these objects. An index may occur more than once.
+    /// Shows these objects if `visible`, else hides them. An index may occur more than once.
     ///
     /// # Panics
-    /// When an index names no object. No object is then hidden.
-    pub fn hide(&mut self, objects: &[usize]) {
-        let is_shown = |object: &usize| self.objects[*object].visible;
-        let shown: BTreeSet<usize> = objects.iter().copied().filter(is_shown).collect();
-        self.toggle(&Vec::from_iter(shown));
+    /// When an index names no object. No object is then changed.
+    pub fn show(&mut self, objects: &[usize], visible: bool) {
+        let differs = |object: &usize| self.objects[*object].visible != visible;
+        let changed: BTreeSet<usize> = objects.iter().copied().filter(differs).collect();
+        self.toggle(&Vec::from_iter(changed));
     }
 
     /// Runs of objects that are drawn and intersected as one: either a single object, or consecutive parts of one mesh

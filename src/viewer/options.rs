@@ -4,7 +4,7 @@ use crate::{
     camera::{CameraChoice, Viewport},
     geometry::Sides,
     render::GpuError,
-    viewer::model::Views,
+    viewer::model::{HideAndShow, Views},
 };
 use std::path::PathBuf;
 
@@ -17,8 +17,8 @@ pub struct Options {
     pub camera: CameraChoice,
     /// Whether back faces show.
     pub sides: Sides,
-    /// Ids (from 1) of objects that are hidden in the first scene.
-    pub hidden: Vec<usize>,
+    /// Which objects of the first scene are hidden, and which show.
+    pub visibility: HideAndShow,
     /// The window's size in physical pixels; `None` for what is remembered, or else 1280 x 720 logical ones.
     pub size: Option<Viewport>,
     /// The file that remembers, from one run to the next, the window, its panels and what was opened; `None` for a

@@ -218,6 +218,7 @@ fn flags_choose_the_view() {
     assert_eq!(object("--hide 1").as_deref(), Some("Middle"));
     assert_eq!(object("--hide 2,1").as_deref(), Some("Ball"));
     assert_eq!(object("--hide 1,2,3"), None);
+    assert_eq!(object("--hide 1,2 --show 2").as_deref(), Some("Middle"));
     // With z up, the eye above looks down and needs no `--up`.
     assert_eq!(
         object("--up-axis z --target 0,0,0").as_deref(),

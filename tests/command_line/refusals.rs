@@ -57,6 +57,7 @@ fn a_wrong_use_is_exit_code_2() {
         ),
         ("pick scene.toml --at 5,5 --section face:4", "1 to 3"),
         ("pick scene.toml --at 5,5 --hide 1,4", "'sightline list'"),
+        ("pick scene.toml --at 5,5 --show 4", "--show: "),
         (
             "pick scene.toml --at 5,5 --section face:4,0",
             "'sightline list'",

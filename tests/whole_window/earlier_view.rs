@@ -145,6 +145,25 @@ fn a_click_picks_from_the_picture_on_screen_whatever_key_came_before_it() {
     }
 }
 
+/// The command shows what the scene file hides and the window shows, and hides what the window hides.
+#[test]
+fn a_copied_command_shows_what_the_window_shows() {
+    let hidden = ROW.replace("name = \"front\"", "name = \"front\"\nvisible = false");
+    let (mut window, _folder) = row_as(&hidden, 1.0);
+    click(&mut window, aside());
+    assert_eq!(selected(&window), Some("middle"));
+    let command = copied(&mut window, Key::C);
+    assert!(!command.contains("--show"), "{command}");
+    click_on(&mut window, "show front");
+    click_on(&mut window, "show middle");
+    window.wait_s(1.0);
+    click(&mut window, aside());
+    assert_eq!(selected(&window), Some("front"));
+    let (json, command) = (copied(&mut window, Key::J), copied(&mut window, Key::C));
+    assert!(command.contains("--hide 2 --show 1"), "{command}");
+    assert_eq!(answer(&command), json, "{command}");
+}
+
 fn down_up(down: bool) -> Event {
     button(aside(), PointerButton::Primary, down)
 }

@@ -2,7 +2,10 @@
 
 use super::*;
 use glam::DVec3;
-use sightline::camera::{CameraChoice, UpAxis};
+use sightline::{
+    camera::{CameraChoice, UpAxis},
+    viewer::model::HideAndShow,
+};
 
 fn opened(options: Options) -> Window {
     Window::open(options, px(SIZE, 1.0), 1.0)
@@ -45,7 +48,10 @@ fn a_flag_that_cannot_be_is_said_and_not_used() {
     let mut window = opened(Options {
         paths: vec![path.clone()],
         camera,
-        hidden: vec![9],
+        visibility: HideAndShow {
+            hide: vec![9],
+            ..HideAndShow::default()
+        },
         ..Options::default()
     });
     let has = |window: &Window, word: &str| window.messages().any(|text| text.contains(word));

@@ -9,7 +9,7 @@ use crate::{
     scene::{self, Loaded, Warning},
     viewer::{
         jobs::{self, Job, Stamps},
-        model::{Source, hide, no_section},
+        model::{Source, no_section, shown_in},
         options::Options,
         ui::{Attempt, Filter},
     },
@@ -103,6 +103,7 @@ impl App {
             }
             Purpose::Reload | Purpose::Follow => differs = self.state.reload(loaded),
             Purpose::Open => {
+                let in_file = shown_in(&loaded.scene);
                 if self.first {
                     unused = self.apply_flags(&mut loaded);
                 }
@@ -117,6 +118,7 @@ impl App {
                     Some((file, line)) => format!("{}:{line}: {error}", file.display()),
                     None => error.to_string(),
                 })?;
+                self.state.file_shows(in_file);
                 if self.first {
                     self.show_views(self.options.views);
                 }
@@ -155,10 +157,10 @@ impl App {
         Ok(())
     }
 
-    /// Applies the command line's `--hide` and camera to the first scene. Returns the reasons for what was left out.
+    /// Applies the command line's `--hide`, `--show` and camera to the first scene. Returns the reasons for what was
+    /// left out.
     fn apply_flags(&self, loaded: &mut Loaded) -> Vec<String> {
-        let hidden = hide(&mut loaded.scene, &self.options.hidden);
-        let hidden = hidden.map_err(|error| format!("--hide: {error}"));
+        let hidden = self.options.visibility.apply(&mut loaded.scene);
         let camera = self.options.camera.or(loaded.camera);
         let viewport = self.state.view().viewport;
         let valid = camera.resolve(&loaded.scene.visible_bounds(), viewport);

@@ -6,7 +6,7 @@ use crate::{
     geometry::Sides,
 };
 use glam::{DVec2, DVec3};
-use std::fmt::Write;
+use std::{fmt::Write, path::Path};
 
 /// The `sightline pick` command that repeats a click in its view. Where a surface behind the first is picked, the
 /// command lists all surfaces.
@@ -43,7 +43,7 @@ fn line(state: &State, view: &View, command: &str) -> String {
     let lens = camera.lens();
     let mut line = format!("sightline {command}");
     for path in &state.source().paths {
-        let _ = write!(line, " {}", quoted(&path.display().to_string()));
+        let _ = write!(line, " {}", argument(path));
     }
     let mut flag = |name: &str, value: String| {
         let _ = write!(line, " --{name} {value}");
@@ -74,11 +74,17 @@ fn line(state: &State, view: &View, command: &str) -> String {
     if let Some(section) = view.section {
         flag("section", SectionChoice::Plane(section).to_string());
     }
-    let objects = state.scene().objects().iter().enumerate();
-    let hidden = objects.filter(|(_, object)| !object.visible);
-    let hidden: Vec<String> = hidden.map(|(index, _)| (index + 1).to_string()).collect();
-    if !hidden.is_empty() {
-        flag("hide", hidden.join(","));
+    let filed = state.filed_shown.as_deref().unwrap_or_default();
+    let is_hidden_in_file = |index: usize| filed.get(index) == Some(&false);
+    for (name, visible) in [("hide", false), ("show", true)] {
+        let objects = state.scene().objects().iter().enumerate();
+        let ids = objects.filter(|(index, object)| {
+            object.visible == visible && (!visible || is_hidden_in_file(*index))
+        });
+        let ids: Vec<String> = ids.map(|(index, _)| (index + 1).to_string()).collect();
+        if !ids.is_empty() {
+            flag(name, ids.join(","));
+        }
     }
     if view.sides == Sides::Front {
         line.push_str(" --cull");
@@ -98,6 +104,13 @@ fn triple(v: DVec3) -> String {
     format!("{},{},{}", v.x, v.y, v.z)
 }
 
+/// A file as an argument: one that begins like a flag is named by its folder too.
+fn argument(path: &Path) -> String {
+    let name = path.display().to_string();
+    let folder = if name.starts_with('-') { "./" } else { "" };
+    quoted(&format!("{folder}{name}"))
+}
+
 /// Quoted for a POSIX shell.
 fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:,@%".contains(c);
@@ -105,5 +118,24 @@ fn quoted(word: &str) -> String {
         word.to_owned()
     } else {
         format!("'{}'", word.replace('\'', r"'\''"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::argument;
+    use std::path::Path;
+
+    #[test]
+    fn a_file_is_no_flag_and_one_word() {
+        for (file, word) in [
+            ("/a/b.obj", "/a/b.obj"),
+            ("-x.obj", "./-x.obj"),
+            ("--help", "./--help"),
+            ("two words.obj", "'two words.obj'"),
+            ("-it's", r"'./-it'\''s'"),
+        ] {
+            assert_eq!(argument(Path::new(file)), word);
+        }
     }
 }

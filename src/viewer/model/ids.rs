@@ -2,11 +2,28 @@
 
 use crate::scene::{FlatFaces, NoSection, NoSuchObject, Scene};
 
-/// Hides the objects with these ids, or none where an id names no object. The error says what to do.
-pub(crate) fn hide(scene: &mut Scene, ids: &[usize]) -> Result<(), String> {
-    let objects: Result<Vec<_>, _> = ids.iter().map(|id| scene.index_of(*id)).collect();
-    scene.hide(&objects.map_err(no_such_object)?);
-    Ok(())
+/// What the flags `--hide` and `--show` say, by ids.
+#[derive(Clone, Debug, Default)]
+pub struct HideAndShow {
+    /// Objects that are hidden.
+    pub hide: Vec<usize>,
+    /// Objects that show, though their scene file hides them.
+    pub show: Vec<usize>,
+}
+
+impl HideAndShow {
+    /// Hides and shows the objects, or none of a flag where one of its ids names no object. The error says what to do.
+    pub(crate) fn apply(&self, scene: &mut Scene) -> Result<(), String> {
+        for (flag, ids, visible) in [("hide", &self.hide, false), ("show", &self.show, true)] {
+            let objects: Result<Vec<_>, _> = ids.iter().map(|id| scene.index_of(*id)).collect();
+            let objects = objects.map_err(no_such_object);
+            scene.show(
+                &objects.map_err(|error| format!("--{flag}: {error}"))?,
+                visible,
+            );
+        }
+        Ok(())
+    }
 }
 
 /// Why there is no object, and what to do.

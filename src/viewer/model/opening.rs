@@ -171,6 +171,11 @@ impl State {
         made_it && self.step_in_time(true)
     }
 
+    /// Notes which objects the scene's file shows, where flags have changed that.
+    pub(in crate::viewer) fn file_shows(&mut self, shown: Vec<bool>) {
+        self.filed_shown = Some(shown);
+    }
+
     /// The scene as it is now, to be saved.
     pub(in crate::viewer) fn snapshot(&self) -> Snapshot {
         Snapshot {
@@ -244,7 +249,7 @@ impl State {
 }
 
 /// Which objects of a scene are visible.
-pub(super) fn shown_in(scene: &Scene) -> Vec<bool> {
+pub(in crate::viewer) fn shown_in(scene: &Scene) -> Vec<bool> {
     scene
         .objects()
         .iter()
