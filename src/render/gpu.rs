@@ -1,7 +1,6 @@
 //! A graphics device: what it can do, its memory, and its errors.
 
 use super::{
-    SMOOTH_SAMPLES,
     abilities::{self, Numbers, Restraint},
     rasteriser::Rasteriser,
 };
@@ -97,15 +96,6 @@ impl Gpu {
     /// The rasteriser, as measured when the device was made.
     pub fn rasteriser(&self) -> Rasteriser {
         self.rasteriser
-    }
-
-    /// Colour samples per pixel while the picture moves: [`SMOOTH_SAMPLES`] on hardware, 1 in software.
-    pub fn samples_in_motion(&self) -> u32 {
-        if self.is_software() {
-            1
-        } else {
-            SMOOTH_SAMPLES
-        }
     }
 
     /// Whether a picture of this size can be drawn: it lies in one texture.

@@ -92,7 +92,9 @@ fn first_that_draws(
         let shows = move |other: &wgpu::Adapter| {
             other.get_info() != info && surface.is_none_or(|on| other.is_surface_supported(on))
         };
-        all.into_iter().filter(shows)
+        let mut others: Vec<_> = all.into_iter().filter(shows).collect();
+        others.sort_by_key(|other| other.get_info().device_type == wgpu::DeviceType::Cpu);
+        others.into_iter()
     };
     first_that_works(best, others, open)
 }

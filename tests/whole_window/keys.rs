@@ -138,7 +138,8 @@ fn shortcuts_work_from_wherever_tab_leads() {
         has_control(&window, "Keys and mouse"),
         "the button was pressed"
     );
-    press_key(&mut window, NONE, Key::H);
+    press_key(&mut window, NONE, Key::Escape);
+    assert!(!has_control(&window, "Keys and mouse"));
     assert_eq!(*window.state().view(), view, "and the view was not reset");
     click(&mut window, MIDDLE);
     press_key(&mut window, NONE, Key::Tab);
@@ -381,9 +382,16 @@ fn the_help_is_searched() {
     assert!((keys.center().y - control(&window, undo).rect.center().y).abs() < 2.0);
     type_into(&mut window, "search the help", "no such words");
     assert!(has_control(&window, "nothing has these words"));
-    // The words stand there until they are deleted; Esc leaves the field, and then closes the help.
-    press_key(&mut window, NONE, Key::Escape);
-    assert!(has_control(&window, "Keys and mouse"));
     press_key(&mut window, NONE, Key::Escape);
     assert!(!has_control(&window, "Keys and mouse"));
+    // The words are forgotten. What is typed at once goes into the field, and does nothing else.
+    press_key(&mut window, NONE, Key::H);
+    assert_eq!(rows(&window), [true; 3]);
+    let grid = window.state().grid();
+    window.send_at_once(vec![press(Key::G), Event::Text("grid".into())]);
+    assert_eq!(window.state().grid(), grid);
+    assert!(
+        rows(&window) == [false; 3]
+            && has_control(&window, "Grid: with axes: x red, y green, z blue")
+    );
 }

@@ -313,7 +313,7 @@ fn panels_are_dark_or_light_as_the_desktop_is() {
     // The user's choice overrides the desktop's.
     let next = |window: &mut Window| {
         click_on(window, "View");
-        click_on(window, "Look");
+        click_on(window, "Theme");
     };
     next(&mut window);
     assert_eq!(panel(&mut window), light);

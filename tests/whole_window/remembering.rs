@@ -62,7 +62,7 @@ fn a_memory_without_end_is_not_read() {
         std::os::unix::fs::symlink(endless, &memory).expect("a link");
         let mut window = remembering(&memory, Vec::new());
         click_on(&mut window, "View");
-        let look = control(&window, "Look").description.clone();
+        let look = control(&window, "Theme").description.clone();
         assert!(look.ends_with("as on the desktop"), "{endless:?}: {look}");
         drop(window);
         fs::remove_file(&memory).expect("a link");

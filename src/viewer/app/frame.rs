@@ -24,6 +24,9 @@ use std::{
 /// While the program is idle, it prepares something this often.
 const PREPARE_EVERY: Duration = Duration::from_millis(16);
 
+/// After a device was lost while it was replaced, another is tried.
+const LOST_AGAIN: Duration = Duration::from_millis(500);
+
 /// A progress bar moves this often. In software a frame costs the work under way about 20 ms.
 const PROGRESS_EVERY: Duration = Duration::from_millis(200);
 
@@ -95,6 +98,9 @@ impl App {
         let drawn = self.draw(&laid, screen);
         if let Err(error) = &drawn {
             self.complain(error.to_string());
+            if matches!(error, GpuError::Lost(_)) {
+                (self.context).request_repaint_after(LOST_AGAIN);
+            }
         }
         let mut delays = output.viewport_output.values();
         self.is_settled =

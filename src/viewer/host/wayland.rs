@@ -7,7 +7,7 @@ pub(super) fn is_dead() -> bool {
     let Some(name) = env::var_os("WAYLAND_DISPLAY").filter(|name| !name.is_empty()) else {
         return false;
     };
-    if env::var_os("WAYLAND_SOCKET").is_some() {
+    if env::var_os("WAYLAND_SOCKET").is_some_and(|socket| !socket.is_empty()) {
         return false;
     }
     // An absolute name takes the folder's place.

@@ -58,7 +58,9 @@ pub fn display() -> Result<(), ViewerError> {
 fn event_loop<T>() -> Result<EventLoop<T>, ViewerError> {
     let mut builder = EventLoop::with_user_event();
     #[cfg(target_os = "linux")]
-    if std::env::var_os("DISPLAY").is_some() && super::wayland::is_dead() {
+    if std::env::var_os("DISPLAY").is_some_and(|display| !display.is_empty())
+        && super::wayland::is_dead()
+    {
         use winit::platform::x11::EventLoopBuilderExtX11 as _;
         log::warn!("no compositor answers at WAYLAND_DISPLAY: the window opens on X11");
         builder.with_x11();

@@ -117,20 +117,27 @@ impl Canvas {
     /// Brings the scene's pictures up to date.
     pub fn update(&mut self, state: &State, laid: &Laid) -> Result<Updated, GpuError> {
         if laid.panes.is_empty() {
-            self.stages = None;
+            let stages = self.stages.take().into_iter().flat_map(|stages| *stages);
+            self.stale
+                .extend(stages.filter_map(|picture| picture.name()));
         }
         self.brush.renderer.scale_factor = laid.pixels_per_point;
-        let mut all = Updated::default();
+        let mut all = Ok(Updated::default());
         for (stage, place) in places(laid) {
             let Some(subject) = subject(state, stage, place) else {
                 continue;
             };
             let picture = picture_of(&mut self.scene, &mut self.stages, stage);
-            let updated = picture.update(&mut self.brush, &subject, laid.moves)?;
-            all.anew |= updated.anew;
-            all.rough |= updated.rough;
+            let updated = picture.update(&mut self.brush, &subject, laid.moves);
+            all = all.and_then(|all: Updated| {
+                let updated = updated?;
+                Ok(Updated {
+                    anew: all.anew || updated.anew,
+                    rough: all.rough || updated.rough,
+                })
+            });
         }
-        Ok(all)
+        all
     }
 
     /// Paints a frame.

@@ -20,6 +20,8 @@ const QUICK: Duration = Duration::from_millis(100);
 const COARSENESS: u32 = 3;
 /// How long the rays of a picture may take, for each of them. On two cores most take a quarter of this.
 const RAY_TAKES: Duration = Duration::from_micros(2);
+/// The longest that the rays of a picture may take.
+const LONGEST: Duration = Duration::from_secs(2);
 /// After rays that were late, this many pictures are drawn before rays are tried again.
 const DRAWN_AFTER_LATE: u32 = 30;
 /// What an object costs besides its triangles, in triangles.
@@ -46,6 +48,8 @@ pub(super) struct ScenePicture {
     /// The marks on the picture, and the object that is outlined.
     marked: Option<Marks>,
     outlined: Option<usize>,
+    /// Pixels for a point, as the marks were drawn.
+    scale: Option<f32>,
     /// The scene that was drawn with one sample last, and how long that took. The first picture of a scene says nothing:
     /// it waits for uploads and shaders.
     took: Option<(u64, Option<Duration>)>,
@@ -102,7 +106,12 @@ impl ScenePicture {
         Ok(Updated { anew, rough })
     }
 
-    /// The picture's name among egui's textures, if it has this size.
+    /// The picture's name among egui's textures, once there was one.
+    pub fn name(&self) -> Option<TextureId> {
+        self.texture
+    }
+
+    /// The same, if the picture has this size.
     pub fn texture(&self, size: Viewport) -> Option<TextureId> {
         let fits = |targets: &Targets| targets.viewport == size;
         let is_shown = self.shown.is_some() && self.targets.as_ref().is_some_and(fits);
@@ -164,12 +173,13 @@ impl ScenePicture {
     ) -> Result<(), GpuError> {
         let wanted = Drawn::wanted(subject);
         let (view, lines) = (&wanted.view, lines(subject));
-        let before = self.shown.take();
-        (self.marked, self.outlined) = (None, None);
         if self.scenes.forget_unused() {
             brush.meshes.forget_dropped();
         }
+        // A scene that does not fit leaves the picture before it on screen.
         self.scenes.upload(&brush.gpu, subject, &mut brush.meshes)?;
+        let before = self.shown.take();
+        (self.marked, self.outlined) = (None, None);
         self.fit(brush, view.viewport)?;
         let (Some(scene), Some(targets)) = (&self.scenes.now, &self.targets) else {
             return Ok(());
@@ -229,8 +239,6 @@ impl ScenePicture {
         {
             return Ok(());
         }
-        // The old ones first: there is room for one of them.
-        self.targets = None;
         let targets = Targets::new(&brush.gpu, size, SMOOTH_SAMPLES)?;
         let (device, nearest) = (&brush.gpu.device, wgpu::FilterMode::Nearest);
         let (panels, shown) = (&mut brush.panels, &targets.shown_view);
@@ -251,6 +259,11 @@ impl ScenePicture {
             selection: subject.selection,
             hover: subject.hover,
         };
+        // An outline is as wide on screens with more pixels to a point.
+        let scale = brush.renderer.scale_factor;
+        if self.scale.replace(scale) != Some(scale) {
+            (self.marked, self.outlined) = (None, None);
+        }
         if self.marked == Some(marks) {
             return;
         }
@@ -291,12 +304,46 @@ fn coarse(view: &View) -> View {
 /// A picture by rays; `None` if they are late, as where each of them meets thousands of objects.
 fn cast(subject: &Subject, through: &View) -> Option<Image<Pixel>> {
     let rays = u32::try_from(pixels(through)).unwrap_or(u32::MAX);
-    raycast_until(subject.scene, through, Instant::now() + RAY_TAKES * rays)
+    let most = (RAY_TAKES * rays).min(LONGEST);
+    raycast_until(subject.scene, through, Instant::now() + most)
 }
 
 /// A picture in which each pixel of another stands for several, up to this size.
 fn enlarged(pixels: &Image<Pixel>, size: Viewport) -> Image<Pixel> {
-    let times = size.width().div_ceil(pixels.size().width());
+    let times = if pixels.size() == size { 1 } else { COARSENESS };
     let row = |y| (0..size.width()).map(move |x| pixels.at(x / times, y / times));
     Image::new(size, (0..size.height()).flat_map(row).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{COARSENESS, enlarged};
+    use crate::{
+        camera::Viewport,
+        image::{Id, Image, Pixel},
+    };
+
+    /// Pictures of any size are covered by whole pixels of a coarse one, also those that are narrower than these.
+    #[test]
+    fn a_coarse_picture_covers_one_of_any_size() {
+        for (width, height) in (1..12).flat_map(|w| (1..12).map(move |h| (w, h))) {
+            let size = Viewport::new(width, height).expect("a size");
+            let few = [width, height].map(|side| side.div_ceil(COARSENESS));
+            let coarse = Viewport::new(few[0], few[1]).expect("a size");
+            let pixel = |object| Pixel {
+                id: Id {
+                    object,
+                    ..Id::default()
+                },
+                ..Pixel::default()
+            };
+            let pixels = (0..few[0] * few[1]).map(pixel).collect();
+            let fine = enlarged(&Image::new(coarse, pixels), size);
+            assert_eq!(fine.size(), size);
+            for (x, y) in fine.positions() {
+                let expected = y / COARSENESS * few[0] + x / COARSENESS;
+                assert_eq!(fine.at(x, y).id.object, expected, "{x}, {y} of {size:?}");
+            }
+        }
+    }
 }

@@ -129,7 +129,7 @@ impl Item {
         if now.is_empty() {
             self.hint.to_owned()
         } else {
-            format!("{}: {now}", self.hint)
+            format!("{}; now: {now}", self.hint)
         }
     }
 
@@ -198,13 +198,13 @@ fn file() -> Menu {
     ];
     let pictures = vec![
         item(
-            "Save the window",
+            "Screenshot",
             [(NONE, Key::F12)],
             Command::Screenshot { alone: false },
             "what is on screen as a PNG file",
         ),
         item(
-            "Save the picture",
+            "Screenshot of the picture",
             [(SHIFT, Key::F12)],
             Command::Screenshot { alone: true },
             "as a PNG file, without the panels",
@@ -283,13 +283,13 @@ fn edit() -> Menu {
             "select the next in the list of objects",
         ),
         item(
-            "Object before",
+            "Previous object",
             [(NONE, Key::ArrowUp)],
             Command::SelectRow { down: false },
             "select the one before in the list of objects",
         ),
         item(
-            "Escape",
+            "Cancel",
             [(NONE, Key::Escape)],
             Command::Escape,
             "cancel, close, deselect, or leave the gallery: the first that applies",
@@ -310,13 +310,15 @@ fn surfaces() -> Vec<Item> {
             [(NONE, Key::N)],
             Action::Step { forward: true },
             "pick the next surface on the pick's ray",
-        ),
+        )
+        .of_use_if(has_pick),
         item(
-            "Surface before",
+            "Previous surface",
             [(SHIFT, Key::N)],
             Action::Step { forward: false },
-            "pick the surface before it on the pick's ray",
-        ),
+            "pick the one before it on the pick's ray",
+        )
+        .of_use_if(has_pick),
     ]
 }
 
@@ -333,7 +335,8 @@ fn copies() -> Vec<Item> {
             [(NONE, Key::J)],
             Command::CopyPick,
             "its full record, as JSON",
-        ),
+        )
+        .of_use_if(|shown| shown.state.pick_ray().is_some()),
         item(
             "Copy the camera",
             [(SHIFT, Key::C)],
@@ -341,6 +344,10 @@ fn copies() -> Vec<Item> {
             "as a scene file writes it; Ctrl+V pastes a copied one",
         ),
     ]
+}
+
+fn has_pick(shown: &Shown) -> bool {
+    shown.state.picked().is_some()
 }
 
 fn next_step(shown: &Shown, back: bool) -> String {
@@ -397,10 +404,10 @@ fn view() -> Menu {
         )
         .on_if(|shown| shown.state.controls().orthographic),
         item(
-            "Fronts only",
+            "Cull back faces",
             [(NONE, Key::B)],
             Action::ToggleSides,
-            "back faces are neither drawn nor picked",
+            "they are neither drawn nor picked",
         )
         .on_if(|shown| shown.state.view().sides == Sides::Front),
         item(
@@ -418,7 +425,7 @@ fn view() -> Menu {
             Command::ToggleFullScreen,
             "and back",
         ),
-        item("Look", [], Command::NextLook, "dark or light panels; now")
+        item("Theme", [], Command::NextLook, "dark or light panels")
             .now(|shown| shown.look.about().to_owned()),
     ];
     Menu {
@@ -499,17 +506,17 @@ fn show() -> Menu {
     };
     let trees = vec![
         item(
-            "Boxes of trees, a level down",
+            "Search tree boxes, a level down",
             [(NONE, Key::K)],
             Action::TreeLevel { deeper: true },
-            "of the search trees (BVH) of the selection's mesh, or of all; small meshes have none; now",
+            "of the search trees (BVH) of the selection's mesh, or of all; small meshes have none",
         )
         .now(level),
         item(
-            "Boxes of trees, a level up",
+            "Search tree boxes, a level up",
             [(SHIFT, Key::K)],
             Action::TreeLevel { deeper: false },
-            "level 0 is the box around a mesh; now",
+            "level 0 is the box around a mesh",
         )
         .now(level),
     ];
@@ -577,7 +584,7 @@ fn learn() -> Menu {
             "scenes on which known methods break",
         ),
         item(
-            "Scene before",
+            "Previous scene",
             [(SHIFT, Key::E)],
             Command::NextExhibit { forward: false },
             "the gallery's scene before this one",
@@ -590,7 +597,7 @@ fn learn() -> Menu {
         )
         .of_use_if(is_in_gallery),
         item(
-            "Method before",
+            "Previous method",
             [(SHIFT, Key::M)],
             Action::NextMethod { forward: false },
             "in the gallery: pick by the method before",

@@ -5,7 +5,7 @@ use crate::viewer::ui::{
     command::TourMove,
     menus::{Item, MENUS},
 };
-use egui::{Context, Id, ScrollArea, TextEdit, TextStyle, Window};
+use egui::{Context, Id, Key, ScrollArea, TextEdit, TextStyle, Window};
 
 /// The space around the rows, and the width of a row that does not wrap, in points.
 const MARGIN: Vec2 = vec2(60.0, 120.0);
@@ -44,8 +44,16 @@ const MOUSE: &[(&str, &str)] = &[
 /// Rows about one subject: what is pressed, and what that does.
 type Section = (&'static str, Vec<[String; 2]>);
 
+/// Where egui keeps the words that are searched.
+const WORDS: &str = "words in the help";
+
+/// Forgets the words that were searched.
+pub(super) fn close(ctx: &Context) {
+    ctx.data_mut(|data| data.remove::<String>(Id::unique(WORDS)));
+}
+
 pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
-    let mut open = true;
+    let (mut open, mut escapes) = (true, false);
     let room = ctx.content_rect().size() - MARGIN;
     // Two columns where they fit: one is too long for a small screen.
     let (columns, width) = if room.x >= 2.0 * NARROW {
@@ -67,7 +75,9 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
                 }
                 search(ui)
             });
-            let sections = sections(&searched.inner);
+            let words;
+            (words, escapes) = searched.inner;
+            let sections = sections(&words);
             if sections.is_empty() {
                 ui.weak("nothing has these words");
             }
@@ -87,21 +97,28 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
                 });
             });
         });
-    if !open {
+    if !open || escapes {
         commands.push(Command::ToggleHelp);
     }
 }
 
-/// The field for words. Returns what stands in it, in small letters.
-fn search(ui: &mut Ui) -> String {
-    let id = Id::unique("words in the help");
-    let mut words: String = ui.data_mut(|data| data.get_temp(id).unwrap_or_default());
+/// The field for words. Returns what stands in it, in small letters, and whether Esc was pressed there.
+fn search(ui: &mut Ui) -> (String, bool) {
+    let id = Id::unique(WORDS);
+    let known: Option<String> = ui.data(|data| data.get_temp(id));
+    let is_new = known.is_none();
+    let mut words = known.unwrap_or_default();
     let field = TextEdit::singleline(&mut words).hint_text("search");
     let field = ui.add(field.desired_width(180.0)).named("search the help");
+    // What is typed is for the help, and not for the scene behind it.
+    if is_new {
+        field.request_focus();
+    }
+    let escapes = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape));
     field.hint("shows only what has these words");
     let small = words.to_lowercase();
     ui.data_mut(|data| data.insert_temp(id, words));
-    small
+    (small, escapes)
 }
 
 /// The rows that have all of these words, by subject.
@@ -109,7 +126,7 @@ fn sections(words: &str) -> Vec<Section> {
     let mouse = MOUSE.iter().map(|row| [row.0, row.1].map(str::to_owned));
     let row = |item: &Item| {
         let does = format!("{}: {}", item.name, item.hint);
-        [item.all_keys(), does.trim_end_matches("; now").to_owned()]
+        [item.all_keys(), does]
     };
     let menus = MENUS.iter().map(|menu| {
         let rows = menu.groups.iter().flatten().map(row);

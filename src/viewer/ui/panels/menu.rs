@@ -119,7 +119,7 @@ fn of_nothing(picture: &Response, state: &State, commands: &mut Vec<Command>) {
         lines.ask("Copy the camera", hint, Command::CopyCamera);
         let hint = "a PNG file without the panels";
         let save = Command::Screenshot { alone: true };
-        lines.ask("Save the picture", hint, save);
+        lines.ask("Screenshot of the picture", hint, save);
     });
 }
 

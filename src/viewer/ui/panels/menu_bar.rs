@@ -2,8 +2,11 @@
 //! names go first, then groups of tools: the menus have all of them.
 
 use super::{docks::Side, exhibit, field::text_width, prelude::*, shown::Shown};
-use crate::viewer::ui::menus::{Item, MENUS, Menu, More};
-use egui::{AtomExt as _, Atoms, MenuBar, TextStyle};
+use crate::{
+    scene::gallery::GALLERY,
+    viewer::ui::menus::{Item, MENUS, Menu, More},
+};
+use egui::{AtomExt as _, Atoms, MenuBar, ScrollArea, TextStyle};
 
 /// How much of a group of tools shows.
 #[derive(Clone, Copy, PartialEq)]
@@ -18,12 +21,26 @@ const ICON: f32 = 18.0;
 /// Width in points of the buttons at the end, which fold sides.
 const END: f32 = 70.0;
 
+/// Height in points of the window that a menu cannot have: the bar, and its own frame.
+const ROOM_AROUND: f32 = 50.0;
+
+/// Height in points of a menu's line, with the gap below it.
+const LINE: f32 = 23.0;
+
 pub(super) fn show(ui: &mut Ui, shown: &mut Shown, commands: &mut Vec<Command>) {
     MenuBar::new().ui(ui, |ui| {
         // A menu's own padding leaves switches too little of their colour.
         ui.spacing_mut().button_padding = vec2(5.0, 1.0);
         for menu in MENUS.iter() {
-            let inside = |ui: &mut Ui| items(ui, menu, shown, commands);
+            let inside = |ui: &mut Ui| {
+                let room = ui.ctx().content_rect().height() - ROOM_AROUND;
+                if LINE * lines(menu, shown) <= room {
+                    items(ui, menu, shown, commands);
+                } else {
+                    let scrolled = ScrollArea::vertical().max_height(room);
+                    scrolled.show(ui, |ui| items(ui, menu, shown, commands));
+                }
+            };
             ui.menu_button(menu.name, inside).response.hint(menu.hint);
         }
         let groups = tools();
@@ -53,6 +70,19 @@ pub(super) fn show(ui: &mut Ui, shown: &mut Shown, commands: &mut Vec<Command>) 
             }
         });
     });
+}
+
+/// About how many lines a menu has.
+fn lines(menu: &Menu, shown: &Shown) -> f32 {
+    let items: usize = menu.groups.iter().map(|group| group.len() + 1).sum();
+    let more = match menu.more {
+        None => 0,
+        Some(More::Recent) => shown.recent.len().max(1),
+        Some(More::Exhibits) => GALLERY.len() + 2,
+    };
+    #[expect(clippy::cast_precision_loss, reason = "a few")]
+    let lines = (items + more) as f32;
+    lines
 }
 
 /// What a menu holds.
