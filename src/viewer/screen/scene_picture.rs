@@ -94,14 +94,14 @@ impl ScenePicture {
         moves: bool,
     ) -> Result<Updated, GpuError> {
         let wanted = Drawn::wanted(subject);
-        let finish = self.finish(brush, subject, moves);
+        let finish = self.finish(brush, subject, &wanted, moves);
         let shown = self.shown.as_ref().filter(|shown| shown.of == wanted);
         let anew = shown.is_none_or(|shown| shown.finish < finish);
         if anew {
-            self.draw(brush, subject, finish)?;
+            self.draw(brush, subject, &wanted, finish)?;
         }
         self.mark(brush, subject);
-        let best = self.finish(brush, subject, false);
+        let best = self.finish(brush, subject, &wanted, false);
         let rough = self.shown.as_ref().is_some_and(|shown| shown.finish < best);
         Ok(Updated { anew, rough })
     }
@@ -133,7 +133,7 @@ impl ScenePicture {
         let is_drawn = |shown: &Shown| shown.of == wanted && !shown.is_by_rays;
         if !self.shown.as_ref().is_some_and(is_drawn) {
             self.to_draw = self.to_draw.max(1);
-            self.draw(brush, subject, Finish::Fine)?;
+            self.draw(brush, subject, &wanted, Finish::Fine)?;
         }
         let targets = self.targets.as_ref();
         targets
@@ -142,7 +142,7 @@ impl ScenePicture {
     }
 
     /// How good the picture is to be.
-    fn finish(&self, brush: &Brush, subject: &Subject, moves: bool) -> Finish {
+    fn finish(&self, brush: &Brush, subject: &Subject, wanted: &Drawn, moves: bool) -> Finish {
         let took = self.took.filter(|(of, _)| *of == subject.revision);
         let is_quick = took
             .and_then(|(_, took)| took)
@@ -150,7 +150,7 @@ impl ScenePicture {
         let is_little = !is_much(subject, &subject.view);
         if !brush.gpu.is_software() || (!moves && is_little && is_quick) {
             Finish::Smooth
-        } else if moves && self.casts(subject, &coarse(&subject.view)) {
+        } else if moves && self.casts(subject, wanted, &coarse(&subject.view)) {
             Finish::Coarse
         } else {
             Finish::Fine
@@ -159,8 +159,8 @@ impl ScenePicture {
 
     /// Whether a software adapter's picture is found by rays through a view. They need trees, and see no edges of
     /// triangles.
-    fn casts(&self, subject: &Subject, through: &View) -> bool {
-        let sees_all = Drawn::wanted(subject).wireframe().is_none();
+    fn casts(&self, subject: &Subject, wanted: &Drawn, through: &View) -> bool {
+        let sees_all = wanted.wireframe().is_none();
         let is_ready = sees_all && subject.scene.trees_are_built();
         self.to_draw == 0 && is_ready && is_much(subject, through)
     }
@@ -169,9 +169,9 @@ impl ScenePicture {
         &mut self,
         brush: &mut Brush,
         subject: &Subject,
+        wanted: &Drawn,
         finish: Finish,
     ) -> Result<(), GpuError> {
-        let wanted = Drawn::wanted(subject);
         let (view, lines) = (&wanted.view, lines(subject));
         if self.scenes.forget_unused() {
             brush.meshes.forget_dropped();
@@ -191,7 +191,7 @@ impl ScenePicture {
         };
         let is_software = brush.gpu.is_software();
         let mut by_rays = None;
-        if is_software && finish < Finish::Smooth && self.casts(subject, &through) {
+        if is_software && finish < Finish::Smooth && self.casts(subject, wanted, &through) {
             by_rays = cast(subject, &through);
             if by_rays.is_none() {
                 self.to_draw = DRAWN_AFTER_LATE;
@@ -202,7 +202,7 @@ impl ScenePicture {
             let pixels = enlarged(pixels, view.viewport);
             brush.renderer.take_pixels(onto, &pixels, &lines)?;
         } else if finish == Finish::Smooth {
-            let has_ids = |shown: Shown| shown.of == wanted && shown.finish == Finish::Fine;
+            let has_ids = |shown: Shown| shown.of == *wanted && shown.finish == Finish::Fine;
             if before.is_some_and(has_ids) {
                 brush.renderer.draw_colours(onto, &lines)?;
             } else {
@@ -219,7 +219,7 @@ impl ScenePicture {
             self.to_draw = self.to_draw.saturating_sub(1);
         }
         self.shown = Some(Shown {
-            of: wanted,
+            of: *wanted,
             // Pictures that are drawn are never coarse.
             finish: match by_rays {
                 Some(_) => finish,

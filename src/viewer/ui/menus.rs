@@ -47,12 +47,15 @@ pub(in crate::viewer) struct Item {
     pub icon: Option<&'static str>,
     pub command: Command,
     /// Whether what it switches is on; `None` if it switches nothing.
-    pub is_on: Option<fn(&Shown) -> bool>,
+    pub is_on: Option<Asks<bool>>,
     /// Whether it would do anything now.
-    pub is_of_use: fn(&Shown) -> bool,
+    pub is_of_use: Asks<bool>,
     /// What it is about now; empty where there is nothing to say.
-    pub now: fn(&Shown) -> String,
+    pub now: Asks<String>,
 }
+
+/// What an item asks of what is shown.
+type Asks<T> = Box<dyn Fn(&Shown) -> T + Send + Sync>;
 
 /// A key, with the keys that are held.
 pub(in crate::viewer) type Shortcut = (Modifiers, Key);
@@ -138,19 +141,25 @@ impl Item {
         self
     }
 
-    fn on_if(mut self, is_on: fn(&Shown) -> bool) -> Self {
-        self.is_on = Some(is_on);
+    fn on_if(mut self, is_on: impl Fn(&Shown) -> bool + Send + Sync + 'static) -> Self {
+        self.is_on = Some(Box::new(is_on));
         self
     }
 
-    fn of_use_if(mut self, is_of_use: fn(&Shown) -> bool) -> Self {
-        self.is_of_use = is_of_use;
+    fn of_use_if(mut self, is_of_use: impl Fn(&Shown) -> bool + Send + Sync + 'static) -> Self {
+        self.is_of_use = Box::new(is_of_use);
         self
     }
 
-    fn now(mut self, now: fn(&Shown) -> String) -> Self {
-        self.now = now;
+    fn now(mut self, now: impl Fn(&Shown) -> String + Send + Sync + 'static) -> Self {
+        self.now = Box::new(now);
         self
+    }
+
+    /// The item is about the next step of undo, if `back`, or of redo.
+    fn about_step(self, back: bool) -> Self {
+        self.now(move |shown| shown.state.next_step(back).unwrap_or("nothing").to_owned())
+            .of_use_if(move |shown| shown.state.next_step(back).is_some())
     }
 }
 
@@ -167,8 +176,8 @@ fn item<const N: usize>(
         icon: None,
         command: command.into(),
         is_on: None,
-        is_of_use: |_| true,
-        now: |_| String::new(),
+        is_of_use: Box::new(|_| true),
+        now: Box::new(|_| String::new()),
     }
 }
 
@@ -225,33 +234,24 @@ fn file() -> Menu {
 }
 
 fn edit() -> Menu {
-    let step = |name, shortcuts: &[Shortcut], action, hint, icon| {
-        let mut step = item(name, [], action, hint).icon(icon);
-        step.shortcuts = shortcuts.into();
-        step
-    };
-    let (undo, redo) = (
-        step(
+    let steps = vec![
+        item(
             "Undo",
-            &[(CTRL, Key::Z)],
+            [(CTRL, Key::Z)],
             Action::Undo,
             "take the last change back",
-            "\u{21a9}",
-        ),
-        step(
+        )
+        .icon("\u{21a9}")
+        .about_step(true),
+        item(
             "Redo",
-            &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)],
+            [(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)],
             Action::Redo,
             "make it again",
-            "\u{21aa}",
-        ),
-    );
-    let undo = undo
-        .now(|shown| next_step(shown, true))
-        .of_use_if(|shown| shown.state.next_step(true).is_some());
-    let redo = redo
-        .now(|shown| next_step(shown, false))
-        .of_use_if(|shown| shown.state.next_step(false).is_some());
+        )
+        .icon("\u{21aa}")
+        .about_step(false),
+    ];
     let hiding = vec![
         item(
             "Hide",
@@ -298,7 +298,7 @@ fn edit() -> Menu {
     Menu {
         name: "Edit",
         hint: "changes, what is hidden, what is selected, copies",
-        groups: vec![vec![undo, redo], hiding, selecting, surfaces(), copies()],
+        groups: vec![steps, hiding, selecting, surfaces(), copies()],
         more: None,
     }
 }
@@ -348,10 +348,6 @@ fn copies() -> Vec<Item> {
 
 fn has_pick(shown: &Shown) -> bool {
     shown.state.picked().is_some()
-}
-
-fn next_step(shown: &Shown, back: bool) -> String {
-    shown.state.next_step(back).unwrap_or("nothing").to_owned()
 }
 
 fn has_selection(shown: &Shown) -> bool {
@@ -431,12 +427,7 @@ fn view() -> Menu {
     Menu {
         name: "View",
         hint: "where the camera looks from, and what it leaves out",
-        groups: vec![
-            framing,
-            looking.map(look).into_iter().collect(),
-            switches,
-            window,
-        ],
+        groups: vec![framing, looking.map(look).into(), switches, window],
         more: None,
     }
 }
@@ -461,42 +452,41 @@ fn show() -> Menu {
         .on_if(|shown| shown.state.frozen().is_some())
         .of_use_if(|shown| shown.state.stages().is_empty()),
     ];
-    let overlays = vec![
-        item(
+    let overlay = |(name, key, which, hint)| {
+        let shows = move |shown: &Shown| shown.state.overlays().shows(which);
+        item(name, [(NONE, key)], Action::Toggle(which), hint).on_if(shows)
+    };
+    let overlays = [
+        (
             "Picked triangle",
-            [(NONE, Key::Y)],
-            Action::Toggle(Overlay::Triangle),
+            Key::Y,
+            Overlay::Triangle,
             "with its corners and barycentrics",
-        )
-        .on_if(|shown| shown.state.overlays().shows(Overlay::Triangle)),
-        item(
+        ),
+        (
             "Distance",
-            [(NONE, Key::D)],
-            Action::Toggle(Overlay::Distance),
+            Key::D,
+            Overlay::Distance,
             "between the last two picks, in world units",
-        )
-        .on_if(|shown| shown.state.overlays().shows(Overlay::Distance)),
-        item(
+        ),
+        (
             "Wireframe",
-            [(NONE, Key::W)],
-            Action::Toggle(Overlay::Wireframe),
+            Key::W,
+            Overlay::Wireframe,
             "of the selection, or of everything; spheres have none",
-        )
-        .on_if(|shown| shown.state.overlays().shows(Overlay::Wireframe)),
-        item(
+        ),
+        (
             "Normals",
-            [(NONE, Key::L)],
-            Action::Toggle(Overlay::Normals),
+            Key::L,
+            Overlay::Normals,
             "outward, of the selection's faces, or of all",
-        )
-        .on_if(|shown| shown.state.overlays().shows(Overlay::Normals)),
-        item(
+        ),
+        (
             "Bounding boxes",
-            [(NONE, Key::X)],
-            Action::Toggle(Overlay::Boxes),
+            Key::X,
+            Overlay::Boxes,
             "along the world's axes, of the selection, or of everything",
-        )
-        .on_if(|shown| shown.state.overlays().shows(Overlay::Boxes)),
+        ),
     ];
     let level = |shown: &Shown| {
         let level = shown.state.overlays().tree_level;
@@ -523,7 +513,7 @@ fn show() -> Menu {
     Menu {
         name: "Show",
         hint: "lines around the scene and over it",
-        groups: vec![around, overlays, trees],
+        groups: vec![around, overlays.map(overlay).into(), trees],
         more: None,
     }
 }

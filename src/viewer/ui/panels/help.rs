@@ -44,14 +44,6 @@ const MOUSE: &[(&str, &str)] = &[
 /// Rows about one subject: what is pressed, and what that does.
 type Section = (&'static str, Vec<[String; 2]>);
 
-/// Where egui keeps the words that are searched.
-const WORDS: &str = "words in the help";
-
-/// Forgets the words that were searched.
-pub(super) fn close(ctx: &Context) {
-    ctx.data_mut(|data| data.remove::<String>(Id::unique(WORDS)));
-}
-
 pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
     let (mut open, mut escapes) = (true, false);
     let room = ctx.content_rect().size() - MARGIN;
@@ -102,12 +94,18 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
     }
 }
 
-/// The field for words. Returns what stands in it, in small letters, and whether Esc was pressed there.
+/// The field for words, which is empty whenever the help opens. Returns what stands in it, in small letters, and whether
+/// Esc was pressed there.
 fn search(ui: &mut Ui) -> (String, bool) {
-    let id = Id::unique(WORDS);
-    let known: Option<String> = ui.data(|data| data.get_temp(id));
+    let (id, pass) = (
+        Id::unique("words in the help"),
+        ui.ctx().cumulative_pass_nr(),
+    );
+    // The words, and the pass that showed them last.
+    let known: Option<(String, u64)> = ui.data(|data| data.get_temp(id));
+    let known = known.filter(|(_, last)| last + 1 >= pass);
     let is_new = known.is_none();
-    let mut words = known.unwrap_or_default();
+    let (mut words, _) = known.unwrap_or_default();
     let field = TextEdit::singleline(&mut words).hint_text("search");
     let field = ui.add(field.desired_width(180.0)).named("search the help");
     // What is typed is for the help, and not for the scene behind it.
@@ -117,7 +115,7 @@ fn search(ui: &mut Ui) -> (String, bool) {
     let escapes = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape));
     field.hint("shows only what has these words");
     let small = words.to_lowercase();
-    ui.data_mut(|data| data.insert_temp(id, words));
+    ui.data_mut(|data| data.insert_temp(id, (words, pass)));
     (small, escapes)
 }
 

@@ -96,8 +96,6 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     }
     if shown.floating.help {
         help::show(ui.ctx(), &mut commands);
-    } else {
-        help::close(ui.ctx());
     }
     if let Some(intent) = shown.question {
         question::show(ui.ctx(), shown.state, intent, &mut commands);

@@ -92,7 +92,7 @@ fn items(ui: &mut Ui, menu: &Menu, shown: &Shown, commands: &mut Vec<Command>) {
             ui.separator();
         }
         for item in group {
-            let is_on = item.is_on.is_some_and(|is_on| is_on(shown));
+            let is_on = item.is_on.as_ref().is_some_and(|is_on| is_on(shown));
             let line = Button::selectable(is_on, item.name).shortcut_text(item.first_keys());
             let line = ui.add_enabled((item.is_of_use)(shown), line);
             let line = line.named(item.name);
@@ -176,7 +176,7 @@ fn tool(ui: &mut Ui, shown: &Shown, item: &Item, with_name: bool, commands: &mut
     if with_name {
         atoms.push_right(item.name);
     }
-    let button = match item.is_on {
+    let button = match &item.is_on {
         Some(is_on) => Button::selectable(is_on(shown), atoms).frame_when_inactive(true),
         None => Button::new(atoms),
     };
