@@ -4,6 +4,7 @@ struct Marking {
     selection_colour: vec3<f32>,
     tint: f32,
     lit: vec2<f32>,
+    // Its id; NONE or SEVERAL.
     selection: u32,
     hover: u32,
     outline_px: f32,
@@ -14,13 +15,25 @@ struct Marking {
 @group(0) @binding(2) var ids: texture_2d<u32>;
 // How much of each pixel is outline; `outline` itself writes it.
 @group(0) @binding(3) var outlined: texture_2d<f32>;
+// Where several objects are selected: a bit for each id.
+@group(0) @binding(4) var<storage, read> several: array<u32>;
+
+const SEVERAL: u32 = 0xfffffffeu;
+
+fn is_selected(object: u32) -> bool {
+    if (marking.selection != SEVERAL) {
+        return object == marking.selection;
+    }
+    let word = object >> 5u;
+    return word < arrayLength(&several) && ((several[word] >> (object & 31u)) & 1u) == 1u;
+}
 
 fn inside(px: vec2<f32>, by: vec2<f32>) -> f32 {
     // Beyond the picture's border its last pixel continues, so that no outline runs along the border.
     let last = vec2<i32>(textureDimensions(ids)) - 1;
     let at = vec2<i32>(floor(px + marking.outline_px * by));
     let object = textureLoad(ids, clamp(at, vec2<i32>(0), last), 0).r;
-    return select(0.0, 1.0, object == marking.selection);
+    return select(0.0, 1.0, is_selected(object));
 }
 
 // How much of a pixel is outline: most where half of a disc about it shows the selected object. Unrolled, since loops
@@ -49,7 +62,7 @@ fn marked(px: vec2<i32>) -> vec3<f32> {
     let colour = textureLoad(picture, px, 0).rgb;
     let object = textureLoad(ids, px, 0).r;
     let tint = marking.selection_colour * (luminance(colour) / luminance(marking.selection_colour));
-    let tinted = mix(colour, tint, select(0.0, marking.tint, object == marking.selection));
+    let tinted = mix(colour, tint, select(0.0, marking.tint, is_selected(object)));
     let lit = tinted * (1.0 + marking.lit.x) + marking.lit.y;
     return select(tinted, lit, object == marking.hover);
 }

@@ -168,6 +168,7 @@ fn three_parts() -> Arc<Mesh> {
         colours: vec![ColourRun {
             triangles: 0..6,
             colour: None,
+            material: None,
         }],
         ..MeshData::default()
     };

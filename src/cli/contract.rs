@@ -42,6 +42,8 @@ Fields of \"hit\", null where the picture shows the background; with --all-hits
 of each of \"hits\":
   object, id       name, and number from 1
   triangle         of the object, from 0; null for sphere, cube and square
+  material         the triangle's, as its OBJ file calls it; null where the file
+                   names none
   front            whether the surface is seen from outside
   t, depth         where on the ray: depth along F, from the eye; rounded once,
                    but never up to far

@@ -18,6 +18,8 @@ pub struct Pick {
     pub id: usize,
     /// Triangle of the object, from 0; `None` for analytic shapes.
     pub triangle: Option<u32>,
+    /// What the triangle is made of, as its file calls it; `None` where it names nothing.
+    pub material: Option<String>,
     /// Whether the surface is seen from outside.
     pub front: bool,
     /// Parameter of the ray, whose direction is not normalised: view depth.
@@ -108,11 +110,14 @@ impl Pick {
             Shape::Sphere => point_object,
             _ => hit.normal,
         };
+        let triangle = found.triangle_of_object(scene);
+        let material = object.material(triangle);
         let ndc_xy = view.viewport.px_to_ndc(px);
         Self {
             object: object.name.clone(),
             id: index + 1,
-            triangle: found.triangle_of_object(scene),
+            triangle,
+            material: material.and_then(|(name, _)| Some(name?.to_owned())),
             front: hit.front,
             t,
             distance: view.offset_from_eye(px, t).length(),

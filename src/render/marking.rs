@@ -5,7 +5,7 @@ use super::{
     Onto, Renderer, bindings,
     formats::{COLOUR, MARKS},
     gpu::Gpu,
-    scene_buffers::Place,
+    scene_buffers::SceneBuffers,
     shader_structs,
     shaders::shader_module,
     targets::Targets,
@@ -14,12 +14,16 @@ use super::{
 use crate::{camera::View, look};
 use glam::DVec2;
 use std::collections::HashMap;
+use wgpu::util::DeviceExt;
+
+/// Stands for the id of the selection where there are several objects in it.
+const SEVERAL: u32 = u32::MAX - 1;
 
 /// What is marked in a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Marks {
-    /// Index of the selected object: tinted, and outlined as [`Renderer::draw_outline`] left it.
-    pub selection: Option<usize>,
+    /// Indices of the selected objects: tinted, and outlined together as [`Renderer::draw_outline`] left it.
+    pub selection: Vec<usize>,
     /// Index of the object under the cursor: lit.
     pub hover: Option<usize>,
 }
@@ -31,28 +35,29 @@ pub(super) struct PostPasses {
     bind_group_layout: wgpu::BindGroupLayout,
     layout: wgpu::PipelineLayout,
     uniform: wgpu::Buffer,
+    /// A bit for the id of each selected object, where there are several.
+    several: wgpu::Buffer,
     pub(super) made: HashMap<&'static str, wgpu::RenderPipeline>,
 }
 
 impl Renderer {
-    /// Draws the outline about the pixels that show an object. Needed when the selection changed, and after each
+    /// Draws the outline about the pixels that show one of these objects. Needed when the selection changed, and after each
     /// [`Renderer::draw`].
-    pub fn draw_outline(&mut self, (scene, targets, view): Onto<'_>, selection: usize) {
+    pub fn draw_outline(&mut self, (scene, targets, view): Onto<'_>, selection: &[usize]) {
         let (gpu, outline_px) = (&self.gpu, self.outline_px());
         let marks = Marks {
-            selection: Some(selection),
+            selection: selection.into(),
             hover: None,
         };
         let post = (self.post).get_or_insert_with(|| PostPasses::new(gpu));
-        post.write(gpu, &uniform(&marks, outline_px));
+        post.write(gpu, &marks, outline_px);
         // What this pass writes it cannot read.
         let bindings = post.bind(gpu, targets, &targets.colour_view);
         let pipeline = post.pipeline(gpu, "outline");
-        let place = scene.shown(selection);
+        let rect = screen_rect(scene, selection, view, outline_px);
         gpu.submit(|encoder| {
             let mut pass =
                 without_depth::begin(encoder, &targets.outline_view, without_depth::CLEAR);
-            let rect = place.and_then(|place| screen_rect(place, view, outline_px));
             if let Some([x, y, width, height]) = rect {
                 pass.set_scissor_rect(x, y, width, height);
                 pass.set_pipeline(&pipeline);
@@ -66,10 +71,13 @@ impl Renderer {
     pub fn mark(&mut self, (scene, targets, view): Onto<'_>, marks: &Marks) {
         let (gpu, outline_px) = (&self.gpu, self.outline_px());
         let post = (self.post).get_or_insert_with(|| PostPasses::new(gpu));
-        post.write(gpu, &uniform(marks, outline_px));
-        let rect = |object: Option<usize>| screen_rect(scene.shown(object?)?, view, outline_px);
-        let marked = [("hover", marks.hover), ("selection", marks.selection)];
-        let marked = marked.map(|(entry, object)| (entry, rect(object)));
+        post.write(gpu, marks, outline_px);
+        let marked = [
+            ("hover", marks.hover.as_slice()),
+            ("selection", &marks.selection),
+        ];
+        let rect = |objects| screen_rect(scene, objects, view, outline_px);
+        let marked = marked.map(|(entry, objects)| (entry, rect(objects)));
         let bindings = post.bind(gpu, targets, &targets.outline_view);
         gpu.submit(|encoder| {
             let [from, to] =
@@ -121,6 +129,7 @@ impl PostPasses {
             texture(float),
             texture(wgpu::TextureSampleType::Uint),
             texture(float),
+            bindings::buffer(wgpu::BufferBindingType::Storage { read_only: true }),
         ];
         let (bind_group_layout, layout) =
             bindings::layouts(gpu, "marks", wgpu::ShaderStages::FRAGMENT, &types);
@@ -129,13 +138,21 @@ impl PostPasses {
             bind_group_layout,
             layout,
             uniform: super::uniform_buffer::<shader_structs::Marking>(gpu, "marks"),
+            several: bits(gpu, &[0]),
             made: HashMap::new(),
         }
     }
 
-    fn write(&self, gpu: &Gpu, uniform: &shader_structs::Marking) {
-        let bytes = bytemuck::bytes_of(uniform);
+    fn write(&mut self, gpu: &Gpu, marks: &Marks, outline_px: f32) {
+        let uniform = uniform(marks, outline_px);
+        let bytes = bytemuck::bytes_of(&uniform);
         gpu.queue.write_buffer(&self.uniform, 0, bytes);
+        if uniform.selection == SEVERAL {
+            let ids = || marks.selection.iter().map(|index| index + 1);
+            let mut words = vec![0_u32; ids().max().unwrap_or(0) / 32 + 1];
+            ids().for_each(|id| words[id / 32] |= 1 << (id % 32));
+            self.several = bits(gpu, &words);
+        }
     }
 
     fn bind(&self, gpu: &Gpu, targets: &Targets, outline: &wgpu::TextureView) -> wgpu::BindGroup {
@@ -144,6 +161,7 @@ impl PostPasses {
             wgpu::BindingResource::TextureView(&targets.colour_view),
             wgpu::BindingResource::TextureView(&targets.ids_view),
             wgpu::BindingResource::TextureView(outline),
+            self.several.as_entire_binding(),
         ];
         bindings::bind(gpu, "marks", &self.bind_group_layout, resources)
     }
@@ -162,27 +180,54 @@ fn uniform(marks: &Marks, outline_px: f32) -> shader_structs::Marking {
     let of_index = |i: usize| u32::try_from(i + 1).unwrap_or(u32::MAX);
     // 0 is the background's id, so "none" is another number.
     let id = |object: Option<usize>| object.map_or(u32::MAX, of_index);
+    let selection = match marks.selection[..] {
+        [] => u32::MAX,
+        [one] => of_index(one),
+        _ => SEVERAL,
+    };
     shader_structs::Marking {
         selection_colour: look::SELECTION.to_linear(),
         tint: look::TINT,
         lit: look::LIT,
-        selection: id(marks.selection),
+        selection,
         hover: id(marks.hover),
         outline_px,
         padding: [0; 3],
     }
 }
 
-/// The rectangle of pixels that may show an object, with `margin` around it, as left, top, width and height. `None`
-/// when it lies outside the picture.
-fn screen_rect(place: &Place, view: &View, margin: f32) -> Option<[u32; 4]> {
+/// A buffer of bits.
+fn bits(gpu: &Gpu, words: &[u32]) -> wgpu::Buffer {
+    gpu.device
+        .create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some("selected"),
+            contents: bytemuck::cast_slice(words),
+            usage: wgpu::BufferUsages::STORAGE,
+        })
+}
+
+/// The rectangle of pixels that may show some of these objects, with `margin` around it, as left, top, width and height.
+/// `None` when it lies outside the picture.
+fn screen_rect(
+    scene: &SceneBuffers,
+    objects: &[usize],
+    view: &View,
+    margin: f32,
+) -> Option<[u32; 4]> {
     let size = view.viewport.size_px();
-    if place.bounds_world.is_empty() {
-        return None;
+    // Beyond this many, to find the rectangle costs more than to mark the whole picture.
+    if objects.len() > 1000 {
+        let size = view.viewport;
+        return Some([0, 0, size.width(), size.height()]);
     }
+    let places = objects.iter().filter_map(|object| scene.shown(*object));
+    let boxes = places.map(|place| place.bounds_world);
     let mut min = DVec2::INFINITY;
     let mut max = DVec2::NEG_INFINITY;
-    for corner in place.bounds_world.corners() {
+    for corner in boxes
+        .filter(|bounds| !bounds.is_empty())
+        .flat_map(|bounds| bounds.corners())
+    {
         (min, max) = match view.project(corner) {
             Some(corner) => (min.min(corner.px), max.max(corner.px)),
             // A box that reaches behind the eye may be at any pixel.

@@ -163,7 +163,8 @@ fn unify(mesh: &Mesh) -> Indexed<'_> {
     const NONE: u32 = u32::MAX;
     let (data, shading) = (mesh.data(), mesh.normals());
     // In a smooth surface of one part and colour, such as a scan, each position is one vertex already.
-    if let ([_], [run]) = (&*data.parts, &*data.colours)
+    if let ([_], [run, others @ ..]) = (&*data.parts, &*data.colours)
+        && others.iter().all(|other| other.colour == run.colour)
         && data.vertex_colours.is_empty()
         && shading.is_by_vertex()
     {

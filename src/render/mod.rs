@@ -129,13 +129,11 @@ pub fn render(
     let (targets, buffers, mut renderer) = prepare(gpu, scene, view)?;
     let onto = (&buffers, &targets, view);
     renderer.draw(onto, &[])?;
-    if let Some(object) = selection {
-        renderer.draw_outline(onto, object);
-    }
     let marks = Marks {
-        selection,
+        selection: selection.into_iter().collect(),
         hover: None,
     };
+    renderer.draw_outline(onto, &marks.selection);
     let picture = renderer.read_marked(onto, &marks)?;
     Ok((targets.read_ids(gpu)?, picture))
 }

@@ -372,9 +372,9 @@ mod tests {
                 renderer.draw_rough(onto, &[line]).expect("it fits");
                 renderer.draw(onto, &[line]).expect("it fits");
                 for object in 0..2 {
-                    renderer.draw_outline(onto, object);
+                    renderer.draw_outline(onto, &[object]);
                     let marks = Marks {
-                        selection: Some(object),
+                        selection: vec![object],
                         hover: Some(1 - object),
                     };
                     renderer.mark(onto, &marks);

@@ -181,7 +181,7 @@ pub struct Marking {
     pub tint: f32,
     /// Extra light on the object under the cursor: a multiple of its colour, and an amount of white.
     pub lit: [f32; 2],
-    /// Id of the selected object; `u32::MAX` for none.
+    /// Id of the selected object; `u32::MAX` for none, one less for several.
     pub selection: u32,
     /// Id of the object under the cursor; `u32::MAX` for none.
     pub hover: u32,

@@ -98,6 +98,29 @@ impl Object {
         mesh.albedo(at)
     }
 
+    /// The name, where its file gives one, and the colour of one of its triangles, counted from 0 within the object. With
+    /// `None`, of all of it; `None` if not all of it is the same.
+    ///
+    /// # Panics
+    /// When its mesh lacks the triangle.
+    pub fn material(&self, triangle: Option<u32>) -> Option<(Option<&str>, Srgb)> {
+        let (Shape::Mesh { mesh, .. }, None) = (&self.shape, self.colour) else {
+            return Some((None, self.colour.unwrap_or(Srgb::NEUTRAL)));
+        };
+        let triangles = self.shape.triangles()?;
+        let first = triangles.start + triangle.unwrap_or(0);
+        let runs = &mesh.data().colours;
+        let run = runs.get(runs.partition_point(|run| run.triangles.end <= first))?;
+        if triangle.is_none() && run.triangles.end < triangles.end {
+            return None;
+        }
+        let own = match mesh.data().vertex_colours[..] {
+            [] => Srgb::NEUTRAL,
+            _ => Srgb::WHITE,
+        };
+        Some((mesh.triangle_material(first), run.colour.unwrap_or(own)))
+    }
+
     /// The shading normal at a hit, in object space: interpolated over the triangle, or the surface's own.
     pub fn shading_normal(&self, hit: &Hit) -> DVec3 {
         match (&self.shape, &hit.on_triangle) {

@@ -263,6 +263,7 @@ fn mesh_of(printed: &Stored, place: usize) -> Mesh {
         colours: vec![ColourRun {
             triangles: 0..u32::try_from(triangles.len()).unwrap(),
             colour: None,
+            material: None,
         }],
         ..MeshData::default()
     })

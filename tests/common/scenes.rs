@@ -52,6 +52,7 @@ pub fn mesh(origin: DVec3, positions: Vec<[f32; 3]>, parts: &[&[[u32; 3]]]) -> M
         colours: vec![ColourRun {
             triangles: 0..end,
             colour: None,
+            material: None,
         }],
         crease: Some(0.7),
         ..MeshData::default()

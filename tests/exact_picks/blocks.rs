@@ -169,6 +169,7 @@ pub fn parts(random: &mut Random, placement: Placement) -> Vec<Object> {
         colours: vec![ColourRun {
             triangles: 0..count,
             colour: None,
+            material: None,
         }],
         ..MeshData::default()
     };

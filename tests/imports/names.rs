@@ -4,12 +4,14 @@ use super::graph::{Modules, is_facade};
 use std::{collections::BTreeMap, path::Path};
 
 /// What several files are about, each in its own way: their folders say which. Within `viewer` each name is one file's.
-const SHARED: [(&str, &[&str]); 15] = [
+const SHARED: [(&str, &[&str]); 14] = [
     ("again", &["scene/files/obj", "scene/files/obj/tests"]),
-    ("in_file", &["scene", "scene/files/obj", "viewer/ui/panels"]),
+    (
+        "in_file",
+        &["scene", "scene/files/obj", "viewer/ui/panels/inspector"],
+    ),
     ("narrowed", &["scene", "pick"]),
     ("one_place", &["pick", "verify"]),
-    ("pick", &["cli", "viewer/ui/panels"]),
     ("random", &["geometry", "study"]),
     ("record", &["pick", "pick/snap"]),
     (
@@ -21,7 +23,7 @@ const SHARED: [(&str, &[&str]); 15] = [
             "pick/edge",
             "render",
             "verify",
-            "viewer/ui/panels",
+            "viewer/ui/panels/inspector",
         ],
     ),
     ("sphere", &["geometry", "render", "verify"]),

@@ -64,8 +64,8 @@ fn facades_of_the_viewer_hold_nothing_of_their_own() {
     }
     assert_eq!(
         seen,
-        1 + ROOMS.len() - 1 + 1,
-        "the viewer, its rooms, the panels"
+        1 + ROOMS.len() - 1 + 2,
+        "the viewer, its rooms, the panels, the inspector"
     );
 }
 

@@ -53,9 +53,9 @@ fn all_of(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<Image<Id>>, Vec<Image<R
             drawn.expect("drawn");
             colours.push(targets.read_colours(gpu).expect("colours"));
         }
-        renderer.draw_outline((&buffers, &targets, view), 1);
+        renderer.draw_outline((&buffers, &targets, view), &[1]);
         let marks = Marks {
-            selection: Some(1),
+            selection: vec![1],
             hover: Some(2),
         };
         let picture = renderer.read_marked((&buffers, &targets, view), &marks);
@@ -182,6 +182,7 @@ fn two_parts(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, first: usize) -
         colours: vec![ColourRun {
             triangles: 0..all,
             colour: None,
+            material: None,
         }],
         ..MeshData::default()
     };

@@ -137,7 +137,7 @@ fn a_selected_surface_keeps_its_colour() {
     let view = overview([320, 200]);
     for object in [2, 6, 9] {
         let marks = Marks {
-            selection: Some(object),
+            selection: vec![object],
             hover: None,
         };
         let (ids, plain, picture) = draw(&gpu, &scene, &view, &[], &marks, 1);

@@ -50,8 +50,8 @@ fn draw(
     renderer
         .draw((&buffers, &targets, view), lines)
         .expect("draws");
-    if let Some(object) = marks.selection {
-        renderer.draw_outline((&buffers, &targets, view), object);
+    if !marks.selection.is_empty() {
+        renderer.draw_outline((&buffers, &targets, view), &marks.selection);
     }
     let picture = renderer.read_marked((&buffers, &targets, view), marks);
     (

@@ -26,7 +26,7 @@ fn the_selection_is_outlined_where_it_shows() {
         // The turned box stands behind the ball, the right half of a mesh behind the card.
         for (name, object) in [("turned box", 7), ("right", 11), ("ellipsoid", 3)] {
             let marks = Marks {
-                selection: Some(object),
+                selection: vec![object],
                 hover: Some(2),
             };
             let (ids, plain, picture) = draw(&gpu, &scene, &view, &[], &marks, samples);
@@ -55,6 +55,47 @@ fn the_selection_is_outlined_where_it_shows() {
             assert_eq!(through, 0, "{name}: pixels of outline seen through others");
         }
     }
+}
+
+/// Each of several selected objects is marked as if it were selected alone, and nothing else is. Of two that touch in the
+/// picture, the line between them goes.
+#[test]
+fn several_objects_are_marked_as_each_alone_is() {
+    let gpu = gpu();
+    let scene = shapes(DVec3::ZERO);
+    let view = overview([640, 400]);
+    let marked = |selection: Vec<usize>| {
+        let marks = Marks {
+            selection,
+            hover: None,
+        };
+        draw(&gpu, &scene, &view, &[], &marks, 1)
+    };
+    let (ids, plain, _) = marked(Vec::new());
+    let apart = [3, 7, 11];
+    let all = marked(apart.into()).2;
+    let alone = apart.map(|object| marked(vec![object]).2);
+    let mut changed = [0; 3];
+    for (x, y) in ids.positions() {
+        let of: Vec<_> = (0..3)
+            .filter(|i| alone[*i].at(x, y) != plain.at(x, y))
+            .collect();
+        match of[..] {
+            [] => assert_eq!(all.at(x, y), plain.at(x, y), "({x}, {y})"),
+            [one] => {
+                assert_eq!(all.at(x, y), alone[one].at(x, y), "({x}, {y})");
+                changed[one] += 1;
+            }
+            _ => {}
+        }
+    }
+    assert!(changed.iter().all(|changed| *changed > 200), "{changed:?}");
+    // More than can have a rectangle of their own, most of which are not there.
+    let many = marked((0..2000).collect()).2;
+    let shown = ids.pixels().iter().filter(|id| id.object != 0).count();
+    let differ = many.pixels().iter().zip(plain.pixels());
+    let differ = differ.filter(|(a, b)| a != b).count();
+    assert!(differ * 10 > shown * 9, "{differ} of {shown}");
 }
 
 #[test]

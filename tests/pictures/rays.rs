@@ -45,7 +45,7 @@ fn by_rays(
     samples: u32,
 ) -> (Image<Pixel>, Targets, Image<Rgb>) {
     let marks = Marks {
-        selection: Some(object),
+        selection: vec![object],
         hover: None,
     };
     let deadline = Instant::now() + Duration::from_mins(10);
@@ -56,7 +56,7 @@ fn by_rays(
     let onto = (&buffers, &targets, view);
     let taken = renderer.take_pixels(onto, &pixels, lines);
     taken.expect("fits");
-    renderer.draw_outline(onto, object);
+    renderer.draw_outline(onto, &[object]);
     let picture = renderer.read_marked(onto, &marks);
     (pixels, targets, picture.expect("a picture"))
 }
@@ -104,7 +104,7 @@ fn pixels_that_rays_found_look_as_if_drawn() {
     assert!(with_samples[1] > 1);
     for ((name, view), object) in views().into_iter().flat_map(|view| [(view, 3), (view, 7)]) {
         let marks = Marks {
-            selection: Some(object),
+            selection: vec![object],
             hover: None,
         };
         let (ids, _, drawn) = draw(&gpu, &scene, &view, &lines, &marks, 1);

@@ -175,6 +175,7 @@ fn a_mesh_that_obj_cannot_hold_exactly_is_refused_and_leaves_nothing() {
         colours: vec![ColourRun {
             triangles: 0..2,
             colour: Some(Srgb([1, 2, 3])),
+            material: None,
         }],
         ..MeshData::default()
     });

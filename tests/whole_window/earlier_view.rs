@@ -66,7 +66,9 @@ fn what_is_copied_repeats_the_pick_after_any_change_of_view() {
         ("projection", |window| press_key(window, NONE, Key::Num5)),
         ("fov", |window| typed(window, "fov", "37.3")),
         ("near", |window| typed(window, "near", "7.6")),
-        ("depth", |window| click_on(window, "standard")),
+        ("depth", |window| {
+            click_under(window, "Depth buffer", "standard");
+        }),
         ("cull", |window| press_key(window, NONE, Key::B)),
         ("size", |window| window.resize(px([1180, 700], 1.0))),
     ];
@@ -86,7 +88,7 @@ fn what_is_copied_repeats_the_pick_after_any_change_of_view() {
             _ => "Picked in an earlier view",
         };
         assert!(says(&window, words), "{name}");
-        assert_eq!(says(&window, "show the point"), name == "near", "{name}");
+        assert_eq!(says(&window, "not shown"), name == "near", "{name}");
         assert_eq!(copied(&mut window, Key::J), json, "{name}");
         let command = copied(&mut window, Key::C);
         assert_eq!(answer(&command), json, "{name}: {command}");
@@ -177,7 +179,7 @@ fn a_surface_behind_is_among_those_that_the_command_lists() {
     assert!(json.contains("\"front\":false"), "{json}");
     // Seen from the front, the back of the cube is culled.
     press_key(&mut window, NONE, Key::B);
-    assert!(says(&window, "show the point"));
+    assert!(says(&window, "not shown"));
     let command = copied(&mut window, Key::C);
     let all: serde_json::Value = serde_json::from_str(&answer(&command)).expect("JSON");
     let one: serde_json::Value = serde_json::from_str(&json).expect("JSON");

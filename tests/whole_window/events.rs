@@ -61,8 +61,8 @@ fn a_drag_turns_and_picks_nothing() {
 fn a_press_on_a_panel_never_moves_the_camera() {
     let (mut window, _folder) = row(1.0);
     let before = *window.state().view();
-    // A control of the list, one of the panel of picks, and one of the toolbar.
-    for name in ["Objects", "Pick", "Reset"] {
+    // A control of the list, one of the inspector, and one of the toolbar.
+    for name in ["search", "position", "Reset"] {
         let panel = control(&window, name).rect.center();
         drag(&mut window, PointerButton::Primary, panel, MIDDLE);
         drag(&mut window, PointerButton::Secondary, panel, MIDDLE);

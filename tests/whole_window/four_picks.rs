@@ -10,9 +10,11 @@ use glam::DVec3;
 #[test]
 fn a_point_has_one_colour_in_all_views_and_the_numbers() {
     let (mut window, _folder) = four();
-    // This leaves room between the near plane and the cube.
+    // This leaves room between the near plane and the cube. The matrices had scrolled the camera away.
+    press_key(&mut window, Modifiers::NONE, Key::P);
     type_into(&mut window, "near", "4");
     press_key(&mut window, Modifiers::NONE, Key::Enter);
+    press_key(&mut window, Modifiers::NONE, Key::P);
     let places = rects(&window);
     // The point lies on the cube's front, where the world view shows it.
     let state = window.state();
@@ -91,14 +93,9 @@ fn a_double_click_on_nothing_makes_a_view_large_and_keeps_the_pick() {
     press_key(&mut window, Modifiers::NONE, Key::Num4);
     let kept = |window: &Window| {
         let state = window.state();
-        let landmarks = state.landmarks().to_vec();
+        let points = state.measuring().points.clone();
         let hits = state.hits().map(|hits| (hits.px, hits.at));
-        (
-            state.selection().cloned(),
-            hits,
-            state.followed(),
-            landmarks,
-        )
+        (state.selection().cloned(), hits, state.followed(), points)
     };
     let before = kept(&window);
     assert!(before.0.as_ref().is_some_and(|is| is.pick.is_some()) && before.3.len() == 2);

@@ -120,7 +120,7 @@ fn the_picture_is_an_odd_number_of_pixels_wide() {
 fn edited_and_left() -> (Window, TempDir) {
     let (mut window, folder) = row(1.0);
     click(&mut window, MIDDLE);
-    click_on(&mut window, "Model matrix");
+    click_on(&mut window, "Placement");
     type_into(&mut window, "position x", "1.5");
     press_key(&mut window, Modifiers::NONE, Key::Enter);
     press_key(&mut window, Modifiers::NONE, Key::E);

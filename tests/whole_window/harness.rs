@@ -458,7 +458,10 @@ fn leave_out_background(shapes: &mut Vec<ClippedShape>) {
 fn control(node: &AccessKitNode<'_>) -> Option<Control> {
     let (has_focus, node) = (node.is_focused(), node.data());
     let value = node.value().unwrap_or_default();
-    let number = node.numeric_value().map(|number| number.to_string());
+    // A field shows its number shortened.
+    let is_field = matches!(node.role(), Role::SpinButton | Role::TextInput);
+    let number = node.numeric_value().filter(|_| !is_field);
+    let number = number.map(|number| number.to_string());
     let said = (node.role() == Role::Label).then_some(value);
     let is_of_use = node.supports_action(Action::Click) || node.supports_action(Action::Focus);
     let name = node.label().or(said).or(is_of_use.then_some(""))?;

@@ -126,6 +126,7 @@ fn a_gap_however_small_is_not_shown_as_none() {
         let (mut window, _folder) = squares(&["0", behind]);
         click(&mut window, MIDDLE);
         assert!(selected(&window).is_some(), "{behind}");
+        click_on(&mut window, "Details");
         control(&window, said);
     }
 }
@@ -137,22 +138,20 @@ fn esc_takes_the_measured_distance_away() {
     click(&mut window, MIDDLE);
     key(&mut window, Key::N);
     key(&mut window, Key::D);
-    assert_eq!(window.state().landmarks().len(), 2);
+    assert_eq!(window.state().measuring().points.len(), 2);
     key(&mut window, Key::Escape);
-    assert_eq!(window.state().landmarks().len(), 0);
+    assert_eq!(window.state().measuring().points.len(), 0);
     // The next pick has no earlier point to be measured from.
     click(&mut window, MIDDLE);
-    assert_eq!(window.state().landmarks().len(), 1);
+    assert_eq!(window.state().measuring().points.len(), 1);
 }
 
 #[test]
 fn the_panels_say_what_is_so() {
     let (mut window, _folder) = row(1.0);
     click(&mut window, MIDDLE);
-    click_on(&mut window, "Model matrix");
-    for row in ["nearest edge", "next surface"] {
-        control(&window, row);
-    }
+    click_on(&mut window, "Placement");
+    control(&window, "nearest edge");
     for (scale, said) in [
         ("0.5", "determinant 0.5: volumes times 0.5"),
         ("-2", "determinant -2: volumes times 2, mirrored"),

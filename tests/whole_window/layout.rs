@@ -212,6 +212,8 @@ fn numbers_move_nothing() {
 #[test]
 fn a_long_number_moves_nothing_and_is_told_whole() {
     let (mut window, _folder) = row(1.0);
+    click_on(&mut window, "Pose");
+    window.wait_s(1.0);
     let before = places(&window);
     for (field, typed, shown, value) in [
         (
@@ -246,18 +248,18 @@ fn columns(window: &Window) -> Vec<[f32; 2]> {
     let of_matrix = |matrix: &str| ["x", "y", "z", "w"].map(|row| format!("{matrix}, row {row}"));
     let rows = ["P", "V", "M"].into_iter().flat_map(of_matrix);
     let way = ["object", "clip", "ray along"].map(|step| format!("{step:<9}"));
-    let edge = control(window, "edge of the left side").rect.center().x;
+    let edge = control(window, "edge of the right side").rect.center().x;
     let mut all = Vec::new();
     for name in rows.chain(way) {
         let row = control(window, &name).rect.y_range();
         let beside = window.controls().iter().filter(|number| {
             number.role == Role::Label
                 && number.name.trim().parse::<f64>().is_ok()
-                && number.rect.right() < edge
+                && number.rect.left() > edge
                 && row.contains(number.rect.center().y)
         });
         let mut beside: Vec<_> = beside
-            .map(|number| [number.rect.left(), number.rect.right()])
+            .map(|number| [number.rect.left() - edge, number.rect.right() - edge])
             .collect();
         beside.sort_by(|a, b| a[0].total_cmp(&b[0]));
         all.extend(beside);
@@ -270,6 +272,7 @@ fn columns(window: &Window) -> Vec<[f32; 2]> {
 fn the_columns_of_matrices_stay_where_they_are() {
     let (mut window, folder) = row(1.0);
     click(&mut window, MIDDLE);
+    click_on(&mut window, "Pose");
     press_key(&mut window, Modifiers::NONE, Key::P);
     let before = columns(&window);
     assert_eq!(before.len(), 3 * 4 * 4 + 3 + 4 + 3);
@@ -287,12 +290,12 @@ fn the_columns_of_matrices_stay_where_they_are() {
     click(&mut window, MIDDLE);
     assert!(picked_px(&window).is_some());
     assert_eq!(columns(&window), before, "large");
-    // Folding the other side makes room for a wider panel.
-    click_on(&mut window, "right side");
-    let edge = control(&window, "edge of the left side").rect.center();
-    let to = edge + vec2(60.0, 0.0);
+    // Closing the other side makes room for a wider panel.
+    click_on(&mut window, "left side");
+    let edge = control(&window, "edge of the right side").rect.center();
+    let to = edge - vec2(60.0, 0.0);
     drag(&mut window, PointerButton::Primary, edge, to);
-    let now = control(&window, "edge of the left side").rect.center();
+    let now = control(&window, "edge of the right side").rect.center();
     assert!((now.x - to.x).abs() < 1.0, "{now} {to}");
     assert_eq!(columns(&window), before, "wider");
 }
@@ -333,6 +336,7 @@ fn small_windows_cut_nothing_off_at_their_sides() {
         if !control(&window, "right side").is_on {
             click_on(&mut window, "right side");
         }
+        click_on(&mut window, "Pose");
         let is_within = |window: &Window, name: &str| {
             let rect = control(window, name).rect;
             assert!(

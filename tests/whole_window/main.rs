@@ -37,6 +37,7 @@ mod remembering;
 mod rest;
 mod saving;
 mod section;
+mod selecting;
 mod sides;
 mod stalls;
 mod tour;
@@ -176,6 +177,42 @@ fn click_on(window: &mut Window, name: &str) {
     assert!(found.is_enabled, "{name} can be used");
     let at = found.rect.center();
     click(window, at);
+}
+
+/// Clicks a control under a heading of the inspector, which it unfolds first if the control is not there.
+#[track_caller]
+fn click_under(window: &mut Window, heading: &str, name: &str) {
+    if !has_control(window, name) {
+        scroll_to(window, heading);
+        click_on(window, heading);
+    }
+    scroll_to(window, name);
+    click_on(window, name);
+}
+
+/// Turns the wheel over the inspector until a control in it is in view.
+#[track_caller]
+fn scroll_to(window: &mut Window, name: &str) {
+    let seen = control(window, "edge of the right side").rect.y_range();
+    for _ in 0..50 {
+        let at = control(window, name).rect;
+        let by = (seen.min - at.top()).max(0.0) - (at.bottom() - seen.max).max(0.0);
+        if by == 0.0 {
+            return;
+        }
+        window.send([
+            Event::PointerMoved(pos2(1120.0, seen.center())),
+            Event::MouseWheel {
+                unit: egui::MouseWheelUnit::Point,
+                source: egui::MouseWheelSource::Unknown,
+                delta: egui::vec2(0.0, by),
+                phase: egui::TouchPhase::Move,
+                modifiers: Modifiers::NONE,
+            },
+        ]);
+        window.wait_s(0.5);
+    }
+    panic!("{name} stays out of view");
 }
 
 /// Ctrl as winit reports it on systems where Ctrl is the command key.

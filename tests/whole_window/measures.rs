@@ -26,6 +26,8 @@ fn wall() -> (Window, TempDir) {
     let path = folder.path().join("wall.toml");
     std::fs::write(&path, SCENE).expect("a writable folder");
     let mut window = open(vec![path], 1.0);
+    // Folded, the camera leaves room for the list of measures.
+    click_on(&mut window, "Camera");
     click_on(&mut window, "Measure");
     (window, folder)
 }
@@ -58,14 +60,16 @@ fn values(window: &Window) -> Vec<f64> {
 #[test]
 fn clicks_are_led_to_vertices_and_edges_and_measured() {
     let (mut window, _folder) = wall();
-    // Without snapping nothing is measured.
+    // Without snapping, a click measures from the surface that it hits.
     click_near(&mut window, [2.0, 1.0, 0.0], [-4.0, 3.0]);
-    assert!(window.state().measuring().points.is_empty() && !is_enabled(&window, "distance"));
+    let points = &window.state().measuring().points;
+    assert!(points.len() == 1 && points[0].snap.is_none());
+    assert!(!is_enabled(&window, "distance") && !is_enabled(&window, "object area"));
     click_on(&mut window, "snap clicks");
     click_near(&mut window, [2.0, 1.0, 0.0], [-4.0, 3.0]);
     let label = |window: &Window| {
         let last = window.state().measuring().points.last();
-        last.map(sightline::pick::snap::Snap::label)
+        last.map(sightline::viewer::model::MeasuredPoint::label)
     };
     assert_eq!(label(&window).as_deref(), Some("v 3 of Wall"));
     assert!(!is_enabled(&window, "distance") && !is_enabled(&window, "edge length"));
@@ -89,6 +93,7 @@ fn clicks_are_led_to_vertices_and_edges_and_measured() {
     assert_eq!(copied[2]["what"], "edge length");
     assert_eq!(copied[2]["of"], "edge 1-2 of Wall");
     assert_eq!(copied[0]["value"], 20.0_f64.sqrt());
+    assert_eq!(copied[0]["along"], serde_json::json!([-4.0, -2.0, 0.0]));
     click_on(&mut window, "copy list");
     assert_eq!(window.copied().map(|text| text.lines().count()), Some(4));
 
@@ -196,9 +201,11 @@ fn measures_are_not_lost_without_a_question() {
 }
 
 /// The panel's buttons, without its list.
-const NAMES: [&str; 8] = [
+const NAMES: [&str; 10] = [
     "snap clicks",
     "distance",
+    "angle",
+    "radius",
     "edge length",
     "face area",
     "object area",
@@ -219,14 +226,13 @@ fn the_panel_stays_as_it_is_laid_out() {
         assert!(told.contains(words), "{name}: {told}");
     };
     let first = places(&window);
-    for name in &NAMES[1..5] {
+    said(&window, "distance", "click two points");
+    said(&window, "angle", "click three points");
+    for name in &NAMES[4..7] {
         said(&window, name, "tick \u{201c}snap clicks\u{201d} first");
     }
     said(&window, "copy list", "nothing was measured yet");
-    control(
-        &window,
-        "Tick \u{201c}snap clicks\u{201d}, then click in the picture.",
-    );
+    control(&window, "Click a point in the picture.");
     click_on(&mut window, "snap clicks");
     assert_eq!(places(&window), first);
     control(&window, "Click a vertex, an edge or a face.");

@@ -70,6 +70,7 @@ fn what_moves_is_exact_where_it_is_little() {
 #[test]
 fn a_drag_lays_the_panels_out_once_and_they_show_what_it_did() {
     let (mut window, _folder) = row(1.0);
+    click_on(&mut window, "Pose");
     window.picture().expect("a picture");
     // In the four views, the world's camera is dragged, which the panels tell nothing about.
     for (views, at) in [

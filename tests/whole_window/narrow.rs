@@ -24,12 +24,3 @@ fn help_is_as_narrow_as_the_window() {
     is_within(&window, "Take the tour");
     is_within(&window, "Undo: take the last change back");
 }
-
-/// A reason can be read below the field that was left.
-#[test]
-fn why_a_number_is_refused_stands_below_its_field() {
-    let (mut window, _folder) = row(1.0);
-    type_into(&mut window, "fov", "abc");
-    press_key(&mut window, NONE, Key::Enter);
-    control(&window, "\u{201c}abc\u{201d} is not a number");
-}

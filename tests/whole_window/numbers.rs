@@ -46,6 +46,7 @@ fn reads(window: &Window, text: &str) -> bool {
 #[test]
 fn a_click_names_line_face_and_corners() {
     let (mut window, _folder) = walls();
+    click_on(&mut window, "Details");
     click(&mut window, MIDDLE);
     assert_eq!(selected(&window), Some("Front"));
     assert!(reads(&window, "walls.obj") && reads(&window, "1, a quad"));
@@ -70,6 +71,7 @@ fn a_click_names_line_face_and_corners() {
 fn a_file_that_is_gone_is_said_to_be() {
     let (mut window, folder) = walls();
     std::fs::remove_file(folder.path().join("walls.obj")).expect("a file");
+    click_on(&mut window, "Details");
     click(&mut window, MIDDLE);
     assert_eq!(selected(&window), Some("Front"));
     assert!(reads(&window, "walls.obj: cannot be read again"));

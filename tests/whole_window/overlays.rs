@@ -141,7 +141,7 @@ fn the_grid_stays_when_an_object_is_hidden_or_moved() {
 
     press_key(&mut window, Modifiers::NONE, Key::U);
     click_on(&mut window, "distant");
-    click_on(&mut window, "Model matrix");
+    click_on(&mut window, "Placement");
     type_into(&mut window, "position x", "61");
     press_key(&mut window, Modifiers::NONE, Key::Enter);
     objects.push(place_of(&window, 3));

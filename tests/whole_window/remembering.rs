@@ -123,7 +123,7 @@ fn a_file_that_changes_is_read_again() {
 
     // Edits are kept.
     click(&mut window, MIDDLE);
-    click_on(&mut window, "Model matrix");
+    click_on(&mut window, "Placement");
     type_into(&mut window, "position x", "0.25");
     press_key(&mut window, Modifiers::NONE, Key::Enter);
     let edited = window.state().scene().objects()[1].placement;

@@ -107,7 +107,7 @@ fn the_frame_after_a_key_is_laid_out_already() {
 #[test]
 fn a_blinking_cursor_lays_out_what_it_must() {
     let (mut window, _folder) = row(1.0);
-    click_on(&mut window, "eye x");
+    click_on(&mut window, "fov");
     let before = window.passes();
     window.wait_s(1.0);
     let laid = window.passes() - before;

@@ -19,7 +19,7 @@ const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 /// Moves the first object: an edit that reading its file again would drop.
 fn move_first(window: &mut Window) {
     press_key(window, Modifiers::NONE, Key::ArrowDown);
-    click_on(window, "Model matrix");
+    click_on(window, "Placement");
     type_into(window, "position x", "0.25");
     press_key(window, Modifiers::NONE, Key::Enter);
     assert!(is_marked(window));

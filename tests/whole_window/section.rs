@@ -44,8 +44,11 @@ fn a_cut_solid_shows_and_picks_its_inside() {
 
 /// Types a section as a user does.
 fn type_section(window: &mut Window, normal: [f64; 3], offset: f64) {
+    if !has_control(window, "cut") {
+        click_on(window, "Section");
+    }
     if section(window).is_none() {
-        click_on(window, "section");
+        click_on(window, "cut");
     }
     let names = ["section n x", "section n y", "section n z"];
     // z is typed first, so that n never becomes 0 in between.
@@ -62,12 +65,13 @@ fn type_section(window: &mut Window, normal: [f64; 3], offset: f64) {
 #[test]
 fn it_is_laid_flipped_and_taken_back_step_by_step() {
     let (mut window, _folder) = row(1.0);
+    click_on(&mut window, "Section");
     assert!(!has_control(&window, "flip the section"));
     let mut stood = vec![None];
     click_on(&mut window, "section across x");
     stood.push(section(&window));
     // The eye looks along -z, so the far side is kept.
-    click_on(&mut window, "section across z");
+    click_under(&mut window, "Section", "section across z");
     stood.push(section(&window));
     let across = section(&window).expect("a section");
     assert_eq!(across.normal(), DVec3::NEG_Z);
@@ -93,7 +97,7 @@ fn it_is_laid_flipped_and_taken_back_step_by_step() {
 #[test]
 fn what_makes_no_section_is_refused_in_red() {
     let (mut window, _folder) = row(1.0);
-    click_on(&mut window, "section across z");
+    click_under(&mut window, "Section", "section across z");
     let before = section(&window);
     type_into(&mut window, "section n z", "0");
     press_key(&mut window, Modifiers::NONE, Key::Enter);
@@ -109,7 +113,7 @@ fn what_makes_no_section_is_refused_in_red() {
 fn the_arrow_in_the_picture_drags_it() {
     let (mut window, _folder) = row(1.0);
     press_key(&mut window, Modifiers::NONE, Key::Num3);
-    click_on(&mut window, "section across z");
+    click_under(&mut window, "Section", "section across z");
     let (before, view) = (section(&window).expect("a section"), *window.state().view());
     let at = control(&window, "drag the section").rect.center();
     drag(
@@ -141,10 +145,11 @@ fn the_arrow_in_the_picture_drags_it() {
 #[test]
 fn along_the_picked_face() {
     let (mut window, _folder) = row(1.0);
+    click_on(&mut window, "Section");
     assert!(!control(&window, "section along the face").is_enabled);
     click(&mut window, pos2(590.5, 385.5));
     assert_eq!(selected(&window), Some("front"));
-    click_on(&mut window, "section along the face");
+    click_under(&mut window, "Section", "section along the face");
     let along = Section::new(DVec3::NEG_Z, 2.5).expect("a section");
     assert_eq!(section(&window), Some(along));
 }
@@ -173,7 +178,7 @@ fn it_is_saved_and_opened_again_and_no_gallery_scene_has_it() {
     assert_eq!(section(&window), None);
     press_key(&mut window, Modifiers::NONE, Key::Z);
     assert_eq!(section(&window), None);
-    assert!(!has_control(&window, "section"));
+    assert!(!has_control(&window, "Section"));
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     assert!(section(&window).is_some(), "back");

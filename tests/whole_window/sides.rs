@@ -1,5 +1,4 @@
-//! The panels of a side can all be reached, nothing in them is cut off, and the matrices give back the room that they
-//! took.
+//! What the sides hold can be reached, nothing in it is cut off, and what unfolds moves only what is below it.
 
 use super::*;
 
@@ -11,34 +10,78 @@ fn demo(points: [u32; 2]) -> Window {
     Window::open(Options::default(), px(points, 1.0), 1.0)
 }
 
-/// Beside the matrices every heading is in view, and what is selected can be read.
+/// What is picked is said first, and in the same place whatever is picked.
 #[test]
-fn the_pick_can_be_read_beside_the_matrices() {
+fn what_is_picked_is_said_first_and_moves_nothing() {
     let (mut window, _folder) = row(1.0);
-    click(&mut window, MIDDLE);
-    press_key(&mut window, Modifiers::NONE, Key::P);
-    // What is under the cursor is named, too.
-    window.send([Event::PointerGone]);
-    let top = |name: &str| control(&window, name).rect.top();
-    let tops = ["Matrices", "Measure", "Objects"].map(top);
-    assert!(tops.is_sorted(), "{tops:?}");
-    let pick = top("Pick");
-    assert!(top("Camera") < pick);
-    for name in ["front", "object 1"] {
-        // The list of objects has a button with the same name.
-        let texts = window.controls().iter();
-        let texts = texts.filter(|text| text.role == Role::Label && text.name == name);
-        let rows: Vec<_> = texts.map(|text| text.rect).collect();
-        let is_in_view = |row: &Rect| row.top() > pick && row.bottom() < 690.0;
+    let places = |window: &Window| {
+        let names = [
+            "position",
+            "nearest edge",
+            "copy JSON",
+            "Camera",
+            "fov",
+            "Depth buffer",
+        ];
+        names.map(|name| control(window, name).rect)
+    };
+    let before = places(&window);
+    assert!(before.map(|rect| rect.top()).is_sorted());
+    let nothing = pos2(MIDDLE.x - 250.0, MIDDLE.y - 200.0);
+    for at in [MIDDLE, nothing, control(&window, "back").rect.center()] {
+        click(&mut window, at);
+        assert_eq!(places(&window), before);
+    }
+    press_key(&mut window, Modifiers::NONE, Key::Num7);
+    assert_eq!(places(&window), before, "in another view");
+    control(&window, "object 3");
+    control(&window, "3 x 3 x 0");
+}
+
+/// A topic that unfolds moves only what is below it, and comes into view.
+#[test]
+fn what_unfolds_moves_only_what_is_below() {
+    let topics = [
+        "Placement",
+        "Details",
+        "Matrices",
+        "Measure",
+        "Section",
+        "Depth buffer",
+    ];
+    for (at, topic) in topics.into_iter().enumerate() {
+        let (mut window, _folder) = row(1.0);
+        window.resize(px([1280, 1400], 1.0));
+        let heading = |window: &Window, name: &str| {
+            let mut all = window.controls().iter();
+            let here = all.find(|control| control.name == name && control.rect.left() > 970.0);
+            here.expect("a heading").rect
+        };
+        let above = |window: &Window| {
+            let names = ["copy JSON", "fov", "Pose"]
+                .into_iter()
+                .chain(topics[..=at].iter().copied());
+            names.map(|name| heading(window, name)).collect::<Vec<_>>()
+        };
+        let before = above(&window);
+        let to = heading(&window, topic).center();
+        click(&mut window, to);
+        assert_eq!(above(&window), before, "{topic}");
+        if let Some(next) = topics.get(at + 1) {
+            assert!(
+                heading(&window, next).top() > before[3 + at].bottom() + 20.0,
+                "{topic}"
+            );
+        }
+        let (mut window, _folder) = row(1.0);
+        let to = heading(&window, topic).center();
+        click(&mut window, to);
+        let rect = heading(&window, topic);
         assert!(
-            !rows.is_empty() && rows.iter().all(is_in_view),
-            "{name}: {rows:?}"
+            rect.top() > 20.0 && rect.bottom() < 690.0,
+            "{topic}: {rect}"
         );
     }
-    // The matrices keep enough to read, and the list as well.
-    let z = control(&window, "P, row z").rect;
-    assert!(z.top() > tops[0] && z.bottom() < tops[1], "{z}");
-    assert!(tops[2] < 690.0 - 100.0, "{tops:?}");
 }
 
 /// In a window that the matrices make narrow, controls end within their side, and the numbers of a vector stand in a
@@ -48,6 +91,9 @@ fn nothing_is_cut_off_beside_the_matrices() {
     let mut window = demo(SIZE);
     click(&mut window, MIDDLE);
     let number = window.state().selected().expect("an object") + 1;
+    for heading in ["Pose", "Details"] {
+        click_on(&mut window, heading);
+    }
     for key in [Key::P, Key::Num4] {
         press_key(&mut window, Modifiers::NONE, key);
         for name in ["up z", &format!("object {number}")] {
@@ -71,65 +117,70 @@ fn nothing_is_cut_off_beside_the_matrices() {
 fn matrices_have_all_their_columns_in_a_small_window() {
     let mut window = demo([640, 400]);
     press_key(&mut window, Modifiers::NONE, Key::P);
-    let edge = control(&window, "edge of the left side").rect.center().x;
+    let edge = control(&window, "edge of the right side").rect.center().x;
     let numbers = window.controls().iter().filter(|control| {
         control.role == Role::Label
             && control.name.trim().parse::<f64>().is_ok()
-            && control.rect.left() < edge
+            && control.rect.left() > edge
     });
     let rights: Vec<_> = numbers.map(|number| number.rect.right()).collect();
     assert!(rights.len() >= 48, "{}", rights.len());
     assert!(
-        rights.iter().all(|right| *right <= edge - 8.0),
-        "{edge}: {rights:?}"
+        rights.iter().all(|right| *right <= 640.0 - 8.0),
+        "{rights:?}"
     );
     let tabs = ["show picture", "show NDC"].map(|tab| control(&window, tab).rect.center().y);
     assert!((tabs[0] - tabs[1]).abs() < 1.0, "{tabs:?}");
 }
 
-/// What the matrices took the place of comes back as they go.
+/// The key of the matrices shows them and folds them again; the four views fold them only if they unfolded them.
 #[test]
-fn matrices_give_back_the_room_that_they_took() {
+fn matrices_are_shown_and_folded() {
+    let has = |window: &Window| has_control(window, "P, row z");
     for points in [[640, 400], [800, 600], SIZE] {
-        for keys in [vec![Key::P, Key::P], vec![Key::Num4, Key::P, Key::Num4]] {
-            let mut window = demo(points);
-            let before = sides(&window);
-            for key in &keys {
-                press_key(&mut window, Modifiers::NONE, *key);
-            }
-            assert_eq!(sides(&window), before, "{points:?} after {keys:?}");
+        let mut window = demo(points);
+        let mut press = |key, shows| {
+            press_key(&mut window, Modifiers::NONE, key);
+            assert_eq!(has(&window), shows, "{points:?}: {key:?}");
+        };
+        for (key, shows) in [
+            (Key::P, true),
+            (Key::Num4, true),
+            (Key::Num4, true),
+            (Key::P, false),
+            (Key::Num4, true),
+            (Key::Num4, false),
+        ] {
+            press(key, shows);
         }
+        // In a side that is closed they are not seen: the key opens it.
+        press(Key::P, true);
+        if sides(&window)[1] {
+            click_on(&mut window, "right side");
+        }
+        assert!(!has(&window));
+        press_key(&mut window, Modifiers::NONE, Key::P);
+        assert!(has(&window) && sides(&window)[1], "{points:?}");
     }
-    // A side that the user opened meanwhile stays.
-    let mut window = demo([640, 400]);
-    press_key(&mut window, Modifiers::NONE, Key::P);
-    click_on(&mut window, "right side");
-    click_on(&mut window, "left side");
-    press_key(&mut window, Modifiers::NONE, Key::P);
-    assert_eq!(sides(&window), [true, false]);
 }
 
-/// The gallery shows its panel in every window. What it took the place of comes back as it is left.
+/// The gallery shows its panel in every window.
 #[test]
-fn the_gallery_shows_its_panel_and_gives_back_the_room() {
+fn the_gallery_shows_its_panel() {
     const METHOD: &str = "Sightline's own, the default";
     for points in [[640, 400], [800, 600], SIZE] {
         let mut window = demo(points);
-        let before = sides(&window);
-        for (keys, after) in [
-            (vec![Key::E, Key::E], Key::Escape),
-            (vec![Key::P, Key::E, Key::P], Key::Escape),
-            (vec![Key::E, Key::P, Key::Escape], Key::P),
-        ] {
-            for key in &keys {
-                press_key(&mut window, Modifiers::NONE, *key);
-                let shows = has_control(&window, METHOD);
-                let in_gallery = window.state().showing().is_some();
-                assert_eq!(shows, in_gallery, "{points:?}, {key:?} of {keys:?}");
-            }
-            press_key(&mut window, Modifiers::NONE, after);
-            assert!(window.state().showing().is_none());
-            assert_eq!(sides(&window), before, "{points:?} after {keys:?}");
+        if sides(&window)[0] {
+            click_on(&mut window, "left side");
+        }
+        for key in [Key::E, Key::E, Key::Escape] {
+            press_key(&mut window, Modifiers::NONE, key);
+            let in_gallery = window.state().showing().is_some();
+            assert_eq!(
+                has_control(&window, METHOD),
+                in_gallery,
+                "{points:?}, {key:?}"
+            );
         }
         let options = Options {
             paths: vec!["gallery:needles".into()],
@@ -207,7 +258,7 @@ fn a_small_window_shows_the_fields_of_a_matrix() {
     click(&mut window, pos2(200.0, 180.0));
     assert!(picked_px(&window).is_some());
     click_on(&mut window, "Camera");
-    click_on(&mut window, "Model matrix");
+    click_on(&mut window, "Placement");
     for part in ["position", "rotation", "scale"] {
         let mut before = control(&window, part).rect;
         for axis in ["x", "y", "z"] {
@@ -226,7 +277,8 @@ fn a_small_window_shows_the_fields_of_a_matrix() {
 #[test]
 fn fields_of_the_camera_stand_in_columns() {
     for points in [[640, 400], SIZE] {
-        let window = demo(points);
+        let mut window = demo(points);
+        click_on(&mut window, "Pose");
         for axis in ["x", "y", "z"] {
             let left = |name: &str| control(&window, &format!("{name} {axis}")).rect.left();
             let eye = left("eye");

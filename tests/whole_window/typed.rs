@@ -11,7 +11,7 @@ fn typing(text: &str) -> (Window, TempDir) {
     let (mut window, folder) = row(1.0);
     std::fs::write(folder.path().join("other.toml"), ROW).expect("writable");
     click(&mut window, MIDDLE);
-    click_on(&mut window, "Model matrix");
+    click_on(&mut window, "Placement");
     type_into(&mut window, "position x", text);
     assert_eq!(x(&window), 0.0);
     (window, folder)

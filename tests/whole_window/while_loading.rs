@@ -95,7 +95,7 @@ fn large_with_a_move() -> (Window, TempDir) {
     let path = stalls::ground(folder.path(), SIDE);
     let mut window = open(vec![path], 1.0);
     click(&mut window, MIDDLE);
-    click_on(&mut window, "Model matrix");
+    click_on(&mut window, "Placement");
     type_into(&mut window, "position x", "1.5");
     press_key(&mut window, Modifiers::NONE, Key::Enter);
     assert_eq!(place(&window).x, 1.5);

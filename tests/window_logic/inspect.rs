@@ -65,14 +65,16 @@ fn every_surface_on_the_ray_is_listed_and_stepped_through() {
 fn the_last_two_picks_are_so_far_apart() {
     let mut state = front_view();
     state.apply(Action::Click(MIDDLE, 0.0));
-    assert_eq!(state.landmarks().len(), 1);
+    assert_eq!(state.measuring().points.len(), 1);
     state.apply(Action::Click(MIDDLE, 0.1));
-    assert_eq!(state.landmarks().len(), 1, "the same point twice is one");
+    assert_eq!(
+        state.measuring().points.len(),
+        1,
+        "the same point twice is one"
+    );
     state.apply(Action::Step { forward: true });
     let by = |state: &State| {
-        let [from, to] = state.landmarks() else {
-            panic!("two")
-        };
+        let [from, to] = state.measuring().last_two().expect("two");
         to.point_world - from.point_world
     };
     assert!(
@@ -87,18 +89,19 @@ fn the_last_two_picks_are_so_far_apart() {
         "from its back to the square"
     );
     let names: Vec<_> = state
-        .landmarks()
+        .measuring()
+        .points
         .iter()
         .map(|mark| mark.object.as_str())
         .collect();
-    assert_eq!(names, ["front", "back"]);
+    assert_eq!(names, ["front", "front", "back"]);
     state.apply(Action::Click(DVec2::new(3.0, 3.0), 9.0));
     assert!(
         (by(&state).z + 3.5).abs() < 1e-12,
         "nothing was picked beside them"
     );
     state.open(row(), Vec::new()).expect("a scene");
-    assert!(state.landmarks().is_empty());
+    assert!(state.measuring().points.is_empty());
 }
 
 #[test]
@@ -125,6 +128,7 @@ fn the_triangle_s_corners_weigh_up_to_the_point() {
         colours: vec![ColourRun {
             triangles: 0..2,
             colour: None,
+            material: None,
         }],
         ..MeshData::default()
     })

@@ -33,6 +33,8 @@ pub struct MeshData {
     pub parts: Vec<Part>,
     /// Colours by runs of triangles, in order; together they hold each triangle once.
     pub colours: Vec<ColourRun>,
+    /// The names of materials.
+    pub materials: Vec<String>,
     /// A colour for each vertex, or none at all. Multiplies the triangle's colour.
     pub vertex_colours: Vec<Srgb>,
     /// Normals for shading, or none at all; see [`Mesh::normals`].
@@ -61,6 +63,7 @@ impl MeshData {
             colours: vec![ColourRun {
                 triangles: all,
                 colour: None,
+                material: None,
             }],
             triangles,
             ..Self::default()
@@ -77,13 +80,15 @@ pub struct Part {
     pub triangles: Range<u32>,
 }
 
-/// Triangles of one colour.
+/// Triangles of one colour and one material.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ColourRun {
     /// Which triangles.
     pub triangles: Range<u32>,
     /// Their colour; `None` where the file gives none.
     pub colour: Option<Srgb>,
+    /// An index into [`MeshData::materials`]; `None`, or one that is not there, where the file names none.
+    pub material: Option<u32>,
 }
 
 /// Why data is not a valid mesh.
@@ -106,7 +111,7 @@ pub enum MeshError {
 ///
 /// # Memory
 /// `data.positions` take 12 bytes a vertex, `data.vertex_colours` 3 where the file has colours, and `data.triangles` 12
-/// bytes a triangle. Lists and single picks need no more. A part takes 80 bytes and its name, a run of one colour 12.
+/// bytes a triangle. Lists and single picks need no more. A part takes 80 bytes and its name, a run of one material 20.
 /// Normals take 12 bytes each. Unless each vertex has one, as on a smooth surface, their indices take 12 bytes a
 /// triangle. Normals are kept, since saving and shading by rays need them again; where the file gives only some, those
 /// are kept twice. A tree for many rays takes at most 64 bytes a triangle of a surface, and `blocks`, for objects that
@@ -248,8 +253,21 @@ impl Mesh {
     /// # Panics
     /// When there is no such triangle.
     pub fn triangle_colour(&self, triangle: u32) -> Option<Srgb> {
+        self.run_of(triangle).colour
+    }
+
+    /// The name of a triangle's material, as the file calls it.
+    ///
+    /// # Panics
+    /// When there is no such triangle.
+    pub fn triangle_material(&self, triangle: u32) -> Option<&str> {
+        let material = self.run_of(triangle).material?;
+        Some(self.data.materials.get(material as usize)?)
+    }
+
+    fn run_of(&self, triangle: u32) -> &ColourRun {
         let runs = &self.data.colours;
-        runs[runs.partition_point(|run| run.triangles.end <= triangle)].colour
+        &runs[runs.partition_point(|run| run.triangles.end <= triangle)]
     }
 
     /// The linear colour at a point of a triangle: the triangle's own times its vertices'. Where the file gives the

@@ -6,9 +6,10 @@ use crate::{
     viewer::{
         jobs::Checking,
         model::{Action, Views, pick_command},
+        ui::Topic,
     },
 };
-use std::{mem, time::Instant};
+use std::time::Instant;
 
 impl App {
     /// Applies an action to the scene or the view. A click in the picture waits while rays are slow because trees are
@@ -52,16 +53,14 @@ impl App {
         });
     }
 
-    /// Shows these views. Stages open the panel of matrices; back in the picture, it closes if it was closed before.
+    /// Shows these views. Stages unfold the matrices; back in the picture, they are folded if they were before.
     pub(super) fn show_views(&mut self, views: Views) {
-        let (was, floating) = (self.state.views(), &mut self.floating);
+        let (was, matrices) = (self.state.views(), Topic::Matrices);
         if was == Views::Picture && views != Views::Picture {
-            floating.pipeline_was = mem::replace(&mut floating.pipeline, true);
-        } else if was != Views::Picture && views == Views::Picture {
-            if floating.pipeline && !floating.pipeline_was {
-                self.docks.leave_matrices();
-            }
-            floating.pipeline &= floating.pipeline_was;
+            self.matrices_showed = self.arrangement.shows(matrices);
+            self.arrangement.show(matrices);
+        } else if was != Views::Picture && views == Views::Picture && !self.matrices_showed {
+            self.arrangement.fold(matrices);
         }
         self.act(Action::Views(views));
     }

@@ -13,7 +13,7 @@ use crate::{
         jobs::{self, Answer, Checking},
         model::{Action, MeasureAction, RayHits, Views, view_command},
         screen::free_file,
-        ui::{Attempt, Command, Intent, Reply},
+        ui::{Attempt, Command, Intent, Reply, Topic},
     },
 };
 
@@ -90,6 +90,7 @@ impl App {
                     self.reveal_selection = true;
                 }
             }
+            Command::SelectObjects(objects) => self.state.select_all(&objects),
             Command::ToggleFullScreen => self.fills_screen ^= true,
             Command::CopyPick => {
                 let line = self.state.pick_ray().map(RayHits::line);
@@ -111,11 +112,9 @@ impl App {
                 self.show_views(Views::Picture);
                 self.toggle_check();
             }
-            Command::ToggleHelp => self.floating.help ^= true,
+            Command::ToggleHelp => self.helps ^= true,
             Command::ToggleFour => self.toggle_views(),
-            Command::TogglePipeline => {
-                self.floating.pipeline = self.docks.toggle_matrices(self.floating.pipeline);
-            }
+            Command::TogglePipeline => self.arrangement.toggle(Topic::Matrices),
             Command::ShowsDepthSteps => {}
             Command::Tour(to) => self.go_on_tour(to),
             Command::NextLook => {
@@ -135,8 +134,8 @@ impl App {
             self.act(Action::Measure(MeasureAction::Toggle));
         } else if self.stop_arriving() {
             // `stop_arriving` did it.
-        } else if self.floating.help {
-            self.floating.help = false;
+        } else if self.helps {
+            self.helps = false;
         } else if self.dismiss_latest() {
             // `dismiss_latest` did it.
         } else if self.state.method().is_some() {

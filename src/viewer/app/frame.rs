@@ -13,7 +13,7 @@ use crate::{
     viewer::{
         model::{Action, Seen},
         screen::{Canvas, Laid, SceneRect, Screen, Updated, write_screenshot},
-        ui::{self, Attempt, Command, Notices, Shown},
+        ui::{self, Attempt, Command, Notices, Shown, Topic},
     },
 };
 use std::{
@@ -149,7 +149,7 @@ impl App {
             self.obey(Command::Act(action));
         }
         let underway = self.underway();
-        let docks = self.docks;
+        let arrangement = self.arrangement.clone();
         // A screenshot without panels shows no passing messages either.
         let is_shot = self.screenshots.wanted.is_some_and(|shot| shot.alone);
         let offers_tour = !is_shot && self.offers_tour();
@@ -166,7 +166,7 @@ impl App {
                 &mut self.notices
             },
             underway,
-            floating: self.floating,
+            helps: self.helps,
             tour: self.tour,
             offers_tour,
             question: self.question.as_ref().map(|pending| &pending.intent),
@@ -174,9 +174,10 @@ impl App {
             checking: &self.checking,
             marks: painted(&context, &self.state, &self.checking, &mut self.marks),
             statistics: &self.statistics,
-            docks: &mut self.docks,
+            arrangement: &mut self.arrangement,
             recent: &self.memory.recent,
             look: self.memory.look,
+            sums: &mut self.sums,
             filter: &mut self.filter,
             is_bare: self.options.is_bare,
             reveal_selection: self.reveal_selection,
@@ -199,11 +200,12 @@ impl App {
         for command in commands {
             self.obey(command);
         }
-        let follows_cursor = self.floating.pipeline || !self.state.stages().is_empty();
+        let follows_cursor =
+            self.arrangement.shows(Topic::Matrices) || !self.state.stages().is_empty();
         let is_outdated = acted
             || (follows_cursor && cursor != self.state.cursor())
             || before != (self.state.hover(), self.state.row())
-            || docks != self.docks;
+            || arrangement != self.arrangement;
         if is_outdated && context.current_pass_index() == 0 {
             context.request_discard("commands have changed what the panels show");
         } else if is_outdated {

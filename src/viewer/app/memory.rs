@@ -1,8 +1,8 @@
 //! What is remembered from one run to the next: the window, the panels, what was opened.
 
-use crate::viewer::ui::{Docks, Look};
+use crate::viewer::ui::{Arrangement, Look};
 use etcetera::BaseStrategy;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, de::DeserializeOwned};
 use std::{
     fs,
     io::Read,
@@ -25,13 +25,17 @@ pub(in crate::viewer) struct WindowPlace {
 #[serde(default)]
 pub(in crate::viewer) struct Memory {
     /// The files of scenes, the last first.
+    #[serde(deserialize_with = "or_default")]
     pub recent: Vec<Vec<PathBuf>>,
     /// Whether panels are dark or light.
+    #[serde(deserialize_with = "or_default")]
     pub look: Look,
     /// Whether the user has taken the tour, or said no to it.
     pub toured: bool,
+    #[serde(deserialize_with = "or_default")]
     pub window: Option<WindowPlace>,
-    pub panels: Docks,
+    #[serde(deserialize_with = "or_default")]
+    pub panels: Arrangement,
 }
 
 /// The longest file that is read, in bytes.
@@ -51,6 +55,14 @@ impl Memory {
                 Self::default()
             })
     }
+}
+
+/// A part of what is remembered. Where it is of another version, or broken, its default: the rest is kept.
+fn or_default<'de, D: Deserializer<'de>, T: Default + DeserializeOwned>(
+    of: D,
+) -> Result<T, D::Error> {
+    let value = toml::Value::deserialize(of)?;
+    Ok(value.try_into().unwrap_or_default())
 }
 
 /// The text of a file, or why it is not read.

@@ -17,8 +17,8 @@ use crate::{
         options::Options,
         screen::{SceneRect, Textures},
         ui::{
-            self, Attempt, Command, Docks, Drag, Filter, Floating, Kind, Notice, Notices,
-            Statistics, Tour,
+            self, Arrangement, Attempt, Command, Drag, Filter, Kind, Notice, Notices, Statistics,
+            Sums, Tour,
         },
     },
 };
@@ -92,10 +92,13 @@ pub(in crate::viewer) struct App {
     pub notices: Notices,
     /// The warnings about the files on screen, as they were last read.
     pub(super) told: Vec<String>,
-    pub floating: Floating,
+    /// Whether the help shows.
+    pub helps: bool,
     /// Where in the tour the user is.
     pub tour: Option<Tour>,
-    pub docks: Docks,
+    pub arrangement: Arrangement,
+    /// Whether the matrices showed before the four views did.
+    pub(super) matrices_showed: bool,
     /// What is remembered from one run to the next.
     pub memory: Memory,
     /// The last write of the memory to its file.
@@ -110,6 +113,7 @@ pub(in crate::viewer) struct App {
     pub(super) typefaces: Typefaces,
     /// Questions to the files of meshes, and their answers.
     pub(super) numbers: Numbers,
+    pub sums: Sums,
     pub filter: Filter,
     pub checking: Checking,
     /// The pixels in which a comparison found differences.
@@ -168,9 +172,10 @@ impl App {
             first: true,
             notices: Notices::new(),
             told: Vec::new(),
-            floating: Floating::default(),
+            helps: false,
             tour: options.tour.then(Tour::default),
-            docks: memory.panels,
+            arrangement: memory.panels.clone(),
+            matrices_showed: false,
             memory,
             keeping: None,
             watching: BTreeMap::new(),
@@ -178,6 +183,7 @@ impl App {
             watched: 0,
             typefaces,
             numbers: Numbers::default(),
+            sums: Sums::default(),
             filter: Filter::default(),
             checking: Checking::Off,
             marks: None,

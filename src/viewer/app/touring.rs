@@ -7,17 +7,17 @@ use crate::{
     viewer::{
         jobs::Chart,
         model::Showing,
-        ui::{Command, Intent, JustDone, TourMove},
+        ui::{Command, Intent, JustDone, Topic, TourMove},
     },
 };
 
 impl App {
-    /// Moves through the tour. The tour begins by opening the demo. The panel that a step is about becomes visible.
+    /// Moves through the tour. The tour begins by opening the demo. What a step is about is unfolded.
     pub(super) fn go_on_tour(&mut self, to: TourMove) {
         self.memory.toured = true;
         self.tour = self.tour.unwrap_or_default().after(to);
-        if let Some(panel) = self.tour.and_then(|tour| tour.step().2.panel) {
-            self.docks.show(panel);
+        for topic in self.tour.map_or(&[][..], |tour| tour.step().2.topics) {
+            self.arrangement.show(*topic);
         }
         if to == TourMove::Begin && !self.state.is_demo() {
             self.intend(Intent::Open(Vec::new()));
@@ -36,7 +36,7 @@ impl App {
         let done = JustDone {
             command,
             state: &self.state,
-            matrices: self.floating.pipeline,
+            matrices: self.arrangement.shows(Topic::Matrices),
             checking: &self.checking,
         };
         if tour.notice(&done) {

@@ -39,7 +39,7 @@ pub enum Action {
     Light(Option<usize>),
     /// Show all that is visible.
     FrameAll,
-    /// Show the selected object, or all when there is none.
+    /// Show all that is selected, or all when nothing is.
     FrameSelection,
     /// Look from this direction of (right, up, towards the viewer).
     LookFrom(DVec3),
@@ -72,11 +72,15 @@ pub enum Action {
     Camera(CameraChoice),
     /// Select an object, or nothing.
     Select(Option<usize>),
+    /// Add an object to what is selected, or take it out.
+    ToggleSelected(usize),
+    /// The same of the object at this position.
+    ClickAlso(DVec2),
     /// Show or hide an object.
     SetVisible(usize, bool),
-    /// Hide the selected object.
+    /// Hide all that is selected.
     HideSelection,
-    /// Hide all but the selected object.
+    /// Hide all but what is selected.
     Isolate,
     /// Show every object.
     ShowAll,
@@ -143,6 +147,7 @@ impl Action {
         matches!(
             self,
             Self::Lens(_)
+                | Self::Pose(_)
                 | Self::Section(_)
                 | Self::Place(..)
                 | Self::Hover(_)
@@ -164,6 +169,7 @@ impl Action {
                 | Self::Pan(_)
                 | Self::Zoom(..)
                 | Self::Click(..)
+                | Self::ClickAlso(_)
                 | Self::Recentre(_)
                 | Self::Hover(_)
                 | Self::LookFrom(_)

@@ -1,7 +1,7 @@
 //! Moving, hiding, showing and adding objects; changes to the list of measures.
 
 use super::{
-    measuring::{MeasureAction, Measuring},
+    measuring::{MeasureAction, MeasuredPoint, Measuring},
     state::{Chosen, Edit, Edits, State, UndoStep},
     timeline::Gesture,
 };
@@ -11,7 +11,7 @@ use crate::{
     scene::Loaded,
 };
 use glam::DAffine3;
-use std::{mem, ops::Range, path::PathBuf};
+use std::{collections::BTreeSet, mem, ops::Range, path::PathBuf};
 
 impl State {
     /// Moves an object; its pick follows.
@@ -33,11 +33,19 @@ impl State {
         self.record(Some(Gesture::Place(object)), step);
     }
 
-    /// Hides the selected object and deselects it.
+    /// Hides all that is selected and deselects it.
     pub(super) fn hide_selection(&mut self) {
         let chosen = self.chosen.clone();
-        if let Some(selection) = self.chosen.selection.take() {
-            self.show_with(chosen, |index| (index == selection.object).then_some(false));
+        let selected: BTreeSet<usize> = self.all_selected().collect();
+        self.chosen.selection = None;
+        self.show_with(chosen, |index| selected.contains(&index).then_some(false));
+    }
+
+    /// Hides all but what is selected; does nothing where nothing is.
+    pub(super) fn isolate(&mut self) {
+        let selected: BTreeSet<usize> = self.all_selected().collect();
+        if !selected.is_empty() {
+            self.show(|index| Some(selected.contains(&index)));
         }
     }
 
@@ -101,6 +109,7 @@ impl State {
                 let before = self.scene.objects()[object].placement;
                 self.scene.place(object, placement);
                 self.outdate_measures();
+                self.forget_points();
                 Edit::Place(object, before)
             }
             Edit::Toggle(objects) => {
@@ -124,7 +133,6 @@ impl State {
         self.visibility_revision += 1;
         self.cursor = None;
         self.clicked_s = None;
-        self.forget_points();
         if let Some(showing) = &mut self.showing {
             showing.compared = None;
         }
@@ -160,17 +168,17 @@ impl State {
 
     /// Takes the point that a click snapped to.
     pub(in crate::viewer) fn take_snap(&mut self, snap: Snap, object_area: Option<f64>) {
-        let points = &mut self.measuring.points;
-        points.push(snap);
-        let old = points.len().saturating_sub(2);
-        points.drain(..old);
-        self.measuring.object_area = object_area;
+        self.measuring.take(MeasuredPoint {
+            object: snap.object.clone(),
+            point_world: snap.point_world,
+            snap: Some(snap),
+            object_area,
+        });
     }
 
     /// Drops the points: they may have moved with the scene.
     pub(super) fn forget_points(&mut self) {
         self.measuring.points.clear();
-        self.measuring.object_area = None;
     }
 
     /// Marks every measure as taken before the scene changed.

@@ -40,15 +40,6 @@ pub enum PickView {
     LeftOut,
 }
 
-/// A picked point that distances are measured from.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Landmark {
-    /// Name of the object that it was picked on.
-    pub object: String,
-    /// Where it was, in the world.
-    pub point_world: DVec3,
-}
-
 /// How fine the depth buffer is at a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthSteps {

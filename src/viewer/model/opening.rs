@@ -59,7 +59,6 @@ impl State {
             cursor: None,
             lit: None,
             clicked_s: None,
-            landmarks: Vec::new(),
             measuring: Measuring::default(),
             cleared: None,
             section_off: None,

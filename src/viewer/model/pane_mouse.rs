@@ -4,7 +4,7 @@ use super::{
     action::Action,
     hits::RayHits,
     stages::{Stage, standard, view_of_ndc_drawn},
-    state::{Chosen, Cleared, Cursor, DOUBLE_CLICK_S, State},
+    state::{Cleared, Cursor, DOUBLE_CLICK_S, State},
 };
 use crate::{
     camera::{Projected, pixel_centre},
@@ -85,14 +85,6 @@ impl State {
         None
     }
 
-    /// Selects an object without a point of it, or nothing.
-    pub(super) fn select(&mut self, object: Option<usize>) {
-        self.chosen = Chosen::object(object);
-        if object.is_none() {
-            self.landmarks.clear();
-        }
-    }
-
     /// Whether a click is on the same pixel of the same view as the one before, and not the second of a double click.
     fn clicks_again(&mut self, stage: Stage, px: DVec2, time_s: f64) -> bool {
         let view = self.pane_view(stage);
@@ -109,7 +101,7 @@ impl State {
     fn keep_cleared(&mut self, time_s: f64, is_on_nothing: bool) {
         let kept = is_on_nothing.then(|| Cleared {
             chosen: self.chosen.clone(),
-            landmarks: self.landmarks.clone(),
+            points: self.measuring.points.clone(),
             point: self.panes.as_ref().and_then(|panes| panes.point),
         });
         let Some(panes) = &mut self.panes else { return };
@@ -126,7 +118,7 @@ impl State {
             return;
         };
         self.chosen = kept.chosen;
-        self.landmarks = kept.landmarks;
+        self.measuring.points = kept.points;
         if let Some(panes) = &mut self.panes {
             panes.point = kept.point;
         }
@@ -149,6 +141,11 @@ impl State {
                     Some(_) if again && self.pick_ray().is_some() => return self.step(true),
                     Some((object, point)) => return self.pick_point(object, point),
                     None => self.select(None),
+                }
+            }
+            Action::ClickAlso(px) => {
+                if let Some((object, _)) = self.pane_point(stage, px) {
+                    self.toggle_selected(object);
                 }
             }
             Action::Recentre(_) => {

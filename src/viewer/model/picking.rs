@@ -1,7 +1,8 @@
 //! Clicks, the cursor, and the surfaces on a click's ray; in the gallery, clicks picked by a method of the study.
 
 use super::{
-    hits::{Landmark, PickView, RayHits},
+    hits::{PickView, RayHits},
+    measuring::MeasuredPoint,
     on_screen::Seen,
     showing::Compared,
     state::{Chosen, Cursor, DOUBLE_CLICK_S, Selection, State},
@@ -13,6 +14,7 @@ use crate::{
     study::swap::Swap,
 };
 use glam::DVec2;
+use std::sync::Arc;
 
 impl State {
     /// Selects what lies at a pixel: the nearest surface, or, for another click on the same pixel of the same picture,
@@ -66,18 +68,21 @@ impl State {
         let pick = Some(line);
         let select = |object| Selection {
             object,
+            others: Arc::default(),
             pick: pick.clone(),
         };
         self.chosen.selection = object.map(select);
-        if let Some(hit) = pick.as_ref().and_then(|line| line.hit.as_ref()) {
-            let last = self.landmarks.last().map(|last| last.point_world);
-            if last != Some(hit.point_world) {
-                self.landmarks.push(Landmark {
+        // While clicks snap, the point that is measured is known later.
+        let measured = pick.as_ref().filter(|_| !self.measuring.is_on);
+        if let Some(hit) = measured.and_then(|line| line.hit.as_ref()) {
+            let last = self.measuring.points.last();
+            if last.map(|last| last.point_world) != Some(hit.point_world) {
+                self.measuring.take(MeasuredPoint {
                     object: hit.object.clone(),
                     point_world: hit.point_world,
+                    snap: None,
+                    object_area: None,
                 });
-                let old = self.landmarks.len().saturating_sub(2);
-                self.landmarks.drain(..old);
             }
         }
         self.chosen.hits = Some(hits);

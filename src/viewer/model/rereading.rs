@@ -10,7 +10,7 @@ use crate::{
     pick::Pick,
     scene::{InFile, Loaded, MeshFile},
 };
-use std::mem;
+use std::{collections::BTreeSet, mem};
 
 impl State {
     /// Shows what the same files hold now. View and section stay, and selection and visibility stay with the objects of
@@ -67,7 +67,6 @@ impl State {
         self.scene_revision += 1;
         self.visibility_revision += 1;
         (self.cursor, self.lit) = (None, None);
-        self.landmarks.clear();
         self.forget_points();
         self.fit();
         self.refresh_panes();
@@ -163,10 +162,16 @@ impl Edit {
 }
 
 impl Chosen {
-    /// The same object, without the pick.
+    /// The same objects, without the pick.
     fn carry(&mut self, made: &Made) {
-        let selection = self.selection.as_ref();
-        *self = Self::object(selection.and_then(|selection| made.became(selection.object)));
+        let Some(selection) = self.selection.take() else {
+            return *self = Self::default();
+        };
+        let others = selection.others.iter();
+        let others: BTreeSet<_> = others.filter_map(|object| made.became(*object)).collect();
+        let object = made.became(selection.object);
+        *self = Self::object(object.or(others.first().copied()));
+        self.add(others);
     }
 }
 

@@ -142,6 +142,7 @@ fn project(object: &Object, view: &View, rings: u32, data: &mut MeshData) -> Opt
             _ => data.colours.push(ColourRun {
                 triangles: first..end,
                 colour,
+                material: None,
             }),
         }
     }

@@ -2,9 +2,9 @@
 
 use super::{
     action::LensControls,
-    hits::{DepthSteps, Landmark, RayHits},
+    hits::{DepthSteps, RayHits},
     matrices::Row,
-    measuring::{Entry, Measuring},
+    measuring::{Entry, MeasuredPoint, Measuring},
     on_screen::Seen,
     ortho_height::OrthoHeight,
     overlay::Overlays,
@@ -20,7 +20,7 @@ use crate::{
     study::swap::Swap,
 };
 use glam::{DVec2, DVec3};
-use std::path::PathBuf;
+use std::{collections::BTreeSet, path::PathBuf, sync::Arc};
 
 /// Two clicks that are more seconds apart are two picks, not a double click.
 pub const DOUBLE_CLICK_S: f64 = 0.3;
@@ -28,8 +28,10 @@ pub const DOUBLE_CLICK_S: f64 = 0.3;
 /// What is selected.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Selection {
-    /// Index of the object.
+    /// Index of the object; of several, of the one that was selected first.
     pub object: usize,
+    /// Indices of the other objects.
+    pub others: Arc<BTreeSet<usize>>,
     /// The pick that selected it; `None` when it was chosen from the list.
     pub pick: Option<PickLine>,
 }
@@ -77,7 +79,11 @@ impl Chosen {
     /// An object without a point of it, or nothing.
     pub fn object(object: Option<usize>) -> Self {
         Self {
-            selection: object.map(|object| Selection { object, pick: None }),
+            selection: object.map(|object| Selection {
+                object,
+                others: Arc::default(),
+                pick: None,
+            }),
             hits: None,
         }
     }
@@ -91,7 +97,7 @@ impl Chosen {
 /// What a click on nothing clears.
 pub(super) struct Cleared {
     pub chosen: Chosen,
-    pub landmarks: Vec<Landmark>,
+    pub points: Vec<MeasuredPoint>,
     pub point: Option<(usize, DVec3)>,
 }
 
@@ -180,7 +186,6 @@ pub struct State {
     pub(super) lit: Option<usize>,
     /// When the ray in `chosen` was clicked; `None` once the next click there is to pick the nearest surface again.
     pub(super) clicked_s: Option<f64>,
-    pub(super) landmarks: Vec<Landmark>,
     pub(super) measuring: Measuring,
     /// What a click on nothing in one of the four views has just cleared, in case it begins a double click.
     pub(super) cleared: Option<Cleared>,
@@ -249,7 +254,7 @@ impl State {
         self.chosen.selection.as_ref()
     }
 
-    /// The index of the selected object.
+    /// The index of the selected object; of several, of the one that was selected first.
     pub fn selected(&self) -> Option<usize> {
         Some(self.selection()?.object)
     }
@@ -282,6 +287,12 @@ impl State {
         let under_cursor = || self.cursor?.hit.map(|(object, _)| object);
         let is_there = |&object: &usize| object < self.scene.objects().len();
         self.lit.filter(is_there).or_else(under_cursor)
+    }
+
+    /// The name of the object under the cursor in the picture.
+    pub fn under_cursor(&self) -> Option<&str> {
+        let (object, _) = self.cursor?.hit?;
+        Some(&self.scene.objects().get(object)?.name)
     }
 
     /// The pixel under the cursor; `None` while the cursor is elsewhere.
@@ -346,10 +357,5 @@ impl State {
         let hits = self.hits()?;
         let pick = hits.picks.get(hits.at)?;
         Some(DepthSteps::at(hits.view.camera.lens(), pick))
-    }
-
-    /// The last two picked points, the older one first.
-    pub fn landmarks(&self) -> &[Landmark] {
-        &self.landmarks
     }
 }

@@ -10,6 +10,7 @@ use crate::{
     camera::{UpAxis, View},
     scene::Scene,
 };
+use std::collections::BTreeSet;
 
 /// What a picture is of.
 #[derive(Clone, Copy)]
@@ -21,8 +22,9 @@ pub(in crate::viewer) struct Subject<'a> {
     pub visibility: u64,
     /// The view that the scene is drawn through.
     pub view: View,
-    /// Indices of its objects: what is selected, and what is lit.
+    /// Indices of its objects: what was selected first, what else is selected, and what is lit.
     pub selection: Option<usize>,
+    pub others: Option<&'a BTreeSet<usize>>,
     pub hover: Option<usize>,
     pub overlays: Overlays,
     /// The up axis of the grid, where it shows.
@@ -47,6 +49,14 @@ pub(in crate::viewer) enum Lesson {
     Ndc(crate::camera::Viewport),
 }
 
+impl Subject<'_> {
+    /// Indices of all that is selected.
+    pub fn all_selected(&self) -> Vec<usize> {
+        let others = self.others.into_iter().flatten().copied();
+        self.selection.into_iter().chain(others).collect()
+    }
+}
+
 impl State {
     /// What the scene's camera sees.
     pub(in crate::viewer) fn subject(&self) -> Subject<'_> {
@@ -56,6 +66,7 @@ impl State {
             visibility: self.visibility_revision,
             view: self.view,
             selection: self.selected(),
+            others: self.selection().map(|selection| &*selection.others),
             hover: self.hover(),
             overlays: self.overlays,
             grid: self.grid.then_some(self.up_axis),
@@ -83,6 +94,7 @@ impl State {
             },
             view: self.pane_view(stage)?,
             selection: here(of_camera.selection),
+            others: of_camera.others.filter(|_| stage != Stage::Object),
             hover: here(of_camera.hover),
             grid: of_camera.grid.filter(|_| stage == Stage::World),
             frozen: None,

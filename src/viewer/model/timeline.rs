@@ -8,6 +8,8 @@ const MOST: usize = 256;
 pub(super) enum Gesture {
     /// The lens is slid.
     Lens,
+    /// The camera's place is dragged.
+    Pose,
     /// The section is slid or dragged.
     Section,
     /// An object is dragged.

@@ -21,6 +21,7 @@ impl State {
         let gesture = match action {
             Action::Lens(_) => Some(Gesture::Lens),
             Action::Section(_) => Some(Gesture::Section),
+            Action::Pose(_) => Some(Gesture::Pose),
             _ => None,
         };
         let entered = self.panes.as_ref().and_then(|panes| panes.entered);
@@ -64,10 +65,7 @@ impl State {
             Action::Light(object) => (self.lit, self.row) = (object, None),
             Action::LightRow(row) => self.row = Some(row),
             Action::FrameAll => self.frame(self.shown_bounds()),
-            Action::FrameSelection => {
-                let selected = self.selected().map(|object| self.scene.bounds_of(object));
-                self.frame(selected.unwrap_or_else(|| self.scene.visible_bounds()));
-            }
+            Action::FrameSelection => self.frame(self.bounds_of_selection()),
             Action::LookFrom(direction) => {
                 self.orbit.look_from(self.up_axis, direction);
                 self.moved();
@@ -107,15 +105,17 @@ impl State {
             Action::Place(object, model) => self.place(object, model),
             Action::Camera(choice) => self.set_camera(choice),
             Action::Select(object) => self.select(object),
+            Action::ToggleSelected(object) => self.toggle_selected(object),
+            Action::ClickAlso(px) => {
+                if let Some((object, _)) = self.cursor_at(px).hit {
+                    self.toggle_selected(object);
+                }
+            }
             Action::SetVisible(object, visible) => {
                 self.show(|index| (index == object).then_some(visible));
             }
             Action::HideSelection => self.hide_selection(),
-            Action::Isolate => {
-                if let Some(object) = self.selected() {
-                    self.show(|index| Some(index == object));
-                }
-            }
+            Action::Isolate => self.isolate(),
             Action::ShowAll => self.show(|_| Some(true)),
             Action::Toggle(overlay) => self.overlays = self.overlays.toggled(overlay),
             Action::TreeLevel { deeper } => self.overlays = self.overlays.next_tree_level(deeper),

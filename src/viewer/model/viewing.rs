@@ -170,6 +170,16 @@ impl State {
         (near, far)
     }
 
+    /// The depths that fitted planes would have: the scene lies between them.
+    pub fn depth_range(&self) -> (f64, f64) {
+        let fitted = LensControls {
+            near: None,
+            far: None,
+            ..self.controls
+        };
+        self.planes(&self.view, &fitted)
+    }
+
     /// Takes over a camera, to the bit; does nothing when it is invalid.
     pub(super) fn set_camera(&mut self, choice: CameraChoice) {
         let bounds = self.scene.visible_bounds();

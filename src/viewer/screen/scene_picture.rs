@@ -45,9 +45,9 @@ pub(super) struct ScenePicture {
     texture: Option<TextureId>,
     /// What the targets show.
     shown: Option<Shown>,
-    /// The marks on the picture, and the object that is outlined.
+    /// The marks on the picture, and the objects that are outlined.
     marked: Option<Marks>,
-    outlined: Option<usize>,
+    outlined: Vec<usize>,
     /// Pixels for a point, as the marks were drawn.
     scale: Option<f32>,
     /// The scene that was drawn with one sample last, and how long that took. The first picture of a scene says nothing:
@@ -179,7 +179,7 @@ impl ScenePicture {
         // A scene that does not fit leaves the picture before it on screen.
         self.scenes.upload(&brush.gpu, subject, &mut brush.meshes)?;
         let before = self.shown.take();
-        (self.marked, self.outlined) = (None, None);
+        (self.marked, self.outlined) = (None, Vec::new());
         self.fit(brush, view.viewport)?;
         let (Some(scene), Some(targets)) = (&self.scenes.now, &self.targets) else {
             return Ok(());
@@ -256,24 +256,21 @@ impl ScenePicture {
             return;
         };
         let marks = Marks {
-            selection: subject.selection,
+            selection: subject.all_selected(),
             hover: subject.hover,
         };
         // An outline is as wide on screens with more pixels to a point.
         let scale = brush.renderer.scale_factor;
         if self.scale.replace(scale) != Some(scale) {
-            (self.marked, self.outlined) = (None, None);
+            (self.marked, self.outlined) = (None, Vec::new());
         }
-        if self.marked == Some(marks) {
+        if self.marked.as_ref() == Some(&marks) {
             return;
         }
         let onto = (&scene.buffers, targets, &subject.view);
-        if let Some(object) = marks
-            .selection
-            .filter(|object| self.outlined != Some(*object))
-        {
-            brush.renderer.draw_outline(onto, object);
-            self.outlined = Some(object);
+        if self.outlined != marks.selection {
+            brush.renderer.draw_outline(onto, &marks.selection);
+            self.outlined.clone_from(&marks.selection);
         }
         brush.renderer.mark(onto, &marks);
         self.marked = Some(marks);

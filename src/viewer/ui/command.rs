@@ -4,7 +4,10 @@ use crate::{
     scene::gallery::Exhibit,
     viewer::model::{Action, State, Version},
 };
-use std::path::{Path, PathBuf};
+use std::{
+    collections::BTreeSet,
+    path::{Path, PathBuf},
+};
 
 /// Something the user asks for: a change of what is shown, or else something that the program does.
 #[expect(
@@ -43,6 +46,8 @@ pub(in crate::viewer) enum Command {
         /// The next.
         down: bool,
     },
+    /// Select all of these objects.
+    SelectObjects(BTreeSet<usize>),
     /// Enter or leave full screen.
     ToggleFullScreen,
     /// Put the pick as JSON on the clipboard.

@@ -3,7 +3,7 @@
 
 use super::{
     command::{Command, TourMove},
-    panels::Shown,
+    panels::{Shown, Topic},
 };
 use crate::{
     geometry::Sides,
@@ -257,14 +257,14 @@ fn edit() -> Menu {
             "Hide",
             [(SHIFT, Key::H)],
             Action::HideSelection,
-            "the selection is neither drawn nor picked",
+            "what is selected is neither drawn nor picked",
         )
         .of_use_if(has_selection),
         item(
             "Isolate",
             [(NONE, Key::I)],
             Action::Isolate,
-            "only the selection is drawn and picked",
+            "only what is selected is drawn and picked",
         )
         .of_use_if(has_selection),
         item(
@@ -367,7 +367,7 @@ fn view() -> Menu {
             "Frame selection",
             [(NONE, Key::F)],
             Action::FrameSelection,
-            "move the camera until the selected object fills the view",
+            "move the camera until what is selected fills the view",
         )
         .icon("\u{1f3af}"),
         item(
@@ -529,13 +529,13 @@ fn learn() -> Menu {
         .icon("\u{229e}")
         .on_if(|shown| !shown.state.stages().is_empty()),
         item(
-            "Matrices panel",
+            "Matrices",
             [(NONE, Key::P)],
             Command::TogglePipeline,
             "the matrices P, V and M, and the pick on its way through them",
         )
         .icon("\u{25a4}")
-        .on_if(|shown| shown.docks.shows_matrices(shown.floating.pipeline)),
+        .on_if(|shown| shown.arrangement.shows(Topic::Matrices)),
         item(
             "Compare",
             [(NONE, Key::V)],
@@ -564,7 +564,7 @@ fn learn() -> Menu {
             "keys and mouse",
         )
         .icon("\u{2753}")
-        .on_if(|shown| shown.floating.help),
+        .on_if(|shown| shown.helps),
     ];
     let gallery = vec![
         item(

@@ -14,7 +14,7 @@ pub(super) use command::{Command, Intent, Reply, TourMove};
 pub(super) use focus::leave_text;
 pub(super) use mouse::{Drag, moves_ahead};
 pub(super) use notice::{Attempt, Kind, Notice, Notices};
-pub(super) use panels::{Docks, Filter, Floating, Shown, Statistics, Underway, show};
+pub(super) use panels::{Arrangement, Filter, Shown, Statistics, Sums, Topic, Underway, show};
 pub(super) use theme::{Look, background, color32, dress, note_missing};
 pub use tour::tour_text;
 pub(super) use tour::{JustDone, Tour};

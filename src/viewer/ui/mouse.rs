@@ -127,9 +127,13 @@ pub(in crate::viewer) fn scene(
     if response.clicked()
         && let Some(at) = released_at(ui).and_then(within)
     {
-        actions.push(Action::Click(at, time_s));
-        if response.double_clicked() {
-            actions.push(Action::Recentre(at));
+        if modifiers.command || modifiers.shift {
+            actions.push(Action::ClickAlso(at));
+        } else {
+            actions.push(Action::Click(at, time_s));
+            if response.double_clicked() {
+                actions.push(Action::Recentre(at));
+            }
         }
     }
     let is_idle = drag.is_none() && !response.is_pointer_button_down_on();

@@ -2,7 +2,9 @@
 
 use super::mouse;
 use crate::{colour::Srgb, look, viewer::jobs::Missing};
-use egui::{Color32, Style, Theme, ThemePreference, epaint::text::FallbackRequest};
+use egui::{
+    Color32, FontId, Style, TextStyle, Theme, ThemePreference, epaint::text::FallbackRequest,
+};
 use serde::{Deserialize, Serialize};
 use std::{num::NonZeroUsize, sync::Arc};
 
@@ -75,10 +77,19 @@ pub(in crate::viewer) fn dress(context: &egui::Context) {
         visuals.panel_fill = Color32::TRANSPARENT;
         visuals.override_text_color = Some(Color32::from_gray(text));
         visuals.weak_text_color = Some(Color32::from_gray(weak));
-        let style = Style {
+        let mut style = Style {
             visuals,
             ..Style::default()
         };
+        // Numbers of fields.
+        let numbers = TextStyle::Name("numbers".into());
+        let font = FontId::monospace(11.0);
+        style.text_styles.insert(numbers.clone(), font);
+        style.drag_value_text_style = numbers;
+        // What unfolds is there at once: a frame in software costs too much for an animation.
+        style.animation_time = 0.0;
+        // As wide as a side: a hint does not cover the picture that it is about.
+        style.spacing.tooltip_width = 280.0;
         context.set_style_of(theme, style);
     }
 }

@@ -7,7 +7,7 @@ use just_done::turns;
 
 use super::{
     command::{Command, TourMove},
-    panels::PanelKind,
+    panels::Topic,
 };
 use crate::{
     camera::{DepthMapping, Projection},
@@ -33,8 +33,8 @@ pub(in crate::viewer) struct Step {
     example: Option<[f64; 3]>,
     /// The step is done in the camera's picture, not in the four views.
     is_in_picture: bool,
-    /// The panel that the step is about, where it is about one. In a small window another panel may stand in its place.
-    pub panel: Option<PanelKind>,
+    /// The topics of the inspector that the step is about.
+    pub topics: &'static [Topic],
     is_done: fn(&JustDone) -> bool,
 }
 
@@ -52,7 +52,7 @@ const fn step(task: &'static str, why: &'static str, is_done: fn(&JustDone) -> b
         why,
         example: None,
         is_in_picture: false,
-        panel: None,
+        topics: &[],
         is_done,
     }
 }
@@ -63,8 +63,8 @@ impl Step {
         self
     }
 
-    const fn about(mut self, panel: PanelKind) -> Self {
-        self.panel = Some(panel);
+    const fn about(mut self, topics: &'static [Topic]) -> Self {
+        self.topics = topics;
         self
     }
 
@@ -102,7 +102,7 @@ const CHAPTERS: [Chapter; 8] = [
         title: "Perspective and orthographic",
         steps: &[
             step(
-                "In the panel Camera set fov to 90, near to 1, far to 10 and depth to standard.",
+                "Under Camera set fov to 90, near to 1 and far to 10; under Depth buffer set depth to standard.",
                 "Perspective divides by depth, so what is far away is small: the point (-1, 1.5, 2) of view space maps to y = 1.5 / 2 = 3/4, to depth 5/9 and, in a square picture, to x = -1/2.",
                 |done| {
                     let lens = done.state.controls();
@@ -111,7 +111,7 @@ const CHAPTERS: [Chapter; 8] = [
                             == (90.0, Some(1.0), Some(10.0), DepthMapping::Standard)
                 },
             )
-            .about(PanelKind::Camera)
+            .about(&[Topic::DepthBuffer, Topic::Camera])
             .with_example([-1.0, 1.5, 2.0]),
             step(
                 "Press 5: orthographic.",
@@ -137,7 +137,7 @@ const CHAPTERS: [Chapter; 8] = [
                 "What lies in front of near or beyond far is cut away. Picture and picks agree on that by one number, depth along F: a hit counts where near <= t < far, and t is that depth.",
                 |done| done.near_is_past(EGG),
             )
-            .about(PanelKind::Camera),
+            .about(&[Topic::Camera]),
             step(
                 "Check fit beside near.",
                 "A fitted near plane is as far away as the scene allows, which saves digits of the depth buffer.",
@@ -146,7 +146,7 @@ const CHAPTERS: [Chapter; 8] = [
                         && done.state.controls().near.is_none()
                 },
             )
-            .about(PanelKind::Camera),
+            .about(&[Topic::Camera]),
         ],
     },
     Chapter {
@@ -156,8 +156,7 @@ const CHAPTERS: [Chapter; 8] = [
                 "Click the egg. A ring with a dot marks the point that the ray hit.",
                 "The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. Its ray starts at the eye and runs along F + x aspect tan(fov / 2) R + y tan(fov / 2) U. That direction is not normalised, so that t is depth.",
                 |done| done.clicks() && done.has_picked(EGG),
-            )
-            .about(PanelKind::Pick),
+            ),
             step(
                 "Press T and drag: this camera stays behind, as lines.",
                 "They show its eye, its frustum, the pixel grid on its near plane and the ray through your pixel, with every surface that it hits. T removes them again.",
@@ -227,7 +226,7 @@ const CHAPTERS: [Chapter; 8] = [
         title: "Near, far and the depth buffer",
         steps: &[
             step(
-                "Press Enter. Set near to 0.001 and depth to standard, click the tower and unfold Depth buffer, far down in the panel Pick.",
+                "Press Enter. Set near to 0.001 and, under Depth buffer, depth to standard. Click the tower.",
                 "Standard depth is a + b / z. Nearly all of its f32 values lie just beyond near. At the tower they are far apart, and two surfaces within one step look like one.",
                 |done| {
                     let lens = done.state.controls();
@@ -237,7 +236,7 @@ const CHAPTERS: [Chapter; 8] = [
                         && done.command == Some(&Command::ShowsDepthSteps)
                 },
             )
-            .about(PanelKind::Camera),
+            .about(&[Topic::Camera, Topic::DepthBuffer]),
             step(
                 "Set depth to reversed.",
                 "Reversed depth puts far at 0, where f32 has most of its values: that makes up for 1 / z. Enter brings back the view that the scene opened with.",
@@ -246,7 +245,7 @@ const CHAPTERS: [Chapter; 8] = [
                         && done.state.controls().depth == DepthMapping::Reversed
                 },
             )
-            .about(PanelKind::Camera),
+            .about(&[Topic::DepthBuffer]),
         ],
     },
     Chapter {

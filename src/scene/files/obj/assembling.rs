@@ -242,22 +242,31 @@ impl Triangles {
         let mut colours = vec![ColourRun {
             triangles: 0..end,
             colour: None,
+            material: None,
         }];
         for (step, (face, material)) in names.uses.into_iter().enumerate() {
             progress.go_on_at(step)?;
             let (name, _) = &names.materials[material];
             let colour = materials.get(name).and_then(|known| known.colour);
+            let material = u32::try_from(material).ok();
             let triangles = start_of(face)..end;
             if let Some(last) = colours.last_mut() {
                 last.triangles.end = triangles.start;
             }
             colours.pop_if(|run| run.triangles.is_empty());
             match colours.last_mut() {
-                Some(last) if last.colour == colour => last.triangles.end = end,
-                _ => colours.push(ColourRun { triangles, colour }),
+                Some(last) if last.material == material => last.triangles.end = end,
+                _ => colours.push(ColourRun {
+                    triangles,
+                    colour,
+                    material,
+                }),
             }
         }
         colours.pop_if(|run| run.triangles.is_empty());
+
+        let materials = names.materials.into_iter();
+        let materials = materials.map(|(name, _)| name).collect();
 
         let mut corners = self.shading;
         let is_complete = !corners.is_empty() && !corners.contains(&CornerNormals::NONE);
@@ -276,6 +285,7 @@ impl Triangles {
             triangles: self.corners,
             parts,
             colours,
+            materials,
             vertex_colours: vertices.colours,
             normals: CornerNormals { normals, corners },
             crease: (!is_complete).then_some(CREASE),

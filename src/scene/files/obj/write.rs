@@ -1,8 +1,11 @@
 //! Writes a mesh as the text of an OBJ file, and of an MTL file if the mesh has colours.
 
-use crate::{colour::Srgb, geometry::Mesh};
+use crate::{
+    colour::Srgb,
+    geometry::{ColourRun, Mesh},
+};
 use glam::Vec3;
-use std::{collections::BTreeSet, fmt::Write};
+use std::{collections::BTreeMap, fmt::Write};
 
 /// The text of an OBJ file for a mesh. Its colours are in the MTL file `library`. Every number reads back as exactly
 /// the same value.
@@ -38,7 +41,7 @@ pub(in crate::scene::files) fn text(mesh: &Mesh, library: Option<&str>) -> Strin
             if let Some(run) = runs.next_if(|run| run.triangles.start <= triangle)
                 && library.is_some()
             {
-                let _ = writeln!(text, "usemtl {}", material(run.colour));
+                let _ = writeln!(text, "usemtl {}", material(mesh, run));
             }
             let at = triangle as usize;
             let corners = data.triangles[at].map(|corner| corner + 1);
@@ -57,16 +60,15 @@ pub(in crate::scene::files) fn text(mesh: &Mesh, library: Option<&str>) -> Strin
     text
 }
 
-/// The text of the MTL file that [`text`] names; `None` if no triangle has a colour of its own.
+/// The text of the MTL file that [`text`] names; `None` if no triangle has a colour or a material of its own.
 pub(in crate::scene::files) fn materials(mesh: &Mesh) -> Option<String> {
-    let colours: BTreeSet<_> = (mesh.data().colours.iter())
-        .map(|run| run.colour.map(|Srgb(rgb)| rgb))
-        .collect();
-    colours.iter().any(Option::is_some).then(|| {
+    let runs = mesh.data().colours.iter();
+    let all: BTreeMap<_, _> = runs.map(|run| (material(mesh, run), run.colour)).collect();
+    let has_some = !mesh.data().materials.is_empty() || all.values().any(Option::is_some);
+    has_some.then(|| {
         let mut text = String::new();
-        for colour in colours {
-            let colour = colour.map(Srgb);
-            let _ = writeln!(text, "newmtl {}", material(colour));
+        for (name, colour) in all {
+            let _ = writeln!(text, "newmtl {name}");
             if let Some(colour) = colour {
                 let [r, g, b] = unit(colour);
                 let _ = writeln!(text, "Kd {r} {g} {b}");
@@ -76,10 +78,20 @@ pub(in crate::scene::files) fn materials(mesh: &Mesh) -> Option<String> {
     })
 }
 
-fn material(colour: Option<Srgb>) -> String {
-    colour.map_or("none".to_owned(), |Srgb([r, g, b])| {
+/// The name of a run's material. One without a name is called by its colour, and by no name that the mesh has.
+fn material(mesh: &Mesh, run: &ColourRun) -> String {
+    let named = &mesh.data().materials;
+    let own = run.material.and_then(|own| named.get(own as usize));
+    if let Some(own) = own {
+        return own.clone();
+    }
+    let mut name = run.colour.map_or("none".to_owned(), |Srgb([r, g, b])| {
         format!("c{r:02x}{g:02x}{b:02x}")
-    })
+    });
+    while named.contains(&name) {
+        name.push('_');
+    }
+    name
 }
 
 fn unit(Srgb(channels): Srgb) -> [f64; 3] {
@@ -126,6 +138,7 @@ pub(in crate::scene::files) fn same(a: &Mesh, b: &Mesh) -> bool {
             bits(a, triangle) == bits(b, triangle)
                 && local(a, triangle) == local(b, triangle)
                 && a.triangle_colour(triangle) == b.triangle_colour(triangle)
+                && a.triangle_material(triangle) == b.triangle_material(triangle)
                 && alike(triangle)
         })
 }

@@ -55,6 +55,8 @@ pub(super) fn show(
     drawn: Option<&Chart>,
     commands: &mut Vec<Command>,
 ) {
+    ui.heading(showing.exhibit.title())
+        .hint("a scene of the gallery");
     let place = GALLERY.iter().position(|known| known == showing.exhibit);
     let place = place.map_or(0, |place| place + 1);
     ui.weak(format!("{place} of {}", GALLERY.len()))

@@ -1,46 +1,43 @@
-//! A field for a number. Text that is no valid value is red and says why; the last valid value stays in force.
+//! A field for a number, which is typed, dragged or stepped. Text that is no valid value stays, in a red frame, and a
+//! tooltip says why; the last valid value stays in force. Nothing beside the field moves.
 
-use super::{hints::described, prelude::*};
+use super::{gesture::Gesture, hints::described, prelude::*};
 use crate::geometry::range;
 use egui::{
-    Context, Id, Key, Modifiers, TextEdit, text::CCursorRange, text_edit::TextEditState,
-    util::IdTypeMap,
+    Context, Direction, DragValue, Id, Key, Modifiers, StrokeKind, UiBuilder, util::IdTypeMap,
 };
+use std::cell::RefCell;
 
-/// Typed text whose number is not in force: it is refused, or not confirmed yet. It is forgotten when its field is
-/// about something else, or is gone.
+/// Text that was refused. It is forgotten when its field is about something else, or is gone.
 #[derive(Clone, Default)]
-struct Typed {
+struct Refused {
     text: String,
     /// The last pass in which the field showed.
     shown: u64,
 }
 
-/// The last pass in which a field without the focus showed red text.
+/// The last pass in which a field showed refused text.
 #[derive(Clone, Copy)]
-struct Refused(u64);
+struct Last(u64);
 
-/// Gives up every red text. Returns whether there was one.
+/// The pass in which Esc gave up what was typed.
+#[derive(Clone, Copy)]
+struct GivenUp(u64);
+
+/// Gives up every refused text. Returns whether there was one.
 pub(in crate::viewer::ui) fn give_up_refused(ctx: &Context) -> bool {
     let pass = ctx.cumulative_pass_nr();
-    let last = ctx.data(|data| data.get_temp(refused_id()));
-    let was = last.is_some_and(|Refused(at)| at == pass);
+    let last = ctx.data(|data| data.get_temp(Id::unique("refused")));
+    let was = last.is_some_and(|Last(at)| at == pass);
     if was {
-        ctx.data_mut(IdTypeMap::remove_by_type::<Typed>);
+        ctx.data_mut(IdTypeMap::remove_by_type::<Refused>);
         ctx.request_repaint();
     }
     was
 }
 
-fn refused_id() -> Id {
-    Id::unique("refused")
-}
-
 /// Between a field's frame and its text, in points.
-const MARGIN: Vec2 = vec2(3.0, 2.0);
-
-/// Height in points of the line that says what stays in force.
-const STILL: f32 = 16.0;
+const MARGIN: f32 = 3.0;
 
 /// Names of axes.
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
@@ -67,71 +64,131 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// Shows the field. An arrow key adds or subtracts `step`; with Shift, ten times as much. Returns the typed number
-    /// once Enter or leaving the field confirms it and `check` accepts it, or the number that the arrow keys step to.
-    /// Esc gives up. Invalid text is red, with the reason and with what stays in force.
+    /// Shows the field. Each point of a drag adds `step`, as does the upper arrow key; with Shift, ten times as much.
+    /// Returns the new number if `check` accepts it: as it is dragged or stepped, or once Enter or leaving the field
+    /// confirms what is typed. Esc gives up what is typed.
     pub fn show<E: ToString>(
         &self,
         ui: &mut Ui,
         step: f64,
+        gesture: &mut Gesture,
         check: impl Fn(f64) -> Result<(), E>,
     ) -> Option<f64> {
-        let (id, value) = (ui.scope_id().with((self.name, self.of)), self.value);
+        let (value, pass) = (self.value, ui.ctx().cumulative_pass_nr());
         let shown = self.written(ui, value);
-        let pass = ui.ctx().cumulative_pass_nr();
-        let typed = ui.data(|data| data.get_temp::<Typed>(id));
-        let typed = typed.filter(|typed| typed.shown + 1 >= pass);
-        let mut text = (typed.as_ref()).map_or_else(|| shown.clone(), |typed| typed.text.clone());
-        let parse = |text: &str| {
+        let judge = |text: &str| {
             let number = parse(text, value, &shown)?;
             check(number).map_err(|error| error.to_string())?;
             Ok::<_, String>(number)
         };
-        if ui.memory(|memory| memory.has_focus(id))
-            && let Ok(from) = parse(&text)
-            && let Some(steps) = steps(ui)
-            && check(from + steps * step).is_ok()
-        {
-            let stepped = from + steps * step;
-            forget(ui, id);
-            self.edit(ui, id, &mut self.written(ui, stepped), None);
-            return Some(stepped);
+        let key = ui.scope_id().with((self.name, self.of));
+        let refused = ui.data(|data| data.get_temp::<Refused>(key));
+        let refused = refused.filter(|refused| refused.shown + 1 >= pass);
+        // Refused text may be valid by now: it is dropped, and its number is not used.
+        let reason = refused
+            .as_ref()
+            .and_then(|refused| judge(&refused.text).err());
+        let refused = refused
+            .map(|refused| refused.text)
+            .filter(|_| reason.is_some());
+
+        // egui tells of the lost focus in two passes, and of Esc in the first of them alone.
+        let given_up = ui.data(|data| data.get_temp::<GivenUp>(key));
+        let was_given_up = given_up.is_some_and(|GivenUp(at)| at + 1 == pass);
+        let typed = RefCell::new(None);
+        let text = refused.as_deref().unwrap_or(&shown);
+        let mut number = value;
+        let drag = DragValue::new(&mut number)
+            // Its own steps are rounded to decimal places, which tiny scenes do not have.
+            .speed(0.0)
+            .update_while_editing(false)
+            .clip_text(true)
+            .custom_formatter(|_, _| text.to_owned())
+            .custom_parser(|text| {
+                let judged = judge(text);
+                let number = judged.as_ref().ok().copied();
+                typed.replace(Some((text.to_owned(), judged.is_err())));
+                number.filter(|_| !was_given_up)
+            });
+        // Text that is too long is cut, and moves nothing.
+        let size = vec2(self.width, ui.spacing().interact_size.y);
+        let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+        let inside = UiBuilder::new()
+            .id_salt((self.name, self.of))
+            .layout(Layout::centered_and_justified(Direction::LeftToRight))
+            .max_rect(rect);
+        let mut inside = ui.new_child(inside);
+        inside.shrink_clip_rect(rect);
+        inside.spacing_mut().button_padding.x = MARGIN;
+        if reason.is_some() {
+            let red = ui.visuals().error_fg_color;
+            inside.visuals_mut().override_text_color = Some(red);
         }
-        let parsed = parse(&text);
-        let wrong = parsed.as_ref().err();
-        let wrong = wrong.map(|reason| format!("{reason}; {shown} stays in force"));
-        let was_typed = typed.is_some();
-        // Only below a field without the focus, so that nothing moves while the user types.
-        let still = (wrong.as_ref()).filter(|_| !ui.memory(|memory| memory.has_focus(id)));
-        let reason = parsed.as_ref().err();
-        let height = ui.spacing().interact_size.y + if still.is_some() { STILL } else { 0.0 };
-        let below = Layout::top_down(Align::Min);
-        let response = ui.allocate_ui_with_layout(vec2(self.width, height), below, |ui| {
-            ui.spacing_mut().item_spacing.y = 0.0;
-            let response = self.edit(ui, id, &mut text, wrong.as_deref());
-            if let Some(wrong) = still {
-                ui.data_mut(|data| data.insert_temp(refused_id(), Refused(pass)));
-                let red = ui.visuals().error_fg_color;
-                let reason = RichText::new(reason.map_or("", String::as_str));
-                ui.add(Label::new(reason.size(11.0).color(red)).wrap());
-                let still = RichText::new(format!("still {shown}")).size(11.0);
-                ui.add(Label::new(still).truncate()).on_hover_text(wrong);
-            }
-            response
-        });
-        let response = response.inner;
-        if was_typed || response.changed() {
-            ui.data_mut(|data| data.insert_temp(id, Typed { text, shown: pass }));
-        }
+        let id = inside.next_auto_id();
+        let has_focus = ui.memory(|memory| memory.has_focus(id));
+        let steps = if has_focus { steps(ui) } else { 0.0 };
+        let response = inside.add(drag.min_size(size));
+        gesture.note(&response);
+
+        let left = typed.into_inner().filter(|_| !was_given_up);
+        let next = match &left {
+            Some((text, true)) => Some(text.clone()),
+            Some((_, false)) => None,
+            None => refused,
+        };
         let given_up = ui.input(|input| input.key_pressed(Key::Escape))
             && (response.has_focus() || response.lost_focus());
-        // Refused text may be valid by now: it is dropped, and its number is not used.
-        let is_left = was_typed && !response.has_focus() && parsed.is_ok();
-        if given_up || is_left {
-            forget(ui, id);
+        if given_up {
+            ui.data_mut(|data| data.insert_temp(key, GivenUp(pass)));
         }
-        let is_entered = is_left && response.lost_focus() && !given_up;
-        parsed.ok().filter(|_| is_entered)
+        match next.filter(|_| !given_up) {
+            Some(text) => ui.data_mut(|data| {
+                data.insert_temp(key, Refused { text, shown: pass });
+                data.insert_temp(Id::unique("refused"), Last(pass));
+            }),
+            None => ui.data_mut(|data| drop(data.remove_temp::<Refused>(key))),
+        }
+        self.tell(ui, (&response, rect), reason.as_deref(), &shown);
+
+        let faster = if ui.input(|input| input.modifiers.shift) {
+            10.0
+        } else {
+            1.0
+        };
+        let dragged = faster * f64::from(response.drag_delta().x);
+        let stepped = value + (steps + dragged) * step;
+        if steps + dragged != 0.0 {
+            return check(stepped).is_ok().then_some(stepped);
+        }
+        (number.to_bits() != value.to_bits()).then_some(number)
+    }
+
+    /// The field's name and what it is; where its text is refused, why.
+    fn tell(
+        &self,
+        ui: &Ui,
+        (response, rect): (&Response, Rect),
+        reason: Option<&str>,
+        shown: &str,
+    ) {
+        let response = Response {
+            rect,
+            ..response.clone()
+        };
+        let response = response.named(self.name).bounded();
+        let Some(reason) = reason else {
+            if !response.dragged() {
+                response.hint(format!("{}; exactly {}", self.hint, self.value));
+            }
+            return;
+        };
+        let red = ui.visuals().error_fg_color;
+        let frame = Stroke::new(1.5, red);
+        ui.painter()
+            .rect_stroke(rect, 2.0, frame, StrokeKind::Inside);
+        let text = format!("{reason}; {shown} stays in force");
+        described(&response, &text);
+        response.on_hover_text(RichText::new(text).color(red));
     }
 
     /// A number as the field has room for it: one that is cut off would read as another.
@@ -141,61 +198,19 @@ impl<'a> Field<'a> {
             clippy::cast_sign_loss,
             reason = "a few characters"
         )]
-        let room = ((self.width - 2.0 * MARGIN.x) / char_width(ui)).max(0.0) as usize;
+        let room = ((self.width - 2.0 * MARGIN) / char_width(ui)).max(0.0) as usize;
         short_in(value, room.clamp(LEAST, DIGITS))
-    }
-
-    fn edit(&self, ui: &mut Ui, id: Id, text: &mut String, wrong: Option<&str>) -> Response {
-        let red = ui.visuals().error_fg_color;
-        let mut edit = TextEdit::singleline(text)
-            .id(id)
-            .font(FontId::monospace(11.0))
-            .align(Align2::LEFT_CENTER)
-            .margin(MARGIN);
-        if wrong.is_some() {
-            edit = edit.text_color(red);
-        }
-        let height = ui.spacing().interact_size.y;
-        let response = ui.add_sized([self.width, height], edit);
-        let is_tabbed = response.gained_focus() && !response.is_pointer_button_down_on();
-        if is_tabbed || response.double_clicked() {
-            select_all(ui, id, text);
-        }
-        let response = response.named(self.name);
-        let Some(wrong) = wrong else {
-            return response.hint(format!("{}; exactly {}", self.hint, self.value));
-        };
-        described(&response, wrong);
-        let text = RichText::new(wrong).color(red);
-        if response.has_focus() {
-            response.show_tooltip_text(text);
-            return response;
-        }
-        response.on_hover_text(text)
     }
 }
 
 /// How many steps up the arrow keys ask for.
-fn steps(ui: &Ui) -> Option<f64> {
+fn steps(ui: &Ui) -> f64 {
     let count = |modifiers, key| {
         let times = ui.input_mut(|input| input.count_and_consume_key(modifiers, key));
         u32::try_from(times).map_or(0.0, f64::from)
     };
     let steps = |modifiers| count(modifiers, Key::ArrowUp) - count(modifiers, Key::ArrowDown);
-    let by = 10.0 * steps(Modifiers::SHIFT) + steps(Modifiers::NONE);
-    (by != 0.0).then_some(by)
-}
-
-/// What is typed next replaces the text.
-fn select_all(ui: &Ui, id: Id, text: &str) {
-    let mut edit = TextEditState::load(ui.ctx(), id).unwrap_or_default();
-    let all = CCursorRange::select_all_str(text);
-    edit.cursor.set_char_range(Some(all));
-    edit.store(ui.ctx(), id);
-}
-
-fn forget(ui: &Ui, id: Id) {
-    ui.data_mut(|data| data.remove_temp::<Typed>(id));
+    10.0 * steps(Modifiers::SHIFT) + steps(Modifiers::NONE)
 }
 
 /// The number in the field; `value` itself, with all its digits, while the text is unchanged.

@@ -22,6 +22,9 @@ pub(super) trait Hint: Sized {
 
     /// Adds the hint, and asks for the command if the control was clicked.
     fn asks(self, hint: impl AsRef<str>, command: impl Into<Command>, commands: &mut Vec<Command>);
+
+    /// Names what is under the cursor, once it rests.
+    fn names(self, under_cursor: Option<&str>);
 }
 
 impl Hint for Response {
@@ -50,6 +53,12 @@ impl Hint for Response {
     fn asks(self, hint: impl AsRef<str>, command: impl Into<Command>, commands: &mut Vec<Command>) {
         if self.hint(hint).clicked() {
             commands.push(command.into());
+        }
+    }
+
+    fn names(self, under_cursor: Option<&str>) {
+        if let Some(name) = under_cursor.filter(|_| !is_covered(&self)) {
+            self.on_hover_text_at_pointer(name);
         }
     }
 }

@@ -2,13 +2,12 @@
 //! their own: their layout, the typed search, and which messages still show.
 
 use super::{
-    axis_cross, banner, differences,
-    docks::{PanelKind, Side, room},
-    help, marks, menu, menu_bar, messages, panes,
+    arrangement::{Side, room},
+    axis_cross, banner, differences, help, marks, menu, menu_bar, messages, panes,
     prelude::*,
     question, section_handle,
     shown::Shown,
-    status, tour_card, wings,
+    sides, status, tour_card,
 };
 use crate::viewer::{
     jobs::Checking,
@@ -42,7 +41,6 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     let behind = UiStackInfo::default().with_frame(behind);
     let whole = UiBuilder::new().max_rect(ui.max_rect());
     let ui = &mut ui.new_child(whole.ui_stack_info(behind));
-    let wanted = panels(shown);
     if !shown.is_bare {
         Panel::top("menus").show(ui, |ui| menu_bar::show(ui, shown, &mut of_bar));
         Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
@@ -51,15 +49,16 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         tour_card::strip(ui, tour, shown.state, &mut commands);
     }
     let room = room(window, ui.available_size());
-    let showed = shown.docks.showing;
-    let widths = shown.docks.lay_out(&wanted, room);
+    let showed = shown.arrangement.showing;
+    let in_gallery = shown.state.showing().is_some();
+    let widths = shown.arrangement.lay_out(in_gallery, room);
     // The bar, which says what shows, was laid out before.
-    if shown.docks.showing != showed {
+    if shown.arrangement.showing != showed {
         ui.ctx().request_repaint();
     }
     let edges = Side::BOTH.map(|side| {
-        let width = widths[side as usize];
-        wings::show(ui, side, width, &wanted, shown, &mut commands)
+        let width = widths[side as usize].filter(|_| !shown.is_bare);
+        sides::show(ui, side, width, shown, &mut commands)
     });
     let place = CentralPanel::no_frame().show(ui, |ui| {
         let rect = picture_rect(ui, shown);
@@ -68,6 +67,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
             let (response, actions) = mouse::scene(ui, None, rect, place, drag);
             let px = response.interact_pointer_pos().map(|at| place.to_px(at));
             menu::of_picture(&response, shown.state, px, &mut commands);
+            response.names(shown.state.under_cursor());
             commands.extend(actions.into_iter().map(Command::Act));
             differences::show(ui, rect, place, shown.checking, shown.marks);
             marks::show(ui, rect, place, shown.state);
@@ -91,10 +91,10 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     });
     for (side, edge) in Side::BOTH.into_iter().zip(edges) {
         if let Some(rect) = edge {
-            wings::edge(ui, side, rect, shown);
+            sides::edge(ui, side, rect, shown.arrangement);
         }
     }
-    if shown.floating.help {
+    if shown.helps {
         help::show(ui.ctx(), &mut commands);
     }
     if let Some(intent) = shown.question {
@@ -111,21 +111,6 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         panes: panes.unwrap_or_default(),
         commands,
     }
-}
-
-/// The panels that show. In the gallery, its own panel replaces objects and measures.
-fn panels(shown: &Shown) -> Vec<PanelKind> {
-    if shown.is_bare {
-        return Vec::new();
-    }
-    let in_gallery = shown.state.showing().is_some();
-    let is_there = |panel: &PanelKind| match panel {
-        PanelKind::Gallery => in_gallery,
-        PanelKind::Objects | PanelKind::Measure => !in_gallery,
-        PanelKind::Pipeline => shown.floating.pipeline,
-        PanelKind::Camera | PanelKind::Pick => true,
-    };
-    PanelKind::ALL.into_iter().filter(is_there).collect()
 }
 
 /// Where the picture goes. In the gallery it is an odd number of pixels wide, so that its middle column looks straight

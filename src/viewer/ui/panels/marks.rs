@@ -6,7 +6,7 @@ use crate::{
     camera::View,
     geometry::clip,
     look,
-    pick::{Pick, snap::Snap},
+    pick::Pick,
     viewer::{
         model::{Overlay, PickView, triangle},
         ui::theme::rimmed,
@@ -40,13 +40,19 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
     if let Some(pick) = pick.filter(|_| is_in && state.overlays().shows(Overlay::Triangle)) {
         page.triangle(state, pick);
     }
-    if let ([from, to], true) = (state.landmarks(), state.overlays().shows(Overlay::Distance)) {
+    let measuring = state.measuring();
+    if let (Some([from, to]), true) = (
+        measuring.last_two(),
+        measuring.is_on || state.overlays().shows(Overlay::Distance),
+    ) {
         page.distance(from.point_world, to.point_world);
     }
     if let Some(pick) = pick {
         page.hit(pick);
     }
-    page.snapped(&state.measuring().points);
+    for point in measuring.points.iter().filter(|_| measuring.is_on) {
+        page.diamond(point.point_world);
+    }
 }
 
 struct Page<'a> {
@@ -97,16 +103,7 @@ impl Page<'_> {
         }
     }
 
-    /// A diamond around each point that a click snapped to, and the distance between them.
-    fn snapped(&mut self, points: &[Snap]) {
-        if let [from, to] = points {
-            self.distance(from.point_world, to.point_world);
-        }
-        for point in points {
-            self.diamond(point.point_world);
-        }
-    }
-
+    /// Marks a point that a click snapped to.
     fn diamond(&self, point_world: DVec3) {
         let Some(at) = self.at(point_world) else {
             return;

@@ -70,22 +70,28 @@ pub(super) fn of_object(
                 lines.add("Centre the view here", "double click", hint, &centre);
             }
         }
-        // These act on the selection, so they select the object first. If it is selected already, its picked point
-        // stays.
-        let is_selected = state.selected() == Some(index);
+        // These act on all that is selected, so they select the object first. If it is selected already, what else is
+        // selected and the picked point stay.
+        let is_selected = state.is_selected(index);
         let select = (!is_selected).then_some(Action::Select(Some(index)));
-        let mut selected = |name, hint, action| {
+        let several = state.all_selected().count();
+        let what = match several {
+            2.. if is_selected => format!("the {several} selected"),
+            _ => "it".to_owned(),
+        };
+        let mut selected = |does: &str, hint, action| {
+            let name = &format!("{does} {what}");
             // The key acts on what is selected.
             let key = Some(keys_of(action)).filter(|_| is_selected);
             let asked: Vec<_> = select.into_iter().chain([action]).collect();
             lines.add(name, &key.unwrap_or_default(), hint, &asked);
         };
-        let hint = "move the camera until it fills the view";
-        selected("Frame it", hint, Action::FrameSelection);
+        let hint = "move the camera until that fills the view";
+        selected("Frame", hint, Action::FrameSelection);
         let hint = "what is hidden is neither drawn nor picked";
-        selected("Hide it", hint, Action::HideSelection);
-        let hint = "only this object is drawn and picked";
-        selected("Isolate it", hint, Action::Isolate);
+        selected("Hide", hint, Action::HideSelection);
+        let hint = "only that is drawn and picked";
+        selected("Isolate", hint, Action::Isolate);
         lines.show_all(state);
         lines.ui.separator();
         if is_selected && state.picked().is_some() {

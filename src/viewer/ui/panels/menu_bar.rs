@@ -1,7 +1,7 @@
 //! The row at the top: the menus, and the tools, which are the menus' items that have icons. As the row gets narrower,
 //! names go first, then groups of tools: the menus have all of them.
 
-use super::{docks::Side, exhibit, field::text_width, prelude::*, shown::Shown};
+use super::{arrangement::Side, exhibit, field::text_width, prelude::*, shown::Shown};
 use crate::{
     scene::gallery::GALLERY,
     viewer::ui::menus::{Item, MENUS, Menu, More},
@@ -59,13 +59,13 @@ pub(super) fn show(ui: &mut Ui, shown: &mut Shown, commands: &mut Vec<Command>) 
                 (Side::Right, "\u{25e8}", "right side"),
                 (Side::Left, "\u{25e7}", "left side"),
             ] {
-                let on = shown.docks.showing[side as usize];
+                let on = shown.arrangement.showing[side as usize];
                 let fold = Button::selectable(on, icon(picture)).frame_when_inactive(true);
                 let fold = ui.add(fold).named(name);
                 let hint =
                     "show or fold the panels at this side; the picture keeps half of the window";
                 if fold.hint(hint).clicked() {
-                    shown.docks.toggle(side);
+                    shown.arrangement.toggle_side(side);
                 }
             }
         });

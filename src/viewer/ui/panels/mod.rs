@@ -1,44 +1,34 @@
 //! The window's panels, one a file.
 
+mod arrangement;
 mod axis_cross;
 mod banner;
-mod camera;
 mod differences;
-mod docks;
 mod exhibit;
 mod field;
 mod gesture;
 mod help;
 mod hints;
-mod in_file;
-mod inspect;
+mod inspector;
 mod layout;
 mod lit_row;
 mod marks;
-mod matrix_rows;
-mod measure;
 mod menu;
 mod menu_bar;
 mod messages;
-mod model_matrix;
 mod objects;
 mod pane_labels;
 mod pane_page;
 mod panes;
-mod pick;
-mod pipeline;
-mod plane_slider;
 mod plot;
 mod question;
-mod section;
 mod section_handle;
 mod shown;
+mod sides;
 mod status;
 #[cfg(test)]
 mod tests;
 mod tour_card;
-mod value_rows;
-mod wings;
 
 /// What most panels name.
 mod prelude {
@@ -55,9 +45,10 @@ mod prelude {
     pub(super) use glam::DVec3;
 }
 
-pub(in crate::viewer) use docks::{Docks, PanelKind};
+pub(in crate::viewer) use arrangement::{Arrangement, Topic};
 pub(super) use field::give_up_refused;
+pub(in crate::viewer) use inspector::Sums;
 pub(in crate::viewer) use layout::show;
 pub(in crate::viewer) use objects::Filter;
-pub(in crate::viewer) use shown::{Floating, Shown, Underway};
+pub(in crate::viewer) use shown::{Shown, Underway};
 pub(in crate::viewer) use status::Statistics;

@@ -1,8 +1,8 @@
-//! The list of objects: visibility and selection.
+//! The list of objects: which are visible, and which are selected.
 
-use super::{docks::GUTTER, menu, prelude::*};
+use super::{arrangement::GUTTER, inspector::swatch, menu, prelude::*};
 use egui::{
-    Key, Role, ScrollArea, StrokeKind, TextStyle, UiBuilder, WidgetInfo,
+    Key, Modifiers, Role, ScrollArea, StrokeKind, TextStyle, UiBuilder, WidgetInfo,
     text::{LayoutJob, TextWrapping},
 };
 
@@ -99,9 +99,26 @@ pub(super) fn show(
     }
     area.show_rows(ui, height, count, |ui, rows| {
         for index in rows.map(|row| filter.object(row)) {
-            row(ui, state, index, commands);
+            if let Some(how) = row(ui, state, index, commands) {
+                commands.push(selecting(state, filter, index, how));
+            }
         }
     });
+}
+
+/// What a click on an object's row asks for. With Ctrl the object is added to what is selected, or taken out; with Shift
+/// all rows are selected from the one that was selected first to this one. Without, it alone is selected or deselected.
+fn selecting(state: &State, filter: &Filter, index: usize, how: Modifiers) -> Command {
+    let first = state.selected().and_then(|first| filter.row(first));
+    if let (true, Some(from), Some(to)) = (how.shift, first, filter.row(index)) {
+        let rows = from.min(to)..=from.max(to);
+        return Command::SelectObjects(rows.map(|row| filter.object(row)).collect());
+    }
+    if how.command {
+        return Action::ToggleSelected(index).into();
+    }
+    let is_alone = state.all_selected().eq([index]);
+    Action::Select((!is_alone).then_some(index)).into()
 }
 
 /// The field for what is searched. Esc clears it, or leaves it if it is empty.
@@ -131,25 +148,32 @@ fn above(ui: &mut Ui, state: &State, filter: &Filter, commands: &mut Vec<Command
             .hint(hint);
     }
     ui.horizontal_wrapped(|ui| {
+        if let Some(found) = &filter.rows {
+            let all = ui.add_enabled(!found.is_empty(), Button::new("select found").small());
+            let hint = "select all objects that the search finds";
+            if all.hint(hint).clicked() {
+                commands.push(Command::SelectObjects(found.iter().copied().collect()));
+            }
+        }
         let mut button = |enabled, name: &str, hint: &str, action: Action| {
             let button = ui.add_enabled(enabled, Button::new(name).small());
             button.asks(hint, action, commands);
         };
         let selected = state.selected().is_some();
-        let hint = "hide the selection (Shift+H)";
+        let hint = "hide all that is selected (Shift+H)";
         button(selected, "hide", hint, Action::HideSelection);
-        let hint = "hide all but the selection (I)";
+        let hint = "hide all but what is selected (I)";
         button(selected, "isolate", hint, Action::Isolate);
         let (hides, hint) = (scene.hidden_count() > 0, "show what is hidden (U)");
         button(hides, "show all", hint, Action::ShowAll);
     });
 }
 
-/// A row of the list. A click on it, beside the tick, selects or deselects the object; the object lights up while the
+/// A row of the list. Returns which keys were held if it was clicked beside the tick. The object lights up while the
 /// cursor rests on the row.
-fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
+fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) -> Option<Modifiers> {
     let object = &state.scene().objects()[index];
-    let is_selected = state.selected() == Some(index);
+    let is_selected = state.is_selected(index);
     let width = ui.available_width() - GUTTER;
     let size = vec2(width, ui.spacing().interact_size.y);
     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
@@ -170,9 +194,16 @@ fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
         if tick.changed() {
             commands.push(Command::Act(Action::SetVisible(index, visible)));
         }
-        tick.hint("visible; hidden objects are not picked").rect
+        let tick = tick.hint("visible; hidden objects are not picked").rect;
+        if let Some((_, colour)) = object.material(None) {
+            swatch(ui, colour);
+        } else {
+            ui.allocate_space(vec2(10.0, 10.0));
+        }
+        (tick, ui.min_rect())
     });
-    let rest = rect.with_min_x(tick.inner.right());
+    let (tick, before) = tick.inner;
+    let rest = rect.with_min_x(tick.right());
     let name = ui.interact(rest, ui.scope_id().with(("row", index)), Sense::click());
     name.widget_info(|| WidgetInfo::selected(Role::Button, true, is_selected, &object.name));
     let colour = match (is_selected, object.visible) {
@@ -181,7 +212,7 @@ fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
         (false, false) => ui.visuals().weak_text_color(),
     };
     let font = TextStyle::Body.resolve(ui.style());
-    let left = rest.left() + ui.spacing().item_spacing.x;
+    let left = before.right() + ui.spacing().item_spacing.x;
     let mut text = LayoutJob::simple_singleline(object.name.clone(), font, colour);
     text.wrap = TextWrapping::truncate_at_width(rest.right() - left - 4.0);
     let painter = ui.painter();
@@ -200,8 +231,5 @@ fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
     let (number, called) = (index + 1, &object.name);
     let name = name.hint(format!("{number} {called}: {kind}{triangles}"));
     menu::of_object(&name, state, index, None, commands);
-    if name.clicked() {
-        let selected = (!is_selected).then_some(index);
-        commands.push(Action::Select(selected).into());
-    }
+    name.clicked().then(|| ui.input(|input| input.modifiers))
 }

@@ -85,6 +85,7 @@ fn pane(
     let response = response.named(&format!("stage {}", stage.name())).bounded();
     let px = response.interact_pointer_pos().map(|at| place.to_px(at));
     menu::of_picture(&response, state, px, commands);
+    response.names(state.under_cursor());
     let mut hovers = false;
     for action in actions {
         if action != Action::Hover(None) {

@@ -1,6 +1,6 @@
 //! What the panels are given to show.
 
-use super::{docks::Docks, objects::Filter, status::Statistics};
+use super::{arrangement::Arrangement, inspector::Sums, objects::Filter, status::Statistics};
 use crate::viewer::{
     jobs::{Chart, Checking},
     model::State,
@@ -9,21 +9,14 @@ use crate::viewer::{
 use egui::TextureId;
 use std::path::PathBuf;
 
-/// What shows only on request.
-#[derive(Clone, Copy, Default)]
-pub(in crate::viewer) struct Floating {
-    /// Keys and mouse.
-    pub help: bool,
-    /// Matrices.
-    pub pipeline: bool,
-    /// Whether the matrices showed before the four views did.
-    pub pipeline_was: bool,
-}
-
 /// What is being done, and the share that is done, in [0, 1]; Esc stops what has one.
 pub(in crate::viewer) type Underway = (&'static str, Option<f32>);
 
 /// What the panels show besides the state.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is about a thing of its own"
+)]
 pub(in crate::viewer) struct Shown<'a> {
     /// The scene, the view and what is picked.
     pub state: &'a State,
@@ -31,8 +24,8 @@ pub(in crate::viewer) struct Shown<'a> {
     pub notices: &'a mut Notices,
     /// The job under way, if there is one.
     pub underway: Option<Underway>,
-    /// What shows only on request.
-    pub floating: Floating,
+    /// Whether the help shows.
+    pub helps: bool,
     /// Where in the tour the user is.
     pub tour: Option<Tour>,
     /// Whether to offer the tour: the user has not answered yet.
@@ -47,12 +40,14 @@ pub(in crate::viewer) struct Shown<'a> {
     pub marks: Option<TextureId>,
     /// Frame time, adapter and the like.
     pub statistics: &'a Statistics,
-    /// Where the panels stand.
-    pub docks: &'a mut Docks,
+    /// What shows beside the picture.
+    pub arrangement: &'a mut Arrangement,
     /// The look that the user chose for the panels.
     pub look: Look,
     /// The files of scenes that were opened before, the last first.
     pub recent: &'a [Vec<PathBuf>],
+    /// What several selected objects are together.
+    pub sums: &'a mut Sums,
     /// What narrows the list of objects.
     pub filter: &'a mut Filter,
     /// Whether the picture is alone, without any panel.

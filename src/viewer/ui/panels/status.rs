@@ -37,36 +37,39 @@ pub(super) fn show(ui: &mut Ui, state: &State, statistics: &Statistics) {
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
             ui.set_clip_rect(ui.max_rect().intersect(ui.clip_rect()));
-            times(ui, statistics);
+            pick(ui, statistics);
             drawing(ui, state, statistics);
+            frame(ui, statistics);
         });
     });
 }
 
-/// How long the last picture and the last pick took.
-fn times(ui: &mut Ui, statistics: &Statistics) {
-    let now_s = ui.input(|input| input.time);
-    let left_s = |drawn_s: f64| drawn_s + FRESH_S - now_s;
-    let frame = match statistics.frame {
-        Some((took, drawn_s)) if left_s(drawn_s) > 0.0 => {
-            let wait = Duration::from_secs_f64(left_s(drawn_s));
-            ui.ctx().request_repaint_after(wait);
-            format!("{:6.1}", 1e3 * took.as_secs_f64())
-        }
-        _ => format!("{:>6}", "\u{2013}"),
-    };
-    ui.weak(format!("frame {frame} ms"))
-        .hint("how long the picture of the scene took that was just drawn, in thousandths of a second; a dash at rest");
+/// How long the last pick took.
+fn pick(ui: &mut Ui, statistics: &Statistics) {
     if let Some(pick) = statistics.pick {
         let pick_us = 1e6 * pick.as_secs_f64();
         ui.weak(format!("pick {pick_us:6.0} \u{b5}s"))
             .hint("how long the last click's ray took, in millionths of a second");
+        ui.separator();
+    }
+}
+
+/// How long the last picture took, for a while. It stands last: as it goes, nothing moves.
+fn frame(ui: &mut Ui, statistics: &Statistics) {
+    let Some((took, drawn_s)) = statistics.frame else {
+        return;
+    };
+    let left_s = drawn_s + FRESH_S - ui.input(|input| input.time);
+    if left_s > 0.0 {
+        (ui.ctx()).request_repaint_after(Duration::from_secs_f64(left_s));
+        ui.separator();
+        ui.weak(format!("frame {:6.1} ms", 1e3 * took.as_secs_f64()))
+            .hint("how long the picture of the scene took that was just drawn, in thousandths of a second");
     }
 }
 
 /// What draws, and how.
 fn drawing(ui: &mut Ui, state: &State, statistics: &Statistics) {
-    ui.separator();
     ui.weak(statistics.adapter.as_str())
         .hint("what draws: the graphics card, or the processor in its place");
     if statistics.software {

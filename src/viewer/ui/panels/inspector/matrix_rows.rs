@@ -1,7 +1,7 @@
 //! A matrix in words and numbers: what it is, what each row makes, what its determinant means.
 
 use super::{
-    docks::MATRIX,
+    arrangement::MATRIX,
     field::{DIGITS, LEAST, char_width, short, short_in, value_text},
     hints::described,
     prelude::*,

@@ -1,19 +1,17 @@
-//! The camera: lens, planes, pose and section.
+//! The camera: its projection, what it takes in, and where it stands.
 
 use super::{
     field::{AXES, Field, WIDTH, short},
     gesture::Gesture,
-    plane_slider::{self, size},
+    lens_slider,
     prelude::*,
-    section,
 };
 use crate::{
-    camera::{CameraChoice, DepthMapping, Orbit, Projection, UpAxis},
-    geometry::Sides,
+    camera::{CameraChoice, Orbit, Projection, UpAxis},
     viewer::model::LensControls,
 };
-use egui::{Slider, UiBuilder};
-use std::{cell::Cell, ops::RangeInclusive};
+use egui::{CollapsingHeader, UiBuilder};
+use std::cell::Cell;
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let controls = state.controls();
@@ -24,12 +22,16 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         projection(ui, &mut next);
         fov(ui, state, &mut next, &mut gesture);
         planes(ui, state, &mut next, &mut gesture);
-        depth(ui, &mut next);
     });
     gesture.push((next != controls).then_some(Action::Lens(next)), commands);
-    ui.add_space(4.0);
-    pose(ui, state, commands);
-    ui.add_space(4.0);
+    up_axis(ui, state, commands);
+    let header = CollapsingHeader::new("Pose");
+    let header = header.show_unindented(ui, |ui| pose(ui, state, commands));
+    let hint = "where the camera stands, and where it looks";
+    header.header_response.hint(hint);
+}
+
+fn up_axis(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.label("up axis")
             .hint("which axis of the world points up: turns the view, never the data");
@@ -41,13 +43,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             let label = label.named(&format!("{name} points up"));
             label.asks(hint, Action::UpAxis(axis), commands);
         }
-        ui.separator();
-        let mut culls = state.view().sides == Sides::Front;
-        let hint = "surfaces seen from behind are neither drawn nor picked (B)";
-        let culls = ui.checkbox(&mut culls, "cull back faces");
-        culls.asks(hint, Action::ToggleSides, commands);
     });
-    section::show(ui, state, commands);
 }
 
 /// The button that copies the camera.
@@ -69,8 +65,6 @@ fn projection(ui: &mut Ui, next: &mut LensControls) {
     ui.end_row();
 }
 
-/// Degrees.
-pub(super) const FOV_RANGE: RangeInclusive<f64> = 1.0..=170.0;
 const FOV: &str = "field of view: the angle that the picture spans from bottom to top, in degrees";
 
 fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gesture) {
@@ -84,16 +78,11 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
         state.check(&Action::Lens(lens))
     };
     ui.add_enabled_ui(!next.orthographic, |ui| {
-        ui.horizontal_top(|ui| {
-            let mut slid = next.fov_deg;
-            let slider = ui.add(Slider::new(&mut slid, FOV_RANGE).show_value(false));
-            let slider = slider.named("fov, slid").hint(FOV);
-            gesture.note(&slider);
-            if slider.changed() {
-                next.fov_deg = slid;
-            }
+        ui.horizontal(|ui| {
+            let slid = lens_slider::fov(ui, "fov, slid", FOV, next.fov_deg, gesture);
+            next.fov_deg = slid.unwrap_or(next.fov_deg);
             let field = Field::new("fov", FOV, state.scene_revision(), WIDTH, next.fov_deg);
-            if let Some(number) = field.show(ui, 1.0, typed) {
+            if let Some(number) = field.show(ui, 1.0, gesture, typed) {
                 next.fov_deg = number;
             }
         });
@@ -105,10 +94,11 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
     ui.end_row();
 }
 
-/// Near and far: a slider, a field, and a box that fits the plane to the scene again. The sliders' range depends on the
-/// scene's size, so it stays the same while they slide.
+/// Near and far: a slider, a field, and a box that fits the plane to the scene again.
 fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gesture) {
     let lens = state.view().camera.lens();
+    let (least, most) = state.depth_range();
+    let step = 0.01 * (most - least);
     for (name, hint, value, which) in [
         (
             "near",
@@ -129,15 +119,14 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
             *which(&mut lens) = Some(number);
             state.check(&Action::Lens(lens))
         };
-        ui.horizontal_top(|ui| {
+        ui.horizontal(|ui| {
             let named = format!("{name}, slid");
-            let (slider, slid) = plane_slider::show(ui, state, &named, hint, value);
-            gesture.note(&slider);
+            let slid = lens_slider::plane(ui, state, &named, hint, value, gesture);
             if let Some(slid) = slid.filter(|slid| typed(*slid).is_ok()) {
                 *which(next) = Some(slid);
             }
             let field = Field::new(name, hint, state.scene_revision(), WIDTH, value);
-            if let Some(number) = field.show(ui, 0.01 * size(state), typed) {
+            if let Some(number) = field.show(ui, step, gesture, typed) {
                 *which(next) = Some(number);
             }
         });
@@ -150,17 +139,6 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
         }
         ui.end_row();
     }
-}
-
-fn depth(ui: &mut Ui, next: &mut LensControls) {
-    ui.label("depth").hint("what the depth buffer stores");
-    ui.horizontal(|ui| {
-        ui.selectable_value(&mut next.depth, DepthMapping::Reversed, "reversed")
-            .hint("near 1, far 0: stays precise far away");
-        ui.selectable_value(&mut next.depth, DepthMapping::Standard, "standard")
-            .hint("near 0, far 1: as courses teach it");
-    });
-    ui.end_row();
 }
 
 /// Room in points for the longest name in [`POSE`].
@@ -205,6 +183,7 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let typed: TypedUp = ui.data(|data| data.get_temp(id)).unwrap_or_default();
     let refused = [const { Cell::new(None) }; 3];
     let mut next_up = typed.up;
+    let (mut asked, mut gesture) = (None, Gesture::default());
     let up = typed.up.filter(|up| *up == camera.up_hint());
     let pose = [camera.eye(), camera.target(), up.unwrap_or(camera.up())];
     let is_level = Orbit::is_upright(camera, state.up_axis());
@@ -219,7 +198,7 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         }
     });
     for (row, (name, hint)) in POSE.into_iter().enumerate() {
-        ui.horizontal_top(|ui| {
+        ui.horizontal(|ui| {
             cell(ui, NAME, |ui| ui.label(name).hint(hint));
             for axis in 0..3 {
                 let with = |number| {
@@ -251,12 +230,12 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                 let name = format!("{name} {}", AXES[axis]);
                 let (of, value) = (state.scene_revision(), pose[row][axis]);
                 let field = Field::new(&name, hint, of, width, value);
-                if let Some(number) = field.show(ui, 0.01 * size, check) {
+                if let Some(number) = field.show(ui, 0.01 * size, &mut gesture, check) {
                     let action = with(number);
                     if let (2, Action::Pose([.., up])) = (row, &action) {
                         next_up = Some(*up);
                     }
-                    commands.push(Command::Act(action));
+                    asked = Some(action);
                 }
             }
         });
@@ -266,6 +245,7 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         refused: refused.map(Cell::into_inner),
     };
     ui.data_mut(|data| data.insert_temp(id, typed));
+    gesture.push(asked, commands);
     if let Projection::Orthographic { height } = camera.lens().projection {
         ui.label(format!("height {} units", short(height)))
             .hint("how much of the world the picture spans from bottom to top");

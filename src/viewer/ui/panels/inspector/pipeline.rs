@@ -1,12 +1,11 @@
 //! The matrices, live, and the pick's point on its way through them.
 
 use super::{
-    camera::FOV_RANGE,
-    docks::MATRIX,
+    arrangement::MATRIX,
     field::{LEAST, char_width, short_in, value_text},
     gesture::Gesture,
+    lens_slider,
     matrix_rows::{columns, determinant, fitted, rows, title},
-    plane_slider,
     prelude::*,
 };
 use crate::{
@@ -14,15 +13,7 @@ use crate::{
     look,
     viewer::model::{Matrices, Matrix, Stage, Steps, Views},
 };
-use egui::Slider;
 use glam::DVec2;
-
-/// The button that closes the panel.
-pub(super) fn close(ui: &mut Ui, commands: &mut Vec<Command>) {
-    let cross = ui.add(Button::new("\u{d7}").small().frame_when_inactive(false));
-    let cross = cross.named("close the matrices");
-    cross.asks("(P)", Command::TogglePipeline, commands);
-}
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.y = 1.0;
@@ -112,8 +103,6 @@ fn about(stage: Stage) -> &'static str {
     }
 }
 
-const LENS: &str = "as in the Camera panel; watch P's numbers";
-
 /// Sliders for what P is made of, next to its numbers.
 fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let (controls, lens) = (state.controls(), state.view().camera.lens());
@@ -122,25 +111,18 @@ fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.spacing_mut().slider_width = ((ui.available_width() - 106.0) / 3.0).clamp(24.0, 90.0);
         let hint = "slide it: P's numbers and all views follow";
-        ui.label("fov").hint(LENS);
-        let mut fov_deg = controls.fov_deg;
-        let slider = Slider::new(&mut fov_deg, FOV_RANGE).show_value(false);
-        let slider = ui
-            .add_enabled(!controls.orthographic, slider)
-            .named("P's fov");
-        gesture.note(&slider);
-        if slider.changed() {
-            next.fov_deg = fov_deg;
-        }
-        plane_slider::hint_at_rest(slider, hint);
+        ui.label("fov").hint(hint);
+        ui.add_enabled_ui(!controls.orthographic, |ui| {
+            let slid = lens_slider::fov(ui, "P's fov", hint, controls.fov_deg, &mut gesture);
+            next.fov_deg = slid.unwrap_or(next.fov_deg);
+        });
         for (name, depth, which) in [
             ("near", lens.near, &mut next.near),
             ("far", lens.far, &mut next.far),
         ] {
-            ui.label(name).hint(LENS);
+            ui.label(name).hint(hint);
             let named = format!("P's {name}");
-            let (slider, slid) = plane_slider::show(ui, state, &named, hint, depth);
-            gesture.note(&slider);
+            let slid = lens_slider::plane(ui, state, &named, hint, depth, &mut gesture);
             *which = slid.or(*which);
         }
     });

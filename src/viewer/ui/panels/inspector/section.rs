@@ -8,12 +8,7 @@ use super::{
 use crate::geometry::Section;
 use egui::Slider;
 
-/// Shows nothing in the gallery, which takes no sections.
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
-    if !state.takes_sections() {
-        return;
-    }
-    ui.add_space(4.0);
     ui.horizontal_wrapped(|ui| where_to(ui, state, commands));
     if let Some(section) = &state.view().section {
         numbers(ui, state, section, commands);
@@ -23,7 +18,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let section = state.view().section;
     let mut is_on = section.is_some();
-    let on = ui.checkbox(&mut is_on, "section");
+    let on = ui.checkbox(&mut is_on, "cut");
     let hint = "cut the world by a plane: what lies behind it is neither drawn nor picked, and you look into solids (Z)";
     on.asks(hint, Action::ToggleSection, commands);
     // A section is computed only when its button is clicked: along a mesh's face, that takes all of the mesh's
@@ -80,7 +75,7 @@ fn numbers(ui: &mut Ui, state: &State, section: &Section, commands: &mut Vec<Com
             let field = Field::new(&name, NORMAL, of, WIDTH, normal[i]);
             let step = 0.01 * normal.abs().max_element();
             let check = |number| check(with(number), offset);
-            if let Some(number) = field.show(ui, step, check) {
+            if let Some(number) = field.show(ui, step, &mut gesture, check) {
                 next = Some((with(number), offset));
             }
         }
@@ -88,7 +83,7 @@ fn numbers(ui: &mut Ui, state: &State, section: &Section, commands: &mut Vec<Com
         ui.label("c").hint(OFFSET);
         let field = Field::new("section c", OFFSET, of, WIDTH, offset);
         let step = 0.01 * (most - least);
-        if let Some(number) = field.show(ui, step, |number| check(normal, number)) {
+        if let Some(number) = field.show(ui, step, &mut gesture, |number| check(normal, number)) {
             next = Some((normal, number));
         }
         if least < most {

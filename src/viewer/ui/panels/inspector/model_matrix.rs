@@ -7,7 +7,6 @@ use super::{
     prelude::*,
 };
 use crate::geometry::Trs;
-use egui::{CollapsingHeader, CursorIcon};
 use glam::DAffine3;
 
 /// The parts of the matrix, each with what it is.
@@ -34,13 +33,14 @@ const NAME: f32 = 50.0;
 /// The same for a letter and the gap after it.
 const LETTER: f32 = 12.0;
 
-pub(super) fn show(ui: &mut Ui, state: &State, object: usize, commands: &mut Vec<Command>) {
-    let header = CollapsingHeader::new("Model matrix").show_unindented(ui, |ui| {
-        let model = state.scene().objects()[object].placement.model();
-        edit(ui, state, object, model, commands);
-    });
-    let hint = "where the selected object stands: type numbers, or drag their letters";
-    header.header_response.hint(hint);
+pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    let Some(object) = state.selected() else {
+        ui.weak("Nothing is selected: click an object.")
+            .hint("the selected object is moved here: type numbers, or drag them");
+        return;
+    };
+    let model = state.scene().objects()[object].placement.model();
+    edit(ui, state, object, model, commands);
 }
 
 fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &mut Vec<Command>) {
@@ -73,19 +73,14 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
             ui.label(name).hint(hint);
             for (axis, letter) in AXES.into_iter().enumerate() {
                 let value = parts(&mut { all })[part][axis];
-                ui.horizontal_top(|ui| {
+                ui.horizontal(|ui| {
                     ui.spacing_mut().item_spacing.x = 2.0;
                     let step = [0.01 * size, 1.0, 0.01 * value.abs()][part];
-                    let label = handle(ui, letter, hint);
-                    gesture.note(&label);
-                    let moved = f64::from(label.drag_delta().x) * step;
-                    if moved != 0.0 {
-                        asked = Some(with(part, axis, value + moved));
-                    }
+                    ui.label(letter).hint(hint);
                     let check = |number| state.check(&with(part, axis, number));
                     let name = format!("{name} {letter}");
                     let field = Field::new(&name, hint, of, width, value);
-                    if let Some(number) = field.show(ui, step, check) {
+                    if let Some(number) = field.show(ui, step, &mut gesture, check) {
                         asked = Some(with(part, axis, number));
                     }
                 });
@@ -106,11 +101,4 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
             .hint("the scene differs from its files");
     }
     gesture.push(asked, commands);
-}
-
-/// A letter that can be dragged.
-fn handle(ui: &mut Ui, letter: &str, hint: &str) -> Response {
-    let label = ui.add(Label::new(letter).selectable(false).sense(Sense::DRAG));
-    let label = label.on_hover_cursor(CursorIcon::ResizeHorizontal);
-    label.hint(format!("{hint}; drag sideways"))
 }

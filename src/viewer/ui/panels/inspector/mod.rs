@@ -1,0 +1,21 @@
+//! The right side: what is picked, and below it topics that unfold.
+
+mod camera;
+mod depth_steps;
+mod details;
+mod in_file;
+mod lens_slider;
+mod matrix_rows;
+mod measure;
+mod model_matrix;
+mod overlay_toggle;
+mod picked;
+mod pipeline;
+mod section;
+mod topics;
+mod value_rows;
+
+use super::{arrangement, field, gesture, hints, prelude};
+pub(in crate::viewer) use picked::Sums;
+pub(super) use picked::swatch;
+pub(super) use topics::show;

@@ -1,0 +1,174 @@
+//! Several objects are selected in the list and in the picture, and hidden, isolated and framed together.
+
+use super::*;
+
+/// The names of all that is selected, the first one first.
+fn all(window: &Window) -> Vec<&str> {
+    let objects = window.state().scene().objects();
+    let selected = window.state().all_selected();
+    selected.map(|index| &*objects[index].name).collect()
+}
+
+/// Clicks while keys are held.
+fn click_with(window: &mut Window, held: Modifiers, at: Pos2) {
+    let press = |pressed| Event::PointerButton {
+        pos: at,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: held,
+    };
+    window.send([
+        Event::ModifiersChanged(held),
+        Event::PointerMoved(at),
+        press(true),
+        press(false),
+        Event::ModifiersChanged(Modifiers::NONE),
+    ]);
+}
+
+fn row_of(window: &Window, name: &str) -> Pos2 {
+    control(window, name).rect.center()
+}
+
+fn shown(window: &Window) -> Vec<bool> {
+    let objects = window.state().scene().objects().iter();
+    objects.map(|object| object.visible).collect()
+}
+
+#[test]
+fn rows_are_added_taken_out_and_selected_in_a_range() {
+    let (mut window, _folder) = row(1.0);
+    click_on(&mut window, "middle");
+    let at = row_of(&window, "back");
+    click_with(&mut window, CTRL, at);
+    assert_eq!(all(&window), ["middle", "back"]);
+    control(&window, "and 1 more");
+    control(&window, "2 objects, 0 triangles");
+    // What was selected first is taken out: the other one takes its place.
+    let at = row_of(&window, "middle");
+    click_with(&mut window, CTRL, at);
+    assert_eq!(all(&window), ["back"]);
+    let at = row_of(&window, "front");
+    click_with(&mut window, Modifiers::SHIFT, at);
+    assert_eq!(all(&window), ["back", "front", "middle"]);
+    // A plain click selects that one alone; one more, nothing.
+    click_on(&mut window, "middle");
+    assert_eq!(all(&window), ["middle"]);
+    click_on(&mut window, "middle");
+    assert!(all(&window).is_empty());
+}
+
+#[test]
+fn clicks_in_the_picture_add_and_keep_the_pick() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    let (px, size) = (picked_px(&window), ["3 x 3 x 4.5", "1 x 1 x 1"]);
+    control(&window, size[1]);
+    // The back shows beside the front.
+    let aside = MIDDLE + egui::vec2(0.0, 70.0);
+    for held in [CTRL, Modifiers::SHIFT] {
+        click_with(&mut window, held, aside);
+        assert_eq!(all(&window), ["front", "back"], "{held:?}");
+        assert_eq!(picked_px(&window), px);
+        control(&window, size[0]);
+        click_with(&mut window, held, aside);
+        assert_eq!(all(&window), ["front"], "{held:?}");
+    }
+    // A click on nothing with a key held changes nothing.
+    click_with(&mut window, CTRL, MIDDLE + egui::vec2(-300.0, -300.0));
+    assert_eq!((all(&window), picked_px(&window)), (vec!["front"], px));
+}
+
+/// What is done to a selection is done to all of it, in one step of undo.
+#[test]
+fn hide_isolate_and_frame_act_on_all() {
+    let (mut window, _folder) = row(1.0);
+    let select = |window: &mut Window| {
+        click_on(window, "front");
+        let at = row_of(window, "back");
+        click_with(window, CTRL, at);
+    };
+    select(&mut window);
+    press_key(&mut window, Modifiers::SHIFT, Key::H);
+    assert_eq!(shown(&window), [false, true, false]);
+    press_key(&mut window, CTRL, Key::Z);
+    assert_eq!(
+        (shown(&window), all(&window)),
+        (vec![true; 3], vec!["front", "back"])
+    );
+    press_key(&mut window, Modifiers::NONE, Key::I);
+    assert_eq!(shown(&window), [true, false, true]);
+    press_key(&mut window, Modifiers::NONE, Key::U);
+    let distance = |window: &Window| {
+        let camera = window.state().view().camera;
+        camera.eye().distance(camera.target())
+    };
+    press_key(&mut window, Modifiers::NONE, Key::F);
+    let both = distance(&window);
+    click_on(&mut window, "front");
+    press_key(&mut window, Modifiers::NONE, Key::F);
+    let one = distance(&window);
+    assert!(both > 2.0 * one, "{both} {one}");
+    // The menu of the right button, on one of them.
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    select(&mut window);
+    let at = row_of(&window, "back");
+    menus::open_menu(&mut window, at);
+    click_on(&mut window, "Hide the 2 selected");
+    assert_eq!(shown(&window), [false, true, false]);
+}
+
+#[test]
+fn what_is_found_is_selected() {
+    let (mut window, _folder) = row(1.0);
+    assert!(!has_control(&window, "select found"));
+    type_into(&mut window, "search", "a");
+    click_on(&mut window, "select found");
+    assert_eq!(all(&window), ["back"]);
+    type_into(&mut window, "search", "d");
+    click_on(&mut window, "select found");
+    assert_eq!(all(&window), ["middle"]);
+    type_into(&mut window, "search", "no such name");
+    assert!(!control(&window, "select found").is_enabled);
+    click_on(&mut window, "search");
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(all(&window), ["middle"]);
+}
+
+/// Each selected object is tinted, and all of them have an outline.
+#[test]
+fn all_that_is_selected_is_outlined() {
+    let (mut window, _folder) = row(1.0);
+    let seen = |window: &mut Window| {
+        window.send([Event::PointerGone]);
+        window.picture().expect("a picture")
+    };
+    let area = Rect::from_center_size(pos2(590.0, 360.0), egui::vec2(700.0, 600.0));
+    let none = seen(&mut window);
+    click_on(&mut window, "front");
+    let one = differing_in(&none, &seen(&mut window), area);
+    let at = row_of(&window, "back");
+    click_with(&mut window, CTRL, at);
+    let both = differing_in(&none, &seen(&mut window), area);
+    assert!(one > 5000 && both > one + 20_000, "{one} {both}");
+}
+
+/// The name under the cursor stands at the cursor once it rests, and goes as it moves on.
+#[test]
+fn what_is_under_the_cursor_is_named_there() {
+    let (mut window, _folder) = row(1.0);
+    let named = |window: &Window| {
+        let mut all = window.controls().iter();
+        all.any(|control| {
+            control.name == "front" && control.rect.left() > 210.0 && control.rect.right() < 970.0
+        })
+    };
+    window.picture().expect("a picture");
+    window.send([Event::PointerMoved(MIDDLE)]);
+    window.wait_s(1.0);
+    assert!(named(&window));
+    window.send([Event::PointerMoved(MIDDLE + egui::vec2(-300.0, -300.0))]);
+    window.wait_s(1.0);
+    assert!(!named(&window));
+}
