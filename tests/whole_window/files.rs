@@ -72,6 +72,23 @@ fn a_flag_that_cannot_be_is_said_and_not_used() {
     assert!(has(&window, "bad.toml") && has(&window, "field of view"));
 }
 
+/// Each file opens with the up axis that it names, or else y.
+#[test]
+fn the_up_axis_of_one_file_is_not_the_next_one_s() {
+    let (path, folder) = row_file();
+    let mut window = opened(Options {
+        paths: vec![path],
+        ..Options::default()
+    });
+    click_on(&mut window, "z points up");
+    assert_eq!(window.state().up_axis(), UpAxis::Z);
+    let next = folder.path().join("next.toml");
+    std::fs::write(&next, ROW).expect("a writable folder");
+    window.drop_file(next);
+    assert_eq!(window.state().name(), "next.toml");
+    assert_eq!(window.state().up_axis(), UpAxis::Y);
+}
+
 #[test]
 fn the_command_is_about_the_camera_whatever_shows() {
     let (path, _folder) = row_file();

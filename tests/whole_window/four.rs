@@ -201,6 +201,21 @@ fn one_made_large_is_the_single_stage_and_comes_back() {
     assert_eq!(window.state().views(), Views::Four);
 }
 
+/// A click on a view's heading is none in the view below it, and a double click makes that view large.
+#[test]
+fn a_heading_is_not_the_view_below_it() {
+    let (mut window, _folder) = four();
+    click_on(&mut window, "middle");
+    for place in rects(&window) {
+        click(&mut window, place.left_top() + vec2(150.0, 12.0));
+        assert_eq!(selected(&window), Some("middle"));
+    }
+    let heading = rects(&window)[3].left_top() + vec2(150.0, 12.0);
+    double_click(&mut window, heading);
+    assert_eq!(window.state().views(), Views::One(Stage::Ndc));
+    assert_eq!(selected(&window), Some("middle"));
+}
+
 #[test]
 fn a_row_under_the_cursor_lights_what_it_does() {
     let (mut window, _folder) = four();

@@ -87,7 +87,6 @@ impl State {
     /// stays as it was.
     pub fn open(&mut self, loaded: Loaded, paths: Vec<PathBuf>) -> Result<(), CameraError> {
         let inherited = CameraChoice {
-            up_axis: Some(self.up_axis),
             depth: Some(self.controls.depth),
             ..CameraChoice::default()
         };

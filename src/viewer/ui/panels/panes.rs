@@ -179,6 +179,11 @@ fn heading(ui: &mut Ui, stage: Stage, rect: Rect, state: &State, commands: &mut 
     let strip = Rect::from_min_size(rect.min, vec2(rect.width(), HEADING.min(rect.height())));
     let painter = ui.painter().with_clip_rect(rect);
     painter.rect_filled(strip, 0.0, Color32::from_black_alpha(110));
+    // A click here is none in the view below.
+    let id = ui.scope_id().with(("heading", stage as usize));
+    if ui.interact(strip, id, Sense::CLICK).double_clicked() {
+        commands.push(Action::Views(state.views_with_other_size(stage)).into());
+    }
     let inside = UiBuilder::new().max_rect(strip.shrink2(vec2(6.0, 2.0)));
     let inside = inside.layout(Layout::right_to_left(Align::Min));
     ui.scope_builder(inside, |ui| {
