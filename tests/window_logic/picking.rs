@@ -207,13 +207,16 @@ fn what_follows_the_mouse_waits_for_no_tree() {
     let eye = state.view().camera.eye();
     state.apply(Action::Hover(Some(MIDDLE)));
     assert_eq!(state.hover(), None);
-    state.apply(Action::Recentre(MIDDLE));
-    assert_eq!(state.view().camera.eye(), eye, "nobody knows what is there");
     state.apply(Action::BeginTurn(MIDDLE));
     state.apply(Action::Turn(DVec2::new(5.0, 0.0)));
     assert_ne!(state.view().camera.eye(), eye, "it turns all the same");
+    // A click waits for no tree either: it tries every triangle, and picks the same.
+    let picked = state.apply(Action::Click(MIDDLE, 0.0));
+    assert!(picked.as_ref().is_some_and(|line| line.hit.is_some()));
+    assert!(!state.rays_are_quick());
     state.scene().build_trees();
     assert!(state.rays_are_quick());
+    assert_eq!(state.apply(Action::Click(MIDDLE, 0.1)), picked);
     state.apply(Action::Hover(Some(MIDDLE)));
     assert_eq!(state.hover(), Some(0));
 }

@@ -12,14 +12,9 @@ use crate::{
 use std::time::Instant;
 
 impl App {
-    /// Applies an action to the scene or the view. A click in the picture waits while rays are slow because trees are
-    /// missing.
+    /// Applies an action to the scene or the view. A click does not wait for trees: its ray tries every triangle.
     pub fn act(&mut self, action: Action) {
         let clicks = matches!(action, Action::Click(..));
-        if clicks && !self.state.rays_are_quick() && self.state.stages().is_empty() {
-            self.waiting = Some((action, *self.state.view()));
-            return;
-        }
         let start = Instant::now();
         let (method, scene) = (self.state.method(), self.state.scene_revision());
         let picked = self.state.apply(action);
@@ -63,16 +58,5 @@ impl App {
             self.arrangement.fold(matrices);
         }
         self.act(Action::Views(views));
-    }
-
-    /// Applies the click that waited for trees, unless the view has changed since.
-    pub fn take_waiting(&mut self) {
-        let (state, ready) = (&self.state, self.state.rays_are_quick());
-        let waiting = self.waiting.take_if(|_| ready);
-        let same_view = waiting.filter(|(_, view)| view == state.view());
-        if let Some((click, _)) = same_view {
-            self.act(click);
-            self.context.request_repaint();
-        }
     }
 }

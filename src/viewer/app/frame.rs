@@ -131,7 +131,6 @@ impl App {
         self.take_ready();
         self.take_checked();
         self.take_chart();
-        self.take_waiting();
         self.take_changed();
         self.take_typefaces();
         self.take_numbers();

@@ -8,12 +8,12 @@ use super::{
     wake::{Wake, Waker},
 };
 use crate::{
-    camera::{CameraChoice, View, Viewport},
+    camera::{CameraChoice, Viewport},
     json::plain,
     scene::{Loaded, Warning},
     viewer::{
         jobs::{self, Chart, Checking, Job, Loading, Projecting, Saving, Typefaces, Watching},
-        model::{Action, Snapshot, Stage, State},
+        model::{Snapshot, Stage, State},
         options::Options,
         screen::{SceneRect, Textures},
         ui::{
@@ -128,8 +128,6 @@ pub(in crate::viewer) struct App {
     pub statistics: Statistics,
     /// The text that is to go on the clipboard.
     pub copied: Option<String>,
-    /// A click that waits for trees, and its view.
-    pub(super) waiting: Option<(Action, View)>,
     /// Whether the window covers all of the screen.
     pub fills_screen: bool,
     /// Where the panels leave room for the scene; `None` where there is none.
@@ -195,7 +193,6 @@ impl App {
             host,
             statistics: Statistics::default(),
             copied: None,
-            waiting: None,
             fills_screen: false,
             place: None,
             panes: Vec::new(),

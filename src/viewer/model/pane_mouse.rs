@@ -126,9 +126,11 @@ impl State {
 
     /// Does an action of the mouse in a stage's view.
     pub(super) fn act_in(&mut self, stage: Stage, action: Action) -> Option<PickLine> {
-        let at = |px| Some(self.pane_hit(stage, pixel_centre(px))?.1);
+        // What follows the mouse waits for no tree.
+        let quick_hit = |px| Some(self.pane_hit(stage, pixel_centre(px))?.1);
         let hit = match action {
-            Action::BeginTurn(px) | Action::BeginPan(px) | Action::Zoom(px, _) => at(px),
+            _ if !self.rays_are_quick() => None,
+            Action::BeginTurn(px) | Action::BeginPan(px) | Action::Zoom(px, _) => quick_hit(px),
             _ => None,
         };
         let hit = hit.map(|at| self.drawn_to_scene(stage).inverse().transform_point3(at));
@@ -153,6 +155,7 @@ impl State {
                 self.restore_cleared();
             }
             Action::Hover(px) => {
+                let px = px.filter(|_| self.rays_are_quick());
                 let hit = px.and_then(|px| self.pane_point(stage, px));
                 self.cursor = hit.and_then(|(object, point)| {
                     let world = self.scene.objects()[object].placement.point_to_world(point);
@@ -182,13 +185,11 @@ impl State {
     }
 
     /// What a ray hits at a position of a stage's view, and the point that it hits in the scene that the stage shows.
-    /// `None` while rays are slow, too.
     fn pane_hit(&self, stage: Stage, px: DVec2) -> Option<(SceneHit, DVec3)> {
         let (scene, _) = self.pane_scene(stage)?;
         let view = self.pane_view(stage)?;
         let ray = view.ray(px);
-        let is_quick = self.rays_are_quick();
-        let hit = is_quick.then(|| pick::closest(scene, ray, view.sides))??;
+        let hit = pick::closest(scene, ray, view.sides)?;
         let point = ray.at(hit.hit.t);
         Some((hit, point))
     }

@@ -12,6 +12,7 @@ use crate::{
         check_size, fit_near_far, least_near,
     },
     geometry::{Aabb, Placement, PlacementError},
+    pick,
     scene::{Object, Shape},
 };
 use glam::{DVec2, DVec3};
@@ -240,10 +241,9 @@ impl State {
     }
 
     pub(super) fn recentre(&mut self, px: DVec2) {
-        if !self.rays_are_quick() {
-            return;
-        }
-        let Some(point_world) = self.surface_at(px) else {
+        let ray = self.view.ray(px);
+        let hit = pick::closest(&self.scene, &ray, self.view.sides);
+        let Some(point_world) = hit.map(|hit| ray.at(hit.hit.t)) else {
             return self.frame(self.shown_bounds());
         };
         self.pivot_world = point_world;
