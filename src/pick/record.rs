@@ -111,13 +111,13 @@ impl Pick {
             _ => hit.normal,
         };
         let triangle = found.triangle_of_object(scene);
-        let material = object.material(triangle);
+        let material = triangle.and_then(|triangle| object.material_name(triangle));
         let ndc_xy = view.viewport.px_to_ndc(px);
         Self {
             object: object.name.clone(),
             id: index + 1,
             triangle,
-            material: material.and_then(|(name, _)| Some(name?.to_owned())),
+            material: material.map(str::to_owned),
             front: hit.front,
             t,
             distance: view.offset_from_eye(px, t).length(),

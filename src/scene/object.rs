@@ -98,27 +98,32 @@ impl Object {
         mesh.albedo(at)
     }
 
-    /// The name, where its file gives one, and the colour of one of its triangles, counted from 0 within the object. With
-    /// `None`, of all of it; `None` if not all of it is the same.
+    /// The name of the material of one of its triangles, counted from 0 within the object, as its file calls it.
     ///
     /// # Panics
     /// When its mesh lacks the triangle.
-    pub fn material(&self, triangle: Option<u32>) -> Option<(Option<&str>, Srgb)> {
-        let (Shape::Mesh { mesh, .. }, None) = (&self.shape, self.colour) else {
+    pub fn material_name(&self, triangle: u32) -> Option<&str> {
+        let Shape::Mesh { mesh, .. } = &self.shape else {
+            return None;
+        };
+        mesh.triangle_material(self.shape.first_triangle() + triangle)
+    }
+
+    /// The name, where its file gives one, and the colour of all of it; `None` where it has several materials, or
+    /// colours that vary between vertices.
+    pub fn one_material(&self) -> Option<(Option<&str>, Srgb)> {
+        let Shape::Mesh { mesh, .. } = &self.shape else {
             return Some((None, self.colour.unwrap_or(Srgb::NEUTRAL)));
         };
         let triangles = self.shape.triangles()?;
-        let first = triangles.start + triangle.unwrap_or(0);
         let runs = &mesh.data().colours;
-        let run = runs.get(runs.partition_point(|run| run.triangles.end <= first))?;
-        if triangle.is_none() && run.triangles.end < triangles.end {
+        let run = runs.get(runs.partition_point(|run| run.triangles.end <= triangles.start))?;
+        let varies = self.colour.is_none() && !mesh.data().vertex_colours.is_empty();
+        if run.triangles.end < triangles.end || varies {
             return None;
         }
-        let own = match mesh.data().vertex_colours[..] {
-            [] => Srgb::NEUTRAL,
-            _ => Srgb::WHITE,
-        };
-        Some((mesh.triangle_material(first), run.colour.unwrap_or(own)))
+        let colour = self.colour.or(run.colour).unwrap_or(Srgb::NEUTRAL);
+        Some((mesh.triangle_material(triangles.start), colour))
     }
 
     /// The shading normal at a hit, in object space: interpolated over the triangle, or the surface's own.

@@ -87,7 +87,7 @@ fn meshes_beside_or_below_move_with_the_scene() {
 fn a_mesh_whose_file_is_gone_is_written_beside() {
     let folder = tempfile::tempdir().unwrap();
     let coloured = "mtllib c.mtl\nv 1000000.25 0 0 1 0 0\nv 1000001 0 0.1 0 1 0\nv 1000000 1 0 0.2 0.4 0.6\n\
-        v 1000000 0 7 1 1 1\no Roof\nusemtl red\nf 1 2 3\nf 2 3 4\no Wall\nusemtl none\nf 1 2 4\nusemtl red\nf 1 3 4\n";
+        v 1000000 0 7 1 1 1\no Roof\nf 1 2 3\nusemtl red\nf 2 3 4\no Wall\nusemtl none\nf 1 2 4\nusemtl red\nf 1 3 4\n";
     let obj = write(&folder, "gone.obj", coloured);
     let mtl = write(
         &folder,
@@ -97,7 +97,7 @@ fn a_mesh_whose_file_is_gone_is_written_beside() {
     let loaded = load(std::slice::from_ref(&obj)).unwrap();
     let data = loaded.meshes[0].mesh.data();
     assert!(
-        data.origin != DVec3::ZERO && data.colours.len() == 3 && !data.vertex_colours.is_empty()
+        data.origin != DVec3::ZERO && data.colours.len() == 4 && !data.vertex_colours.is_empty()
     );
     std::fs::remove_file(obj).unwrap();
     std::fs::remove_file(mtl).unwrap();
@@ -126,6 +126,20 @@ fn a_mesh_whose_file_is_gone_is_written_beside() {
     let again = load(&[path]).unwrap();
     assert_eq!(again.warnings.len(), 0, "{:?}", again.warnings);
     assert_eq!(facts(&again.scene), facts(&loaded.scene));
+    // Materials keep their names. What had none got one.
+    let of = |loaded: &Loaded| {
+        let mesh = Arc::clone(&loaded.meshes[0].mesh);
+        (0..4)
+            .map(|i| mesh.triangle_material(i).map(str::to_owned))
+            .collect::<Vec<_>>()
+    };
+    let [before, after] = [of(&loaded), of(&again)];
+    let name = |name: &str| Some(name.to_owned());
+    assert_eq!(before, [None, name("red"), name("none"), name("red")]);
+    assert_eq!(
+        after,
+        [name("none_"), name("red"), name("none"), name("red")]
+    );
 }
 
 /// What cannot be the mesh's file is not read: reading a pipe would wait for a writer.

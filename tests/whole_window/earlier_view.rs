@@ -85,10 +85,11 @@ fn what_is_copied_repeats_the_pick_after_any_change_of_view() {
         assert_eq!(picked_px(&window), at, "{name}");
         let words = match name {
             "size" => "Picked at an earlier size",
+            "near" => "Picked earlier; this view does not show it.",
             _ => "Picked in an earlier view",
         };
         assert!(says(&window, words), "{name}");
-        assert_eq!(says(&window, "not shown"), name == "near", "{name}");
+        assert_eq!(says(&window, "does not show it"), name == "near", "{name}");
         assert_eq!(copied(&mut window, Key::J), json, "{name}");
         let command = copied(&mut window, Key::C);
         assert_eq!(answer(&command), json, "{name}: {command}");
@@ -179,7 +180,7 @@ fn a_surface_behind_is_among_those_that_the_command_lists() {
     assert!(json.contains("\"front\":false"), "{json}");
     // Seen from the front, the back of the cube is culled.
     press_key(&mut window, NONE, Key::B);
-    assert!(says(&window, "not shown"));
+    assert!(says(&window, "does not show it"));
     let command = copied(&mut window, Key::C);
     let all: serde_json::Value = serde_json::from_str(&answer(&command)).expect("JSON");
     let one: serde_json::Value = serde_json::from_str(&json).expect("JSON");

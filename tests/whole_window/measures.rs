@@ -264,3 +264,23 @@ fn long_coordinates_are_not_cut_off() {
     let at = control(&window, long).rect;
     assert!(at.height() > 20.0, "it has two lines: {at}");
 }
+
+/// What the right button's menu picks is measured like what a click picks, and is the nearest surface each time.
+#[test]
+fn the_menu_s_picks_are_measured() {
+    let (mut window, _folder) = row(1.0);
+    for at in [MIDDLE, MIDDLE + egui::vec2(0.0, 70.0)] {
+        menus::open_menu(&mut window, at);
+        click_on(&mut window, "Pick this point");
+        window.wait_s(1.0);
+    }
+    assert_eq!(window.state().measuring().points.len(), 2);
+    menus::open_menu(&mut window, MIDDLE);
+    click_on(&mut window, "Pick this point");
+    window.wait_s(1.0);
+    menus::open_menu(&mut window, MIDDLE);
+    click_on(&mut window, "Pick this point");
+    assert_eq!(selected(&window), Some("front"));
+    let hits = window.state().hits().map(|hits| hits.at);
+    assert_eq!(hits, Some(0), "the nearest again");
+}

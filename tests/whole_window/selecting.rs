@@ -42,8 +42,9 @@ fn rows_are_added_taken_out_and_selected_in_a_range() {
     let at = row_of(&window, "back");
     click_with(&mut window, CTRL, at);
     assert_eq!(all(&window), ["middle", "back"]);
-    control(&window, "and 1 more");
-    control(&window, "2 objects, 0 triangles");
+    control(&window, "2 objects");
+    control(&window, "object 2 first");
+    control(&window, "together 0 triangles");
     // What was selected first is taken out: the other one takes its place.
     let at = row_of(&window, "middle");
     click_with(&mut window, CTRL, at);

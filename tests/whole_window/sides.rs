@@ -164,6 +164,44 @@ fn matrices_are_shown_and_folded() {
     }
 }
 
+/// What the matrices and the gallery took the place of comes back as they go, unless the user has opened or closed a
+/// side meanwhile.
+#[test]
+fn what_took_the_room_of_a_side_gives_it_back() {
+    for points in [[640, 400], [800, 600], SIZE] {
+        for closes in [None, Some("left side"), Some("right side")] {
+            for keys in [
+                vec![Key::P, Key::P],
+                vec![Key::Num4, Key::Num4],
+                vec![Key::E, Key::E, Key::Escape],
+                vec![Key::E, Key::P, Key::P, Key::Escape],
+            ] {
+                let mut window = demo(points);
+                if let Some(side) = closes.filter(|side| control(&window, side).is_on) {
+                    click_on(&mut window, side);
+                }
+                let before = sides(&window);
+                for key in &keys {
+                    press_key(&mut window, Modifiers::NONE, *key);
+                }
+                assert_eq!(
+                    sides(&window),
+                    before,
+                    "{points:?} {closes:?} after {keys:?}"
+                );
+            }
+        }
+    }
+    let mut window = demo([640, 400]);
+    click_on(&mut window, "left side");
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    assert_eq!(sides(&window), [false, true]);
+    click_on(&mut window, "left side");
+    click_on(&mut window, "right side");
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    assert_eq!(sides(&window), [false, true], "as the user left them");
+}
+
 /// The gallery shows its panel in every window.
 #[test]
 fn the_gallery_shows_its_panel() {

@@ -126,3 +126,52 @@ fn tab_and_a_double_click_select_the_whole_number() {
     double_click(&mut window, field);
     assert_eq!(enter(&mut window, "-1.5"), [-1.5, 0.0, 5.0]);
 }
+
+/// A drag over a field changes its number as it goes, leads back where it came from, and is one step of undo. Esc ends it
+/// where it began.
+#[test]
+fn fields_are_dragged() {
+    for (field, part) in [("position x", 0), ("scale x", 1)] {
+        let (mut window, _folder) = row(1.0);
+        click(&mut window, MIDDLE);
+        click_on(&mut window, "Placement");
+        let model = |window: &Window| window.state().scene().objects()[0].placement.model();
+        let at_part =
+            |window: &Window| [model(window).translation.x, model(window).matrix3.x_axis.x][part];
+        let before = at_part(&window);
+        let at = control(&window, field).rect.center();
+        let move_to = |x: f32| Event::PointerMoved(at + egui::vec2(x, 0.0));
+        let press =
+            |pressed, x: f32| button(at + egui::vec2(x, 0.0), PointerButton::Primary, pressed);
+        window.send([move_to(0.0), press(true, 0.0), move_to(30.0), move_to(70.0)]);
+        let dragged = at_part(&window);
+        assert!(dragged > before + 0.3, "{field}: {dragged}");
+        // Far beyond what is possible or wanted, and back.
+        window.send([move_to(-500.0), move_to(70.0)]);
+        assert!((at_part(&window) - dragged).abs() < 1e-9, "{field}");
+        window.send([press(false, 70.0)]);
+        press_key(&mut window, CTRL, Key::Z);
+        assert_eq!(at_part(&window), before, "{field}: one step");
+        window.send([move_to(0.0), press(true, 0.0), move_to(30.0)]);
+        press_key(&mut window, Modifiers::NONE, Key::Escape);
+        assert_eq!(
+            (at_part(&window), selected(&window)),
+            (before, Some("front")),
+            "{field}"
+        );
+        window.send([move_to(60.0), press(false, 60.0)]);
+        assert_eq!(at_part(&window), before, "{field}: it stays so");
+    }
+}
+
+/// A field that is left as it was entered changes nothing, even where it shows fewer digits by then.
+#[test]
+fn a_field_that_is_left_untouched_keeps_its_digits() {
+    let (mut window, _folder) = typing("-12.345678");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(x(&window), -12.345_678);
+    click_on(&mut window, "position x");
+    window.resize(px([640, 400], 1.0));
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(x(&window), -12.345_678);
+}

@@ -50,12 +50,14 @@ impl App {
 
     /// Shows these views. Stages unfold the matrices; back in the picture, they are folded if they were before.
     pub(super) fn show_views(&mut self, views: Views) {
-        let (was, matrices) = (self.state.views(), Topic::Matrices);
-        if was == Views::Picture && views != Views::Picture {
-            self.matrices_showed = self.arrangement.shows(matrices);
-            self.arrangement.show(matrices);
-        } else if was != Views::Picture && views == Views::Picture && !self.matrices_showed {
-            self.arrangement.fold(matrices);
+        let was_picture = self.state.views() == Views::Picture;
+        let shows = self.arrangement.shows(Topic::Matrices);
+        if was_picture && views != Views::Picture {
+            self.matrices_showed = shows;
+        }
+        let is_picture = views == Views::Picture;
+        if was_picture != is_picture && !self.matrices_showed && shows == is_picture {
+            self.arrangement.toggle_matrices();
         }
         self.act(Action::Views(views));
     }

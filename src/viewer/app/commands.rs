@@ -13,7 +13,7 @@ use crate::{
         jobs::{self, Answer, Checking},
         model::{Action, MeasureAction, RayHits, Views, view_command},
         screen::free_file,
-        ui::{Attempt, Command, Intent, Reply, Topic},
+        ui::{Attempt, Command, Intent, Reply},
     },
 };
 
@@ -114,7 +114,7 @@ impl App {
             }
             Command::ToggleHelp => self.helps ^= true,
             Command::ToggleFour => self.toggle_views(),
-            Command::TogglePipeline => self.arrangement.toggle(Topic::Matrices),
+            Command::TogglePipeline => self.arrangement.toggle_matrices(),
             Command::ShowsDepthSteps => {}
             Command::Tour(to) => self.go_on_tour(to),
             Command::NextLook => {

@@ -123,6 +123,7 @@ impl State {
                 Edit::Compose(scene, source)
             }
         };
+        self.cleared = None;
         self.rearranged();
         inverse
     }

@@ -108,12 +108,15 @@ fn angle_deg(a: DVec3, b: DVec3) -> Option<f64> {
     Some(2.0 * libm::atan2((a - b).length(), (a + b).length()).to_degrees())
 }
 
-/// The radius of the circle through three points; `None` where they are in a line.
+/// The radius of the circle through three points; `None` where they are in a line to within their rounding.
 fn radius([a, b, c]: [DVec3; 3]) -> Option<f64> {
     let (ab, ac) = (b - a, c - a);
-    let twice_area = ab.cross(ac).length();
-    let radius = ab.length() * ac.length() * (c - b).length() / (2.0 * twice_area);
-    (twice_area > 0.0 && radius.is_finite()).then_some(radius)
+    let (twice_area, sides) = (ab.cross(ac).length(), [ab.length(), ac.length()]);
+    // Coordinates and differences are rounded, each by half a unit in the last place, and so are the products.
+    let size = a.abs().max(b.abs()).max(c.abs()).max_element();
+    let rounding = f64::EPSILON * (4.0 * sides[0] * sides[1] + 4.0 * size * (sides[0] + sides[1]));
+    let radius = sides[0] * sides[1] * (c - b).length() / (2.0 * twice_area);
+    (twice_area > rounding).then_some(radius)
 }
 
 /// The list of measures, and the points that can be measured next.
@@ -284,7 +287,13 @@ mod tests {
         });
         let off = radius(on_circle).expect("a circle") / 2.5 - 1.0;
         assert!(off.abs() < 1e-14, "{off}");
-        let in_line = [0.0, 1.0, 3.0].map(|x| dvec3(x, 2.0 * x, -x));
-        assert_eq!(radius(in_line), None);
+        for along in [
+            [0.0, 1.0, 3.0],
+            [0.1, 0.2, 0.3],
+            [1e6, 1e6 + 0.1, 1e6 + 0.3],
+        ] {
+            let in_line = along.map(|x| dvec3(x, 2.0 * x, -3.0 * x));
+            assert_eq!(radius(in_line), None, "{along:?}");
+        }
     }
 }

@@ -1,5 +1,5 @@
-//! What the window shows and how it answers: no window, no graphics, no threads. Everything that a user does to scene
-//! and view arrives as an [`Action`]; [`State::apply`] does it. Tests replay actions.
+//! What the window shows and how it answers: no window, no graphics, no threads. What a user does to scene and
+//! view arrives as an [`Action`]; [`State::apply`] does it. Tests replay actions.
 
 mod action;
 mod command_line;

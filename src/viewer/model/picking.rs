@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     camera::{View, pixel_centre},
-    pick::{Pick, PickLine, SceneHit},
+    pick::{self, Pick, PickLine, SceneHit},
     scene::obj::InFile,
     study::swap::Swap,
 };
@@ -28,6 +28,17 @@ impl State {
         let behind = self.hits().filter(same).filter(|_| again);
         let at = behind.map_or(0, |hits| hits.at + 1);
         self.take_hits(RayHits::cast(&self.scene, view, px, at))
+    }
+
+    /// Adds the object at a pixel to what is selected, or takes it out. In the gallery, only while Sightline's own
+    /// method picks.
+    pub(super) fn click_also(&mut self, px: DVec2) {
+        let view = self.clicked_view();
+        let ray = view.ray(pixel_centre(px));
+        let hit = pick::closest(&self.scene, ray, view.sides);
+        if let (Some(hit), None) = (hit, self.method()) {
+            self.toggle_selected(hit.object);
+        }
     }
 
     /// The ray that made the pick, with its view, for copies that repeat it. A click on nothing counts while its view

@@ -1,19 +1,17 @@
 //! Selecting one object or several, and what is asked of all that is selected.
 
 use super::state::{Chosen, Selection, State};
-use crate::{colour::Srgb, geometry::Aabb};
-use std::{collections::BTreeSet, mem, sync::Arc};
+use crate::{
+    colour::Srgb,
+    geometry::{Aabb, OnTriangle},
+    scene::Shape,
+};
+use std::{collections::BTreeSet, iter, mem, sync::Arc};
 
 impl State {
     /// Indices of all that is selected: the object that was selected first, then the others in order.
     pub fn all_selected(&self) -> impl Iterator<Item = usize> {
-        let selection = self.selection().into_iter();
-        let all = selection.flat_map(|selection| {
-            let others = selection.others.iter().copied();
-            std::iter::once(selection.object).chain(others)
-        });
-        let count = self.scene.objects().len();
-        all.filter(move |object| *object < count)
+        self.selection().into_iter().flat_map(Selection::all)
     }
 
     /// Whether an object is selected, alone or with others.
@@ -27,16 +25,30 @@ impl State {
         let boxes = self
             .all_selected()
             .map(|object| self.scene.bounds_of(object));
-        let both = boxes.reduce(Aabb::union);
-        both.unwrap_or_else(|| self.scene.visible_bounds())
+        let all = boxes.reduce(Aabb::union);
+        all.unwrap_or_else(|| self.scene.visible_bounds())
     }
 
-    /// The name, where the file gives one, and the colour of the picked surface. Where no surface is picked, of the
-    /// selected object, if all of it has the same.
+    /// The name, where the file gives one, and the colour of the picked surface, at the pick. Where no surface is picked,
+    /// of the selected object, if all of it has the same. `None` where several are selected.
     pub fn material(&self) -> Option<(Option<&str>, Srgb)> {
-        let object = self.scene.objects().get(self.selected()?)?;
-        let triangle = self.picked().and_then(|pick| pick.triangle);
-        object.material(triangle)
+        let selection = self.selection().filter(|of| of.others.is_empty())?;
+        let object = self.scene.objects().get(selection.object)?;
+        let picked = self.picked();
+        let picked = picked.and_then(|pick| Some((pick.triangle?, pick.barycentric?)));
+        let (Shape::Mesh { mesh, .. }, Some((triangle, barycentric))) = (&object.shape, picked)
+        else {
+            return object.one_material();
+        };
+        let at = OnTriangle {
+            triangle: object.shape.first_triangle() + triangle,
+            barycentric,
+        };
+        let drawn = || Srgb::from_linear(mesh.albedo(&at));
+        Some((
+            object.material_name(triangle),
+            object.colour.unwrap_or_else(drawn),
+        ))
     }
 
     /// Selects an object without a point of it, or nothing.
@@ -68,6 +80,7 @@ impl State {
 
     /// Selects all of these objects. What was selected first stays first, with its picked point, if it is among them.
     pub(in crate::viewer) fn select_all(&mut self, objects: &BTreeSet<usize>) {
+        self.timeline.end_gesture();
         if self
             .selected()
             .is_none_or(|first| !objects.contains(&first))
@@ -78,6 +91,15 @@ impl State {
             selection.others = Arc::default();
         }
         self.chosen.add(objects.clone());
+        self.refresh_panes();
+    }
+}
+
+impl Selection {
+    /// The object that was selected first, then the others in order.
+    pub fn all(&self) -> impl Iterator<Item = usize> {
+        let others = self.others.iter().copied();
+        iter::once(self.object).chain(others)
     }
 }
 

@@ -10,7 +10,7 @@ use crate::{
     camera::{UpAxis, View},
     scene::Scene,
 };
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, sync::Arc};
 
 /// What a picture is of.
 #[derive(Clone, Copy)]
@@ -24,7 +24,7 @@ pub(in crate::viewer) struct Subject<'a> {
     pub view: View,
     /// Indices of its objects: what was selected first, what else is selected, and what is lit.
     pub selection: Option<usize>,
-    pub others: Option<&'a BTreeSet<usize>>,
+    pub others: Option<&'a Arc<BTreeSet<usize>>>,
     pub hover: Option<usize>,
     pub overlays: Overlays,
     /// The up axis of the grid, where it shows.
@@ -52,7 +52,10 @@ pub(in crate::viewer) enum Lesson {
 impl Subject<'_> {
     /// Indices of all that is selected.
     pub fn all_selected(&self) -> Vec<usize> {
-        let others = self.others.into_iter().flatten().copied();
+        let others = self
+            .others
+            .into_iter()
+            .flat_map(|others| others.iter().copied());
         self.selection.into_iter().chain(others).collect()
     }
 }
@@ -66,7 +69,7 @@ impl State {
             visibility: self.visibility_revision,
             view: self.view,
             selection: self.selected(),
-            others: self.selection().map(|selection| &*selection.others),
+            others: self.selection().map(|selection| &selection.others),
             hover: self.hover(),
             overlays: self.overlays,
             grid: self.grid.then_some(self.up_axis),

@@ -57,7 +57,9 @@ impl State {
                 self.orbit.zoom(self.point_at(pixel_centre(px)), factor);
                 self.moved();
             }
-            Action::Click(..) | Action::Recentre(_) if self.awaits_scene() => {}
+            Action::Click(..) | Action::ClickAlso(_) | Action::Recentre(_)
+                if self.awaits_scene() => {}
+            Action::ClickAlso(px) => self.click_also(px),
             Action::Click(px, _) if self.method().is_some() => self.compare(pixel_centre(px)),
             Action::Click(px, time_s) => return self.click(px, time_s),
             Action::Recentre(px) => self.recentre(px),
@@ -106,11 +108,6 @@ impl State {
             Action::Camera(choice) => self.set_camera(choice),
             Action::Select(object) => self.select(object),
             Action::ToggleSelected(object) => self.toggle_selected(object),
-            Action::ClickAlso(px) => {
-                if let Some((object, _)) = self.cursor_at(px).hit {
-                    self.toggle_selected(object);
-                }
-            }
             Action::SetVisible(object, visible) => {
                 self.show(|index| (index == object).then_some(visible));
             }

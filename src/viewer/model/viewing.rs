@@ -242,7 +242,7 @@ impl State {
 
     pub(super) fn recentre(&mut self, px: DVec2) {
         let ray = self.view.ray(px);
-        let hit = pick::closest(&self.scene, &ray, self.view.sides);
+        let hit = pick::closest(&self.scene, ray, self.view.sides);
         let Some(point_world) = hit.map(|hit| ray.at(hit.hit.t)) else {
             return self.frame(self.shown_bounds());
         };

@@ -12,7 +12,11 @@ use crate::{
     viewer::model::{OnScreen, Subject},
 };
 use egui::TextureId;
-use std::time::{Duration, Instant};
+use std::{
+    collections::BTreeSet,
+    sync::Arc,
+    time::{Duration, Instant},
+};
 
 /// A software adapter smooths a picture at rest if the last one of one sample was drawn within this time.
 const QUICK: Duration = Duration::from_millis(100);
@@ -45,9 +49,8 @@ pub(super) struct ScenePicture {
     texture: Option<TextureId>,
     /// What the targets show.
     shown: Option<Shown>,
-    /// The marks on the picture, and the objects that are outlined.
-    marked: Option<Marks>,
-    outlined: Vec<usize>,
+    /// What is marked on the picture.
+    marked: Option<Marked>,
     /// Pixels for a point, as the marks were drawn.
     scale: Option<f32>,
     /// The scene that was drawn with one sample last, and how long that took. The first picture of a scene says nothing:
@@ -62,6 +65,13 @@ struct Shown {
     of: Drawn,
     finish: Finish,
     is_by_rays: bool,
+}
+
+/// What is selected and lit in a picture, and outlined.
+struct Marked {
+    first: Option<usize>,
+    others: Option<Arc<BTreeSet<usize>>>,
+    hover: Option<usize>,
 }
 
 /// How good a picture is.
@@ -179,7 +189,7 @@ impl ScenePicture {
         // A scene that does not fit leaves the picture before it on screen.
         self.scenes.upload(&brush.gpu, subject, &mut brush.meshes)?;
         let before = self.shown.take();
-        (self.marked, self.outlined) = (None, Vec::new());
+        self.marked = None;
         self.fit(brush, view.viewport)?;
         let (Some(scene), Some(targets)) = (&self.scenes.now, &self.targets) else {
             return Ok(());
@@ -255,25 +265,42 @@ impl ScenePicture {
         let (Some(scene), Some(targets)) = (&self.scenes.now, &self.targets) else {
             return;
         };
-        let marks = Marks {
-            selection: subject.all_selected(),
+        let wanted = Marked {
+            first: subject.selection,
+            others: subject.others.cloned(),
             hover: subject.hover,
         };
         // An outline is as wide on screens with more pixels to a point.
         let scale = brush.renderer.scale_factor;
         if self.scale.replace(scale) != Some(scale) {
-            (self.marked, self.outlined) = (None, Vec::new());
+            self.marked = None;
         }
-        if self.marked.as_ref() == Some(&marks) {
+        let marked = self.marked.as_ref();
+        let is_outlined = marked.is_some_and(|marked| marked.selects_as(&wanted));
+        if is_outlined && marked.is_some_and(|marked| marked.hover == wanted.hover) {
             return;
         }
         let onto = (&scene.buffers, targets, &subject.view);
-        if self.outlined != marks.selection {
+        let marks = Marks {
+            selection: subject.all_selected(),
+            hover: subject.hover,
+        };
+        if !is_outlined && !marks.selection.is_empty() {
             brush.renderer.draw_outline(onto, &marks.selection);
-            self.outlined.clone_from(&marks.selection);
         }
         brush.renderer.mark(onto, &marks);
-        self.marked = Some(marks);
+        self.marked = Some(wanted);
+    }
+}
+
+impl Marked {
+    /// Whether another one marks the same selection. It looks at no list: there may be very many.
+    fn selects_as(&self, other: &Self) -> bool {
+        let is_same = match (&self.others, &other.others) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        self.first == other.first && is_same
     }
 }
 

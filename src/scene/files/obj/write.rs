@@ -82,7 +82,8 @@ pub(in crate::scene::files) fn materials(mesh: &Mesh) -> Option<String> {
 fn material(mesh: &Mesh, run: &ColourRun) -> String {
     let named = &mesh.data().materials;
     let own = run.material.and_then(|own| named.get(own as usize));
-    if let Some(own) = own {
+    // A backslash at its end would go on in the next line.
+    if let Some(own) = own.filter(|own| !own.ends_with('\\')) {
         return own.clone();
     }
     let mut name = run.colour.map_or("none".to_owned(), |Srgb([r, g, b])| {
@@ -138,7 +139,6 @@ pub(in crate::scene::files) fn same(a: &Mesh, b: &Mesh) -> bool {
             bits(a, triangle) == bits(b, triangle)
                 && local(a, triangle) == local(b, triangle)
                 && a.triangle_colour(triangle) == b.triangle_colour(triangle)
-                && a.triangle_material(triangle) == b.triangle_material(triangle)
                 && alike(triangle)
         })
 }

@@ -79,10 +79,13 @@ const AROUND: f32 = TO_BORDER as f32 + TO_PICTURE as f32 + GUTTER + 1.0;
 /// The least width of the list of objects in points.
 const OBJECTS: f32 = 140.0;
 /// The same of a scene of the gallery.
-const GALLERY: f32 = 250.0;
+const EXHIBIT: f32 = 250.0;
 /// The least width in points for the four numbers of a matrix's row, the widest of the inspector. A window of 640 x 400
 /// has room for it.
 pub(super) const MATRIX: f32 = 267.0;
+/// The places in [`Arrangement::before`].
+const GALLERY: usize = 0;
+const MATRICES: usize = 1;
 /// A side that is dragged to less than this, in points, is closed.
 const CLOSED: f32 = 50.0;
 
@@ -94,7 +97,7 @@ pub(in crate::viewer) struct Arrangement {
     /// As wide as the user wants each side, in points.
     widths: [f32; 2],
     /// The side that was opened last. It shows where there is no room for both.
-    first: Side,
+    latest: Side,
     pub(super) unfolded: BTreeSet<Topic>,
     /// Which sides showed in the last pass.
     #[serde(skip)]
@@ -102,6 +105,10 @@ pub(in crate::viewer) struct Arrangement {
     /// Whether the gallery showed in the last pass.
     #[serde(skip)]
     in_gallery: bool,
+    /// Which sides were open, and which was opened last, before the gallery, and before the matrices opened one. Forgotten
+    /// once the user opens or closes a side.
+    #[serde(skip)]
+    before: [Option<([bool; 2], Side)>; 2],
     /// The topic that is to come into view.
     #[serde(skip)]
     pub(super) revealed: Option<Topic>,
@@ -115,10 +122,11 @@ impl Default for Arrangement {
         Self {
             open: [true; 2],
             widths: [210.0, 310.0],
-            first: Side::Right,
+            latest: Side::Right,
             unfolded: [Topic::Camera].into(),
             showing: [true; 2],
             in_gallery: false,
+            before: [None; 2],
             revealed: None,
             scroll_to: None,
         }
@@ -129,11 +137,12 @@ impl Arrangement {
     /// Opens a side. Where there is no room for both, it shows in place of the other.
     fn open(&mut self, side: Side) {
         self.open[side as usize] = true;
-        self.first = side;
+        self.latest = side;
     }
 
     /// Closes a side that shows; opens a side that does not.
     pub fn toggle_side(&mut self, side: Side) {
+        self.before = [None; 2];
         if self.showing[side as usize] {
             self.open[side as usize] = false;
         } else {
@@ -153,12 +162,27 @@ impl Arrangement {
         self.revealed = Some(topic);
     }
 
-    /// Folds a topic that shows; shows one that does not.
-    pub fn toggle(&mut self, topic: Topic) {
-        if self.shows(topic) {
-            self.fold(topic);
+    /// Folds the matrices if they show, and else shows them. As they are folded, the sides are as they were before,
+    /// unless the user has opened or closed one since.
+    pub fn toggle_matrices(&mut self) {
+        if self.shows(Topic::Matrices) {
+            self.fold(Topic::Matrices);
+            self.give_back(MATRICES);
         } else {
-            self.show(topic);
+            self.lend(MATRICES, |sides| sides.show(Topic::Matrices));
+        }
+    }
+
+    /// Opens what is needed, and notes how the sides were.
+    fn lend(&mut self, to: usize, open: impl FnOnce(&mut Self)) {
+        self.before[to] = Some((self.open, self.latest));
+        open(self);
+    }
+
+    /// What was opened has gone: the sides are as they were before.
+    fn give_back(&mut self, from: usize) {
+        if let Some(before) = self.before[from].take() {
+            (self.open, self.latest) = before;
         }
     }
 
@@ -167,21 +191,26 @@ impl Arrangement {
     }
 
     /// How wide each side is in points, both together at most `room`; `None` for a side that does not show. The
-    /// gallery opens the left side as it is entered.
+    /// gallery opens the left side as it is entered, and gives it back as it is left.
     pub(super) fn lay_out(&mut self, in_gallery: bool, room: f32) -> [Option<f32>; 2] {
-        if in_gallery && !self.in_gallery {
-            self.open(Side::Left);
+        match (self.in_gallery, in_gallery) {
+            (false, true) => self.lend(GALLERY, |sides| sides.open(Side::Left)),
+            (true, false) => self.give_back(GALLERY),
+            _ => {}
         }
         self.in_gallery = in_gallery;
+        // A file may hold NaN.
+        if self.widths.iter().any(|width| !width.is_finite()) {
+            self.widths = Self::default().widths;
+        }
         let widths = self.widths(room);
         self.showing = widths.map(|width| width.is_some());
         widths
     }
 
     fn widths(&self, room: f32) -> [Option<f32>; 2] {
-        let left = if self.in_gallery { GALLERY } else { OBJECTS };
+        let left = if self.in_gallery { EXHIBIT } else { OBJECTS };
         let least = [left, MATRIX].map(|held| held + AROUND);
-        // NaN, which a file may hold, becomes the least.
         let wanted = |side: Side| self.widths[side as usize].max(least[side as usize]);
         let alone = |side: Side| Some(wanted(side).min(room)).filter(|width| *width >= CLOSED);
         match self.open {
@@ -190,7 +219,7 @@ impl Arrangement {
                 let right = wanted(Side::Right).min(room - least[0]);
                 [Some(wanted(Side::Left).min(room - right)), Some(right)]
             }
-            [left, right] if left && (!right || self.first == Side::Left) => {
+            [left, right] if left && (!right || self.latest == Side::Left) => {
                 [alone(Side::Left), None]
             }
             _ => [None, alone(Side::Right)],
@@ -199,6 +228,7 @@ impl Arrangement {
 
     /// The edge of a side was dragged: the side is `width` points wide now, or closed if that is very little.
     pub(super) fn drag(&mut self, side: Side, width: f32) {
+        self.before = [None; 2];
         self.open[side as usize] = width >= CLOSED;
         if width >= CLOSED {
             self.widths[side as usize] = width;

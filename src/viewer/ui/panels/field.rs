@@ -4,7 +4,8 @@
 use super::{gesture::Gesture, hints::described, prelude::*};
 use crate::geometry::range;
 use egui::{
-    Context, Direction, DragValue, Id, Key, Modifiers, StrokeKind, UiBuilder, util::IdTypeMap,
+    Context, Direction, DragValue, Id, InputState, Key, Modifiers, StrokeKind, UiBuilder,
+    util::IdTypeMap,
 };
 use std::cell::RefCell;
 
@@ -19,6 +20,18 @@ struct Refused {
 /// The last pass in which a field showed refused text.
 #[derive(Clone, Copy)]
 struct Last(u64);
+
+/// What a field showed when it began to be edited.
+#[derive(Clone)]
+struct Began(String);
+
+/// A drag: the number at its start, how far it went, and its last pass.
+#[derive(Clone, Copy, Default)]
+struct Drag {
+    value: f64,
+    px: f64,
+    shown: u64,
+}
 
 /// The pass in which Esc gave up what was typed.
 #[derive(Clone, Copy)]
@@ -49,6 +62,7 @@ pub(super) struct Field<'a> {
     of: u64,
     width: f32,
     value: f64,
+    by_factors: bool,
 }
 
 impl<'a> Field<'a> {
@@ -61,12 +75,19 @@ impl<'a> Field<'a> {
             of,
             width,
             value,
+            by_factors: false,
         }
     }
 
-    /// Shows the field. Each point of a drag adds `step`, as does the upper arrow key; with Shift, ten times as much.
-    /// Returns the new number if `check` accepts it: as it is dragged or stepped, or once Enter or leaving the field
-    /// confirms what is typed. Esc gives up what is typed.
+    /// Drags multiply the number in place of adding to it.
+    pub fn by_factors(mut self, by_factors: bool) -> Self {
+        self.by_factors = by_factors;
+        self
+    }
+
+    /// Shows the field. Each point of a drag adds `step`, or a hundredth of the number; the upper arrow key adds `step`;
+    /// with Shift, ten times as much. Returns the new number if `check` accepts it: as it is dragged or stepped, or once
+    /// Enter or leaving the field confirms what is typed. Esc gives up what is typed.
     pub fn show<E: ToString>(
         &self,
         ui: &mut Ui,
@@ -76,21 +97,23 @@ impl<'a> Field<'a> {
     ) -> Option<f64> {
         let (value, pass) = (self.value, ui.ctx().cumulative_pass_nr());
         let shown = self.written(ui, value);
-        let judge = |text: &str| {
-            let number = parse(text, value, &shown)?;
-            check(number).map_err(|error| error.to_string())?;
-            Ok::<_, String>(number)
-        };
         let key = ui.scope_id().with((self.name, self.of));
         let refused = ui.data(|data| data.get_temp::<Refused>(key));
         let refused = refused.filter(|refused| refused.shown + 1 >= pass);
+        // The number may be shown shorter by now than where it began to be edited.
+        let began = ui.data(|data| data.get_temp::<Began>(key));
+        let began = began.map_or_else(|| shown.clone(), |Began(text)| text);
+        let judge = |text: &str| {
+            let number = parse(text, value, &began)?;
+            check(number).map_err(|error| error.to_string())?;
+            Ok::<_, String>(number)
+        };
         // Refused text may be valid by now: it is dropped, and its number is not used.
         let reason = refused
             .as_ref()
             .and_then(|refused| judge(&refused.text).err());
-        let refused = refused
-            .map(|refused| refused.text)
-            .filter(|_| reason.is_some());
+        let refused = refused.map(|refused| refused.text);
+        let refused = refused.filter(|_| reason.is_some());
 
         // egui tells of the lost focus in two passes, and of Esc in the first of them alone.
         let given_up = ui.data(|data| data.get_temp::<GivenUp>(key));
@@ -125,13 +148,25 @@ impl<'a> Field<'a> {
             inside.visuals_mut().override_text_color = Some(red);
         }
         let id = inside.next_auto_id();
-        let has_focus = ui.memory(|memory| memory.has_focus(id));
-        let steps = if has_focus { steps(ui) } else { 0.0 };
+        let had_focus = ui.memory(|memory| memory.has_focus(id));
+        let steps = if had_focus { steps(ui) } else { 0.0 };
+        if steps != 0.0 {
+            // What is typed counts first, and the field then has the focus again.
+            ui.memory_mut(|memory| memory.surrender_focus(id));
+        }
         let response = inside.add(drag.min_size(size));
+        if steps != 0.0 {
+            ui.memory_mut(|memory| memory.request_focus(id));
+        }
         gesture.note(&response);
+        if !had_focus {
+            ui.data_mut(|data| data.insert_temp(key, Began(shown.clone())));
+        }
 
+        let dragged = self.dragged(ui, key, &response, step);
         let left = typed.into_inner().filter(|_| !was_given_up);
         let next = match &left {
+            _ if steps != 0.0 || dragged.is_some() => None,
             Some((text, true)) => Some(text.clone()),
             Some((_, false)) => None,
             None => refused,
@@ -150,17 +185,46 @@ impl<'a> Field<'a> {
         }
         self.tell(ui, (&response, rect), reason.as_deref(), &shown);
 
-        let faster = if ui.input(|input| input.modifiers.shift) {
-            10.0
-        } else {
-            1.0
-        };
-        let dragged = faster * f64::from(response.drag_delta().x);
-        let stepped = value + (steps + dragged) * step;
-        if steps + dragged != 0.0 {
-            return check(stepped).is_ok().then_some(stepped);
+        let wanted = [dragged.unwrap_or(number + steps * step), number].into_iter();
+        let mut wanted = wanted.filter(|number| number.to_bits() != value.to_bits());
+        wanted.find(|number| check(*number).is_ok())
+    }
+
+    /// Where a drag has led: it counts from where it began, so that it leads back.
+    fn dragged(&self, ui: &Ui, key: Id, response: &Response, step: f64) -> Option<f64> {
+        let pass = ui.ctx().cumulative_pass_nr();
+        let (dragged, by_px) = (response.dragged(), f64::from(response.drag_delta().x));
+        let known = ui.data(|data| data.get_temp::<Drag>(key));
+        let mut drag = known.filter(|drag| !response.drag_started() && drag.shown + 1 >= pass);
+        if dragged && drag.is_none() {
+            drag = Some(Drag {
+                value: self.value,
+                px: 0.0,
+                shown: pass,
+            });
         }
-        (number.to_bits() != value.to_bits()).then_some(number)
+        let mut drag = drag?;
+        // Esc, at which egui ends a drag, leads back to the start, and does nothing else.
+        let esc = |input: &mut InputState| input.consume_key(Modifiers::NONE, Key::Escape);
+        if ui.input_mut(esc) {
+            ui.data_mut(|data| data.remove_temp::<Drag>(key));
+            return Some(drag.value);
+        }
+        if !dragged {
+            return None;
+        }
+        drag.shown = pass;
+        let has_shift = ui.input(|input| input.modifiers.shift);
+        drag.px += if has_shift { 10.0 * by_px } else { by_px };
+        ui.data_mut(|data| data.insert_temp(key, drag));
+        if by_px == 0.0 {
+            return None;
+        }
+        Some(if self.by_factors {
+            drag.value * libm::exp(0.01 * drag.px)
+        } else {
+            drag.value + drag.px * step
+        })
     }
 
     /// The field's name and what it is; where its text is refused, why.

@@ -26,6 +26,10 @@ const MOUSE: &[(&str, &str)] = &[
     ("right, middle, Shift+left drag", "pan"),
     ("wheel, pinch", "zoom at the cursor"),
     ("click", "pick; the same pixel again: the surface behind"),
+    (
+        "Ctrl+click, Shift+click",
+        "add to what is selected, or take out; in the list, Shift: all rows between",
+    ),
     ("right click", "a menu for what is under the cursor"),
     (
         "double click",

@@ -59,9 +59,10 @@ pub(super) fn of_object(
         ui.separator();
         let mut lines = Lines { ui, commands };
         if let Some(px) = px {
-            let time_s = lines.ui.input(|input| input.time);
+            // Never, so that it is not taken for another click on what was picked there.
+            let time_s = f64::NEG_INFINITY;
             let hint = "as a click there: picks the nearest surface";
-            let pick = [Action::Select(None), Action::Click(px, time_s)];
+            let pick = [Action::Click(px, time_s)];
             lines.add("Pick this point", "", hint, &pick);
             // In one of the four views, a double click makes it large.
             if state.stages().is_empty() {
@@ -74,9 +75,11 @@ pub(super) fn of_object(
         // selected and the picked point stay.
         let is_selected = state.is_selected(index);
         let select = (!is_selected).then_some(Action::Select(Some(index)));
-        let several = state.all_selected().count();
-        let what = match several {
-            2.. if is_selected => format!("the {several} selected"),
+        let others = state
+            .selection()
+            .map_or(0, |selection| selection.others.len());
+        let what = match others {
+            1.. if is_selected => format!("the {} selected", others + 1),
             _ => "it".to_owned(),
         };
         let mut selected = |does: &str, hint, action| {
@@ -94,7 +97,7 @@ pub(super) fn of_object(
         selected("Isolate", hint, Action::Isolate);
         lines.show_all(state);
         lines.ui.separator();
-        if is_selected && state.picked().is_some() {
+        if state.selected() == Some(index) && state.picked().is_some() {
             let hint = "the full record of its picked point, as JSON";
             lines.ask("Copy the pick", hint, Command::CopyPick);
         }

@@ -138,23 +138,26 @@ fn above(ui: &mut Ui, state: &State, filter: &Filter, commands: &mut Vec<Command
     let scene = state.scene();
     let (objects, triangles) = (scene.objects().len(), scene.triangle_count());
     let plural = if objects == 1 { "" } else { "s" };
-    if let Some(rows) = &filter.rows {
-        let hint = "whose name contains what is searched for; clear the search to see all objects";
-        ui.weak(format!("{} of {objects} object{plural}", rows.len()))
-            .hint(hint);
-    } else {
-        let hint = "of all objects, hidden ones too; spheres have no triangles";
-        ui.weak(format!("{objects} object{plural}, {triangles} triangles"))
-            .hint(hint);
-    }
-    ui.horizontal_wrapped(|ui| {
-        if let Some(found) = &filter.rows {
+    if let Some(found) = &filter.rows {
+        ui.horizontal(|ui| {
+            let hint =
+                "whose name contains what is searched for; clear the search to see all objects";
+            ui.weak(format!("{} of {objects} object{plural}", found.len()))
+                .hint(hint);
             let all = ui.add_enabled(!found.is_empty(), Button::new("select found").small());
             let hint = "select all objects that the search finds";
             if all.hint(hint).clicked() {
                 commands.push(Command::SelectObjects(found.iter().copied().collect()));
             }
-        }
+        });
+    } else {
+        let hint = "of all objects, hidden ones too; spheres have no triangles";
+        ui.horizontal(|ui| {
+            ui.weak(format!("{objects} object{plural}, {triangles} triangles"))
+                .hint(hint);
+        });
+    }
+    ui.horizontal_wrapped(|ui| {
         let mut button = |enabled, name: &str, hint: &str, action: Action| {
             let button = ui.add_enabled(enabled, Button::new(name).small());
             button.asks(hint, action, commands);
@@ -195,7 +198,7 @@ fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) ->
             commands.push(Command::Act(Action::SetVisible(index, visible)));
         }
         let tick = tick.hint("visible; hidden objects are not picked").rect;
-        if let Some((_, colour)) = object.material(None) {
+        if let Some((_, colour)) = object.one_material() {
             swatch(ui, colour);
         } else {
             ui.allocate_space(vec2(10.0, 10.0));

@@ -1,6 +1,7 @@
 //! The line at the bottom: times, the adapter, the projection, and what is under the cursor.
 
 use super::prelude::*;
+use crate::geometry::Sides;
 use std::time::Duration;
 
 /// For so long after a picture the line says how long it took, in seconds.
@@ -83,6 +84,10 @@ fn drawing(ui: &mut Ui, state: &State, statistics: &Statistics) {
     } else {
         "perspective"
     };
-    ui.weak(format!("{projection}, {} depth", lens.depth))
+    let culls = match state.view().sides {
+        Sides::Front => ", back faces culled",
+        Sides::Both => "",
+    };
+    ui.weak(format!("{projection}, {} depth{culls}", lens.depth))
         .hint("how the view is flattened, and how the depth buffer stores depth; the Camera panel changes both");
 }

@@ -87,7 +87,8 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
             }
         });
     });
-    let default = ui.small_button("45").named("fov of 45 degrees");
+    let default = ui.add_enabled(!next.orthographic, Button::new("45").small());
+    let default = default.named("fov of 45 degrees");
     if default.hint("back to 45 degrees, the default").clicked() {
         next.fov_deg = CameraChoice::FOV;
     }
@@ -126,6 +127,7 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
                 *which(next) = Some(slid);
             }
             let field = Field::new(name, hint, state.scene_revision(), WIDTH, value);
+            let field = field.by_factors(lens_slider::by_factors(least, most));
             if let Some(number) = field.show(ui, step, gesture, typed) {
                 *which(next) = Some(number);
             }

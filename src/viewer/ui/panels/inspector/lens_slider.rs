@@ -33,13 +33,17 @@ pub(super) fn plane(
     gesture: &mut Gesture,
 ) -> Option<f64> {
     let (least, most) = state.depth_range();
-    let by_factors = least > 0.0 && most / least > DECADES;
     let mut slid = depth;
-    let slider = Slider::new(&mut slid, least..=most).logarithmic(by_factors);
+    let slider = Slider::new(&mut slid, least..=most).logarithmic(by_factors(least, most));
     let slider = ui.add(slider.smart_aim(false).show_value(false));
     let hint = format!("{hint}. It slides over the depths of the scene");
     let is_slid = note(&slider, name, &hint, gesture);
     is_slid.then_some(slid)
+}
+
+/// Whether depths between these are slid and dragged by factors.
+pub(super) fn by_factors(least: f64, most: f64) -> bool {
+    least > 0.0 && most / least > DECADES
 }
 
 /// Names a slider and adds a hint, but not while it is dragged: the tooltip would cover the numbers that change.

@@ -57,11 +57,15 @@ fn measure(ui: &mut Ui, measuring: &Measuring, what: What, commands: &mut Vec<Co
     let value = match &entry {
         Some(entry) => {
             let unit = if what == What::Angle { "\u{b0}" } else { "" };
-            format!("{}{unit}", short(entry.value))
+            let of = match what {
+                What::Length | What::FaceArea | What::ObjectArea => format!("  {}", entry.of),
+                _ => String::new(),
+            };
+            format!("{}{unit}{of}", short(entry.value))
         }
         None => "\u{2013}".to_owned(),
     };
-    ui.label(value_text(value)).hint(now);
+    ui.add(Label::new(value_text(value)).truncate()).hint(now);
     ui.end_row();
     if what == What::Distance {
         let hint = "how far the second of the two points lies from the first along x, y and z";

@@ -23,6 +23,8 @@ const PARTS: [[&str; 2]; 3] = [
 ];
 /// The place of the position in [`PARTS`].
 const POSITION: usize = 0;
+/// The same of the scale.
+const SCALE: usize = 2;
 
 fn parts(all: &mut Trs) -> [&mut DVec3; 3] {
     [&mut all.translation, &mut all.rotation_deg, &mut all.scale]
@@ -80,6 +82,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
                     let check = |number| state.check(&with(part, axis, number));
                     let name = format!("{name} {letter}");
                     let field = Field::new(&name, hint, of, width, value);
+                    let field = field.by_factors(part == SCALE);
                     if let Some(number) = field.show(ui, step, &mut gesture, check) {
                         asked = Some(with(part, axis, number));
                     }
@@ -96,9 +99,13 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
     let mirrors = if determinant < 0.0 { ", mirrored" } else { "" };
     let (text, hint) = volumes(determinant, Some(&state.scene().objects()[object]));
     ui.weak(format!("determinant {text}{mirrors}")).hint(hint);
-    if state.edited() {
-        ui.weak("Edited. Ctrl+S saves it; R reads the files again.")
-            .hint("the scene differs from its files");
+    if state
+        .selection()
+        .is_some_and(|selection| !selection.others.is_empty())
+    {
+        let name = &state.scene().objects()[object].name;
+        ui.add(Label::new(format!("Only {name} moves.")).truncate())
+            .hint("of several selected objects, the one that was selected first");
     }
     gesture.push(asked, commands);
 }

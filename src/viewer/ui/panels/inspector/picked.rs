@@ -78,26 +78,28 @@ pub(super) fn show(ui: &mut Ui, state: &State, sums: &mut Sums, commands: &mut V
 fn title(ui: &mut Ui, state: &State, selection: Option<&Selection>) {
     let (name, hint, count) = match selection {
         None => (
-            state.name(),
+            state.name().to_owned(),
             "nothing is selected: this is the whole scene",
             "scene".to_owned(),
         ),
         Some(Selection { object, others, .. }) => {
-            let count = match others.len() {
-                0 => format!("object {}", object + 1),
-                more => format!("and {more} more"),
-            };
-            let name = &*state.scene().objects()[*object].name;
-            (name, "what was selected first, as its file calls it", count)
+            let name = &state.scene().objects()[*object].name;
+            let (hint, number) = ("what is selected, as its file calls it", object + 1);
+            match others.len() {
+                0 => (name.clone(), hint, format!("object {number}")),
+                more => {
+                    let first = format!("object {number} first");
+                    (format!("{} objects", more + 1), hint, first)
+                }
+            }
         }
     };
     ui.horizontal(|ui| {
         // The number is laid out first, and the name is cut to fit.
         ui.with_layout(Layout::right_to_left(Align::Max), |ui| {
-            ui.weak(count)
-                .hint("its number in the list, and in what is copied");
+            ui.weak(count).hint("its number in the list, and in what is copied; of several, what was selected first");
             ui.with_layout(Layout::left_to_right(Align::Max), |ui| {
-                let text = RichText::new(name).size(18.0).strong();
+                let text = RichText::new(&name).size(18.0).strong();
                 let label = Label::new(text).truncate().show_tooltip_when_elided(false);
                 ui.add(label).hint(format!("{name}: {hint}"));
             });
@@ -113,7 +115,7 @@ fn shape(state: &State, selection: Option<&Selection>, sums: &Sums) -> String {
         return format!("{objects} objects, {triangles} triangles");
     };
     if !others.is_empty() {
-        return format!("{} objects, {} triangles", others.len() + 1, sums.triangles);
+        return format!("together {} triangles", sums.triangles);
     }
     let shape = &scene.objects()[*object].shape;
     match shape.triangles() {
@@ -242,7 +244,7 @@ fn said(state: &State) -> (String, String) {
         }
         Some(PickView::LeftOut) => {
             return own(
-                "Picked in an earlier view, and not shown in this one.",
+                "Picked earlier; this view does not show it.",
                 "near, far, culling or the section removes the point; copies repeat the pick in its own view",
             );
         }
@@ -261,7 +263,7 @@ fn said(state: &State) -> (String, String) {
     } else {
         "64-bit numbers, with a bound on their rounding error, were enough"
     };
-    let short = "Certain: what exact arithmetic says for this pixel.";
+    let short = "Certain: as exact arithmetic has it.";
     let alone = "no other surface is closer to it than drawing can tell apart";
     own(short, &format!("{decided}; and {alone}"))
 }
