@@ -418,9 +418,9 @@ impl Window {
         self.program().has_quit()
     }
 
-    /// How many save dialogs were opened so far.
-    pub fn save_dialogs(&self) -> usize {
-        self.program().save_dialogs()
+    /// Whether a file dialog is open.
+    pub fn has_dialog(&self) -> bool {
+        self.program().has_dialog()
     }
 
     /// How often the panels were laid out so far: once a frame, or more often where the first time changes what they

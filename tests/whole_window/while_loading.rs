@@ -1,4 +1,4 @@
-//! What is edited while a load runs is asked about before the loaded scene takes its place.
+//! Edits wait while a load runs, unless it only follows a file that has changed.
 #![expect(clippy::float_cmp, reason = "numbers as they were typed")]
 
 use super::{
@@ -6,7 +6,6 @@ use super::{
     *,
 };
 use glam::DVec3;
-use sightline::scene::{self, Progress};
 use std::{fs, io::Write as _, thread, time::Duration};
 
 /// Cells along each side of a ground whose load takes longer than a few frames of a small window.
@@ -18,75 +17,49 @@ fn redo() -> Event {
     key_event(CTRL, Key::Y, true)
 }
 
-/// A window that asks about a row of objects: while a large file was loading, the front one was hidden.
-fn edited_while_another_loads() -> (Window, TempDir) {
+fn is_told_to_wait(window: &Window) -> bool {
+    let mut messages = window.messages();
+    messages.any(|text| text == "files are being loaded: Esc cancels that")
+}
+
+/// What is on show may be replaced, so its edits wait. Camera, picks and panels go on.
+#[test]
+fn edits_wait_while_files_load() {
     let (mut window, folder) = row(1.0);
     let path = stalls::ground(folder.path(), SIDE);
     edit(&mut window);
     press_key(&mut window, CTRL, Key::Z);
     window.picture().expect("a picture");
-    assert!(!is_marked(&window));
     window.begin_to_drop(path);
-    assert!(!is_asked(&window), "nothing is edited yet");
-    window.draw([redo()]).expect("a frame");
+    let eye = window.state().view().camera.eye();
+    window.draw([redo(), press(Key::Num7)]).expect("a frame");
     assert_eq!(window.state().name(), "row.toml", "the other still loads");
-    assert_eq!(shown(&window), [false, true, true]);
-    window.send([]);
-    assert!(is_asked(&window));
-    assert_eq!(window.state().name(), "row.toml");
-    (window, folder)
-}
-
-#[test]
-fn edits_during_a_load_stay_if_the_user_says_so() {
-    let (mut window, _folder) = edited_while_another_loads();
-    click_on(&mut window, "Cancel");
-    window.send([]);
-    assert!(!is_asked(&window) && is_marked(&window));
-    assert_eq!(window.state().name(), "row.toml");
-    press_key(&mut window, CTRL, Key::Z);
     assert_eq!(shown(&window), [true; 3]);
+    assert!(is_told_to_wait(&window) && !is_marked(&window));
+    assert_ne!(window.state().view().camera.eye(), eye, "the camera lives");
+    window.send([]);
+    assert_eq!(window.state().name(), "ground.obj", "nothing is asked");
 }
 
+/// Files that are added replace nothing, and other files that are opened end the load.
 #[test]
-fn edits_during_a_load_go_only_if_the_user_says_so() {
-    let (mut window, _folder) = edited_while_another_loads();
-    click_on(&mut window, "Open, drop the edits");
-    assert_eq!(window.state().name(), "ground.obj");
-    assert!(!is_asked(&window) && !is_marked(&window));
-}
-
-#[test]
-fn what_was_loaded_meanwhile_can_be_added() {
-    let (mut window, _folder) = edited_while_another_loads();
-    click_on(&mut window, "Add to the scene");
+fn the_files_that_were_opened_last_are_shown() {
+    let (mut window, folder) = row(1.0);
+    let path = stalls::ground(folder.path(), SIDE);
+    window.picture().expect("a picture");
+    window.begin_to_drop(path);
     assert_eq!(window.state().name(), "row.toml");
-    assert_eq!(shown(&window), [false, true, true, true]);
-}
-
-#[test]
-fn edits_during_a_load_can_be_saved_first() {
-    let (mut window, folder) = edited_while_another_loads();
-    click_on(&mut window, "Save first\u{2026}");
-    assert_eq!(window.state().name(), "row.toml", "it is not saved yet");
-    let kept = folder.path().join("kept.toml");
-    window.save_as(kept.clone());
-    assert_eq!(window.state().name(), "ground.obj");
-    let kept = scene::load(&[kept], &Progress::default()).expect("a scene");
-    assert!(!kept.scene.objects()[0].visible);
+    let other = folder.path().join("other.toml");
+    fs::write(&other, ROW).expect("writable");
+    window.drop_file(other);
+    assert_eq!(window.state().name(), "other.toml");
+    window.send([]);
+    assert_eq!(window.state().name(), "other.toml");
 }
 
 fn place(window: &Window) -> DVec3 {
     let object = &window.state().scene().objects()[0];
     object.placement.model().translation
-}
-
-/// Redoes the move, in a frame that shows that a load is under way.
-#[track_caller]
-fn redo_during_load(window: &mut Window) {
-    window.draw([redo()]).expect("a frame");
-    assert!(has_control(window, "Cancel"), "it is still read");
-    assert_eq!(place(window).x, 1.5);
 }
 
 /// A small window that shows a large file. Redo moves its object to x = 1.5.
@@ -107,14 +80,17 @@ fn large_with_a_move() -> (Window, TempDir) {
 }
 
 #[test]
-fn moves_while_the_files_are_read_again_are_asked_about() {
+fn moves_wait_while_the_files_are_read_again() {
     let (mut window, _folder) = large_with_a_move();
     window.draw([press(Key::R)]).expect("a frame");
-    assert!(!is_asked(&window));
-    redo_during_load(&mut window);
+    window.draw([redo()]).expect("a frame");
+    assert!(has_control(&window, "Cancel"), "it is still read");
+    assert!(is_told_to_wait(&window));
+    assert_eq!(place(&window).x, 0.0);
     window.send([]);
-    assert!(is_asked(&window));
-    click_on(&mut window, "Cancel");
+    assert_eq!(place(&window).x, 0.0);
+    // A move that is there before is asked about.
+    press_key(&mut window, CTRL, Key::Y);
     assert_eq!(place(&window).x, 1.5);
     press_key(&mut window, Modifiers::NONE, Key::R);
     click_on(&mut window, "Reload, drop the edits");
@@ -171,7 +147,8 @@ fn moves_while_a_changed_file_is_read_are_kept() {
     let text = fs::read_to_string(&path).expect("a file");
     fs::write(&path, text + "# changed\n").expect("writable");
     wait_for_load(&mut window);
-    redo_during_load(&mut window);
+    window.draw([redo()]).expect("a frame");
+    assert!(has_control(&window, "Cancel"), "it is still read");
     window.send([]);
     assert_eq!(place(&window).x, 1.5);
     assert!(!is_asked(&window) && is_marked(&window));

@@ -368,6 +368,6 @@ fn a_frozen_camera_outlasts_the_four_views() {
     state.open(loaded, vec![path]).expect("a scene");
     state.apply(Action::Views(Views::Picture));
     assert_eq!(state.frozen(), None);
-    state.apply(Action::LeaveGallery);
+    state.leave_gallery();
     assert_eq!(state.frozen().copied(), frozen);
 }

@@ -29,12 +29,6 @@ impl MeshFile {
         files.iter().find(|file| Arc::ptr_eq(&file.mesh, mesh))
     }
 
-    /// Whether two files had the same length when they were loaded. If they hold one mesh, they then hold one text.
-    pub(crate) fn is_as_long_as(&self, other: &Self) -> bool {
-        let bytes = |file: &Self| file.contents.as_ref()?.bytes();
-        bytes(self) == bytes(other)
-    }
-
     /// The mesh and its file as the file is now; `None` if the file no longer holds this very mesh. A file that has
     /// changed since it was loaded is read again.
     pub(super) fn now(&self) -> Option<Self> {

@@ -12,8 +12,11 @@ use crate::{
 use std::time::Instant;
 
 impl App {
-    /// Applies an action to the scene or the view. A click does not wait for trees: its ray tries every triangle.
+    /// Applies an action to the scene or the view. An edit waits for the end of a load. A click does not wait for trees: its ray tries every triangle.
     pub fn act(&mut self, action: Action) {
+        if self.waits(&action) {
+            return;
+        }
         let clicks = matches!(action, Action::Click(..));
         let start = Instant::now();
         let (method, scene) = (self.state.method(), self.state.scene_revision());

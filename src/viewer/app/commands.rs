@@ -1,8 +1,9 @@
 //! What each command does.
 
 use super::{
-    errands::Purpose,
+    modal::Modal,
     program::{App, Host, Shot},
+    saved::NO_DIALOG,
     wake::{PathFor, Wake},
 };
 use crate::{
@@ -12,14 +13,9 @@ use crate::{
     viewer::{
         jobs::{self, Answer, Checking},
         model::{Action, MeasureAction, RayHits, Views, view_command},
-        screen::free_file,
         ui::{Attempt, Command, Intent, Reply},
     },
 };
-
-/// What is said where no file dialog can be shown.
-const NO_DIALOG: &str =
-    "this desktop shows no file dialog, which needs an XDG desktop portal or zenity";
 
 /// The part of a clipboard's text that is used; the rest may be objects.
 #[derive(serde::Deserialize)]
@@ -40,17 +36,15 @@ impl App {
             Command::Act(Action::Views(views)) => self.show_views(views),
             Command::Act(action) => self.act(action),
             Command::OpenDialog if self.host == Host::Picture => {}
-            Command::OpenDialog if self.asks_for_files => {
-                self.say("the dialog to open files is open already".into());
-            }
+            Command::OpenDialog if !self.is_free() => {}
             Command::OpenDialog => {
-                self.asks_for_files = true;
+                self.modal = Modal::Dialog(PathFor::Open, None);
                 let wake = self.wake.clone();
                 jobs::open_dialog(move |answer| wake(Wake::Answered(PathFor::Open, answer)));
             }
             Command::SaveDialog => self.ask_where_to_save(None),
             Command::Open(paths) => self.intend(Intent::Open(paths)),
-            Command::Add(paths) => self.load(paths, Purpose::Add),
+            Command::Add(paths) => self.add(paths),
             Command::Reload => self.intend(Intent::Reload),
             Command::Reply(reply) => self.reply(reply),
             Command::CopyCommandLine => {
@@ -104,7 +98,9 @@ impl App {
             }
             Command::Escape => self.escape(),
             Command::NextExhibit { forward } => self.open_next_exhibit(forward),
-            Command::LeaveGallery if self.state.has_outside() => self.intend(Intent::LeaveGallery),
+            Command::LeaveGallery if self.state.outside().is_some() => {
+                self.intend(Intent::LeaveGallery);
+            }
             // The gallery was opened first, so there is no scene to return to: open the demo.
             Command::LeaveGallery => self.intend(Intent::Open(Vec::new())),
             Command::ToggleCheck => {
@@ -128,12 +124,12 @@ impl App {
     /// What Esc does: ends the first thing in this list that is active.
     fn escape(&mut self) {
         let selects_none = self.state.selection().is_none();
-        if self.question.is_some() {
+        if matches!(self.modal, Modal::Question(_)) {
             self.reply(Reply::Stay);
         } else if self.state.measuring().is_on {
             self.act(Action::Measure(MeasureAction::Toggle));
-        } else if self.stop_arriving() {
-            // `stop_arriving` did it.
+        } else if self.stop_loading() {
+            // `stop_loading` did it.
         } else if self.helps {
             self.helps = false;
         } else if self.dismiss_latest() {
@@ -144,7 +140,7 @@ impl App {
             self.checking = Checking::Off;
         } else if selects_none && !self.state.stages().is_empty() {
             self.toggle_views();
-        } else if selects_none && self.state.has_outside() {
+        } else if selects_none && self.state.outside().is_some() {
             self.intend(Intent::LeaveGallery);
         } else {
             self.act(Action::Select(None));
@@ -158,37 +154,22 @@ impl App {
         self.say(done.into());
     }
 
-    /// Takes the answer of a file dialog. Where none can be shown, the scene is saved to the scene file that it is
-    /// from, or else under a free name beside the screenshots.
+    /// Takes the answer of a file dialog.
     pub fn answered(&mut self, what: PathFor, answer: Answer) {
-        self.asks_for_files &= what != PathFor::Open;
+        if what == PathFor::Open || matches!(answer, Answer::None) {
+            let asks =
+                |modal: &Modal| matches!(modal, Modal::Dialog(for_what, _) if *for_what == what);
+            drop(self.modal.take_if(asks));
+        }
         match (what, answer) {
+            (_, Answer::None) => {}
             (PathFor::Open, Answer::Paths(paths)) => self.run_after_typing(Command::Open(paths)),
-            (PathFor::Open, Answer::None) => {}
             (PathFor::Open, Answer::NotShown) => self.failed(
                 Attempt::Open,
                 format!("{NO_DIALOG}: drop files on the window, or name them as arguments: sightline FILE"),
             ),
             (PathFor::Save, Answer::Paths(paths)) => paths.into_iter().for_each(|to| self.save(to)),
-            (PathFor::Save, Answer::None) => self.save_nothing(),
-            (PathFor::Save, Answer::NotShown) => {
-                let asked = self.to_save.as_ref();
-                let scene = asked.and_then(|(asked, _)| self.state.opened(asked.document));
-                let own = scene.unwrap_or(&self.state).scene_file().cloned();
-                if let Some(own) = own {
-                    return self.save(own);
-                }
-                match free_file(&self.screenshots.folder, "toml") {
-                    Ok(file) => {
-                        self.remind(format!("{NO_DIALOG}: the scene is saved as {}", file.display()));
-                        self.save(file);
-                    }
-                    Err(text) => {
-                        self.save_nothing();
-                        self.failed(Attempt::Save, text);
-                    }
-                }
-            }
+            (PathFor::Save, Answer::NotShown) => self.save_without_dialog(),
         }
     }
 

@@ -1,17 +1,17 @@
-//! Opening, reloading, adding and saving files.
+//! Opening, reloading and adding files.
 
 use super::{
-    errands::{Arrival, Errand, Pending, Purpose, finished},
+    modal::{Load, Modal, Purpose},
     program::{App, Host},
-    wake::{PathFor, Wake, Waker},
+    wake::Waker,
 };
 use crate::{
-    scene::{self, Loaded, Warning},
+    scene::{Loaded, Warning},
     viewer::{
-        jobs::{self, Job, Stamps},
-        model::{Source, no_section, shown_in},
+        jobs::{self, Job},
+        model::{no_section, shown_in},
         options::Options,
-        ui::{Attempt, Filter},
+        ui::{Attempt, Filter, Kind},
     },
 };
 use std::{mem, path::PathBuf};
@@ -35,29 +35,36 @@ impl App {
     ) -> Self {
         let paths = options.paths.clone();
         let mut app = Self::new(options, wake, host, context);
-        let errand = app.errand(paths, Purpose::Open);
-        app.loading = Some((Job::done(Ok(loaded)), errand));
+        app.modal = Modal::Loading(Load {
+            stamps: app.stamps_before(&paths, Purpose::Open),
+            job: Job::done(Ok(loaded)),
+            purpose: Purpose::Open,
+            paths,
+        });
         app
     }
 
     /// Begins to load files. Once all of them are loaded, they replace what is shown or are added to it.
     pub(super) fn load(&mut self, paths: Vec<PathBuf>, purpose: Purpose) {
-        let errand = self.errand(paths.clone(), purpose);
         let meshes = || self.state.scene().meshes().to_vec();
         let known = purpose.reads_again().then(meshes).unwrap_or_default();
-        self.loading = Some((jobs::load(paths, known, self.waker()), errand));
+        self.modal = Modal::Loading(Load {
+            stamps: self.stamps_before(&paths, purpose),
+            job: jobs::load(paths.clone(), known, self.waker()),
+            purpose,
+            paths,
+        });
     }
 
-    fn errand(&self, paths: Vec<PathBuf>, purpose: Purpose) -> Errand {
-        let stamps = self.stamps_before(&paths, purpose);
-        Errand::new(paths, purpose, &self.state, stamps)
+    /// Adds files to what is shown.
+    pub(super) fn add(&mut self, paths: Vec<PathBuf>) {
+        if self.is_free() {
+            self.load(paths, Purpose::Add);
+        }
     }
 
     /// Loads the files on screen again. If nothing was shown yet, opens the command line's files anew.
     pub(super) fn reload(&mut self) {
-        if self.loading.is_some() {
-            return;
-        }
         if self.first {
             self.load(self.options.paths.clone(), Purpose::Open);
         } else {
@@ -67,20 +74,27 @@ impl App {
 
     /// Takes the outcome of a load. The scene on screen stays until the new one is complete.
     pub(super) fn take_loaded(&mut self) {
-        let done = finished(&mut self.loading, |(load, _)| load.poll());
-        let Some(((_, errand), result)) = done else {
+        let Modal::Loading(load) = &self.modal else {
+            return;
+        };
+        let Some(result) = load.job.poll() else {
+            return;
+        };
+        let Modal::Loading(load) = mem::take(&mut self.modal) else {
             return;
         };
         match result {
-            Ok(loaded) => self.arrive(Arrival {
-                loaded: Box::new(loaded),
-                errand,
-            }),
+            // What was moved while a changed file was read is not dropped.
+            Ok(_) if load.purpose == Purpose::Follow && self.state.edited() => self.keep_edits(),
+            Ok(loaded) => match self.show_scene(loaded, load) {
+                Ok(()) => self.build_trees(),
+                Err(text) => self.failed(Attempt::Open, text),
+            },
             // The file changed again while it was read: the change is still to be read.
-            Err(error) if errand.purpose == Purpose::Follow && error.is_of_change() => {}
+            Err(error) if load.purpose == Purpose::Follow && error.is_of_change() => {}
             Err(error) => {
                 if !error.is_of_change() {
-                    self.give_up_change(&errand);
+                    self.give_up_change(load.purpose);
                 }
                 self.forget_gone();
                 self.failed(Attempt::Open, error.to_string());
@@ -88,57 +102,82 @@ impl App {
         }
     }
 
-    pub(super) fn show_scene(&mut self, mut loaded: Loaded, errand: Errand) -> Result<(), String> {
-        let (paths, purpose, stamps) = (errand.paths, errand.purpose, errand.stamps);
-        let mut warnings = mem::take(&mut loaded.warnings);
-        let (mut unused, mut differs) = (Vec::new(), true);
-        match purpose {
-            Purpose::Add => {
-                self.state.add(loaded, paths);
-                self.succeeded(Attempt::Open);
-                self.warn(&warnings);
-                self.told.extend(warnings.iter().map(Warning::to_string));
-                self.watch(self.state.document(), stamps);
-                return Ok(());
-            }
-            Purpose::Reload | Purpose::Follow => differs = self.state.reload(loaded),
-            Purpose::Open => {
-                let in_file = shown_in(&loaded.scene);
-                if self.first {
-                    unused = self.apply_flags(&mut loaded);
-                }
-                let section = loaded.camera.section.unwrap_or_default();
-                let section = loaded.scene.section(section);
-                let section = section
-                    .map_err(|error| format!("the section is left out: {}", no_section(&error)));
-                unused.extend(section.err());
-                let from = loaded.camera_from.take();
-                let opened = self.state.open(loaded, paths.clone());
-                opened.map_err(|error| match from {
-                    Some((file, line)) => format!("{}:{line}: {error}", file.display()),
-                    None => error.to_string(),
-                })?;
-                self.state.file_shows(in_file);
-                if self.first {
-                    self.show_views(self.options.views);
-                }
-                self.first = false;
-                self.remember_opened(&paths);
-                self.filter = Filter::default();
-            }
+    fn show_scene(&mut self, mut loaded: Loaded, load: Load) -> Result<(), String> {
+        let warnings = mem::take(&mut loaded.warnings);
+        match load.purpose {
+            Purpose::Open => self.show_opened(loaded, load, &warnings)?,
+            Purpose::Add => self.show_added(loaded, load, &warnings),
+            Purpose::Reload | Purpose::Follow => self.show_again(loaded, load, warnings),
         }
+        Ok(())
+    }
+
+    fn show_opened(
+        &mut self,
+        mut loaded: Loaded,
+        load: Load,
+        warnings: &[Warning],
+    ) -> Result<(), String> {
+        let mut unused = Vec::new();
+        let in_file = shown_in(&loaded.scene);
+        if self.first {
+            unused = self.apply_flags(&mut loaded);
+        }
+        let section = loaded.camera.section.unwrap_or_default();
+        let section = loaded.scene.section(section);
+        let section =
+            section.map_err(|error| format!("the section is left out: {}", no_section(&error)));
+        unused.extend(section.err());
+        let from = loaded.camera_from.take();
+        let enters_gallery = loaded.exhibit.is_some() && self.state.showing().is_none();
+        let opened = self.state.open(loaded, load.paths.clone());
+        opened.map_err(|error| match from {
+            Some((file, line)) => format!("{}:{line}: {error}", file.display()),
+            None => error.to_string(),
+        })?;
+        self.state.file_shows(in_file);
+        if enters_gallery {
+            self.watching_outside = self.watching.take();
+        } else if self.state.outside().is_none() {
+            self.watching_outside = None;
+        }
+        self.watch_anew(load.stamps);
+        if self.first {
+            self.show_views(self.options.views);
+        }
+        self.first = false;
+        self.remember_opened(&load.paths);
+        self.filter = Filter::default();
+        self.tell_anew(warnings);
+        for text in unused {
+            self.complain(text);
+        }
+        Ok(())
+    }
+
+    fn show_added(&mut self, loaded: Loaded, load: Load, warnings: &[Warning]) {
+        self.state.add(loaded, load.paths);
+        self.succeeded(Attempt::Open);
+        self.warn(warnings);
+        self.told.extend(warnings.iter().map(Warning::to_string));
+        self.watch(load.stamps);
+    }
+
+    fn show_again(&mut self, loaded: Loaded, load: Load, mut warnings: Vec<Warning>) {
+        let differs = self.state.reload(loaded);
         let (changed, many) = self.what_changed();
-        self.watch_anew(stamps);
-        let texts: Vec<_> = warnings.iter().map(Warning::to_string).collect();
-        let told = mem::replace(&mut self.told, texts);
-        if purpose == Purpose::Follow && !differs {
-            self.succeeded(Attempt::Open);
-            return Ok(());
+        self.watch_anew(load.stamps);
+        if load.purpose == Purpose::Reload {
+            return self.tell_anew(&warnings);
         }
-        if purpose == Purpose::Follow {
+        self.succeeded(Attempt::Open);
+        let texts = warnings.iter().map(Warning::to_string).collect();
+        let told = mem::replace(&mut self.told, texts);
+        if differs {
             // What the user has closed stays closed.
             let now = &self.told;
-            self.notices.retain(|notice| now.contains(&notice.text));
+            (self.notices)
+                .retain(|notice| notice.kind != Kind::Warning || now.contains(&notice.text));
             warnings.retain(|warning| !told.contains(&warning.to_string()));
             let (have, were) = if many {
                 ("have", "were")
@@ -146,15 +185,16 @@ impl App {
                 ("has", "was")
             };
             self.say(format!("{changed} {have} changed and {were} read again"));
-        } else {
-            self.notices.clear();
-            self.gone.clear();
+            self.warn(&warnings);
         }
-        for text in unused {
-            self.complain(text);
-        }
-        self.warn(&warnings);
-        Ok(())
+    }
+
+    /// Shows the warnings about what is shown now, and no other messages.
+    fn tell_anew(&mut self, warnings: &[Warning]) {
+        self.notices.clear();
+        self.gone.clear();
+        self.told = warnings.iter().map(Warning::to_string).collect();
+        self.warn(warnings);
     }
 
     /// Applies the command line's `--hide`, `--show` and camera to the first scene. Returns the reasons for what was
@@ -171,100 +211,4 @@ impl App {
             .filter_map(Result::err)
             .collect()
     }
-
-    /// Asks where to save the scene as it is now. With an intent, saves the first scene whose edits the intent would
-    /// drop, perhaps one left for the gallery, and carries out the intent after the save. One dialog is open at a time.
-    pub(super) fn ask_where_to_save(&mut self, then: Option<Pending>) {
-        if self.first {
-            return self.say("nothing is open yet that could be saved".into());
-        }
-        let drops = then.as_ref().map(|then| then.intent.drops(&self.state));
-        let scene = drops.and_then(|scenes| scenes.first().copied());
-        let scene = scene.unwrap_or(&self.state);
-        let (snapshot, file) = (scene.snapshot(), scene.file_to_save());
-        if let Some((asked, waits)) = &mut self.to_save {
-            if asked.document == snapshot.document {
-                *asked = snapshot;
-            }
-            *waits = then.or(waits.take());
-            return self.say("the dialog to save is open already".into());
-        }
-        self.to_save = Some((snapshot, then));
-        self.save_dialogs += 1;
-        if self.host == Host::Window {
-            let wake = self.wake.clone();
-            jobs::save_dialog(&file, move |answer| {
-                wake(Wake::Answered(PathFor::Save, answer));
-            });
-        }
-    }
-
-    /// Writes the scene as it was when the save dialog opened.
-    pub(super) fn save(&mut self, path: PathBuf) {
-        let asked = self.to_save.take();
-        let (snapshot, then) = asked.unwrap_or_else(|| (self.state.snapshot(), None));
-        if self.state.has_read_since(&snapshot) {
-            let text = "the scene was read again from its files while you chose a name: nothing was saved, save again";
-            return self.failed(Attempt::Save, text.into());
-        }
-        match scene_file(path) {
-            Ok(path) => {
-                let saving = jobs::save(snapshot, path, self.waker());
-                self.saving.push((saving, then));
-            }
-            Err(text) => self.failed(Attempt::Save, text),
-        }
-    }
-
-    /// Closes the save dialog without a file.
-    pub(super) fn save_nothing(&mut self) {
-        self.to_save = None;
-    }
-
-    /// Takes the outcome of a save. From then on the scene belongs to its new file.
-    pub(super) fn take_saved(&mut self) {
-        let mut all = self.saving.iter().enumerate();
-        let done = all.find_map(|(at, (saving, _))| Some((at, saving.poll()?)));
-        let Some((at, result)) = done else { return };
-        let (_, then) = self.saving.remove(at);
-        match result {
-            Ok(saved) => {
-                self.succeeded(Attempt::Save);
-                self.say(format!("saved {}", saved.path.display()));
-                let source = Source {
-                    paths: vec![saved.path],
-                    meshes: saved.meshes,
-                    ..Source::default()
-                };
-                self.remember_opened(&source.paths);
-                if source.paths == self.state.source().paths {
-                    // A file that could not be read is whole again.
-                    self.succeeded(Attempt::Open);
-                }
-                let written = Stamps::of(&source.paths);
-                self.state.saved(&saved.snapshot, source);
-                self.watch(saved.snapshot.document, written);
-                if let Some(then) = then {
-                    self.propose(then);
-                }
-            }
-            Err(text) => self.failed(Attempt::Save, text),
-        }
-    }
-}
-
-/// The file to write a scene to: `.toml` is added to a name that lacks it. If that names an existing file, it is an
-/// error: the user has not agreed to overwrite that file.
-fn scene_file(mut path: PathBuf) -> Result<PathBuf, String> {
-    if scene::is_scene_file(&path) {
-        return Ok(path);
-    }
-    path.add_extension("toml");
-    if path.exists() {
-        return Err(format!(
-            "{} exists already: choose that file itself to replace it, or another name",
-            path.display()
-        ));
-    }
-    Ok(path)
 }

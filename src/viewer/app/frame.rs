@@ -4,6 +4,7 @@
 use super::{
     checks::painted,
     in_turn::in_turn,
+    modal::Modal,
     program::{App, Host, Shot},
     rest::REST_S,
 };
@@ -127,8 +128,6 @@ impl App {
         self.take_loaded();
         self.take_projected();
         self.take_saved();
-        self.take_settled();
-        self.take_ready();
         self.take_checked();
         self.take_chart();
         self.take_changed();
@@ -168,7 +167,10 @@ impl App {
             helps: self.helps,
             tour: self.tour,
             offers_tour,
-            question: self.question.as_ref().map(|pending| &pending.intent),
+            question: match &self.modal {
+                Modal::Question(intent) => Some(intent),
+                _ => None,
+            },
             chart: self.chart.as_ref(),
             checking: &self.checking,
             marks: painted(&context, &self.state, &self.checking, &mut self.marks),

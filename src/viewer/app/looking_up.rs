@@ -1,10 +1,10 @@
 //! Looks up in the files of meshes: the face of a pick, and what a click snaps to.
 
-use super::{errands::finished, numbers::Triangle, program::App};
+use super::{numbers::Triangle, program::App};
 use crate::{
     scene::{MeshFile, obj::InFile},
     viewer::{
-        jobs::{self, Job},
+        jobs::{self, Job, finished},
         model::State,
     },
 };

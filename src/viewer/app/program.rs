@@ -1,8 +1,8 @@
 //! The program behind the window: all that outlives frames, devices and windows, with its messages and its title.
 
 use super::{
-    errands::{Arrival, Errand, Pending},
     memory::Memory,
+    modal::Modal,
     numbers::Numbers,
     rest::Rest,
     wake::{Wake, Waker},
@@ -12,8 +12,8 @@ use crate::{
     json::plain,
     scene::{Loaded, Warning},
     viewer::{
-        jobs::{self, Chart, Checking, Job, Loading, Projecting, Saving, Typefaces, Watching},
-        model::{Snapshot, Stage, State},
+        jobs::{self, Chart, Checking, Job, Projecting, Typefaces, Watching},
+        model::{Stage, State},
         options::Options,
         screen::{SceneRect, Textures},
         ui::{
@@ -23,7 +23,6 @@ use crate::{
     },
 };
 use std::{
-    collections::BTreeMap,
     path::PathBuf,
     time::{Duration, Instant},
 };
@@ -68,21 +67,8 @@ pub(in crate::viewer) struct App {
     pub state: State,
     /// The scene that is being projected for NDC.
     pub(super) projecting: Option<Projecting>,
-    /// What is to be shown once no question waits for an answer.
-    pub(super) ready: Option<Arrival>,
-    /// The load under way, and what it is for.
-    pub(super) loading: Option<(Loading, Errand)>,
-    /// Whether the dialog to open files is open.
-    pub(super) asks_for_files: bool,
-    /// The scene as it was when the save dialog opened, and what to do once it is saved. There is one while the dialog
-    /// is open.
-    pub(super) to_save: Option<(Snapshot, Option<Pending>)>,
-    /// How many save dialogs were opened so far.
-    pub save_dialogs: usize,
-    /// Saves under way, and what to do after each.
-    pub(super) saving: Vec<(Saving, Option<Pending>)>,
-    /// What would drop edits, and waits for the user's answer.
-    pub(super) question: Option<Pending>,
+    /// The one thing that waits.
+    pub(super) modal: Modal,
     /// Commands that wait for the next pass: first the number that is being typed is entered.
     pub(super) late: Vec<Command>,
     /// The build of trees for the scene on screen. Dropping it stops it.
@@ -103,8 +89,10 @@ pub(in crate::viewer) struct App {
     pub memory: Memory,
     /// The last write of the memory to its file.
     pub(super) keeping: Option<Job<()>>,
-    /// Watches the files of scenes for changes by others: of the one on show, and of those left for the gallery.
-    pub(super) watching: BTreeMap<u64, Watching>,
+    /// Watches the files of the scene on show for changes by others.
+    pub(super) watching: Option<Watching>,
+    /// The same of the scene that was left for the gallery.
+    pub(super) watching_outside: Option<Watching>,
     /// Files that are gone, as messages say.
     pub(super) gone: Vec<PathBuf>,
     /// The scene's revision at which the watch was brought up to date last.
@@ -158,13 +146,7 @@ impl App {
         ui::note_missing(&context, typefaces.missing.clone());
         let app = Self {
             projecting: None,
-            ready: None,
-            loading: None,
-            asks_for_files: false,
-            to_save: None,
-            save_dialogs: 0,
-            saving: Vec::new(),
-            question: None,
+            modal: Modal::None,
             late: Vec::new(),
             trees: None,
             first: true,
@@ -176,7 +158,8 @@ impl App {
             matrices_showed: false,
             memory,
             keeping: None,
-            watching: BTreeMap::new(),
+            watching: None,
+            watching_outside: None,
             gone: Vec::new(),
             watched: 0,
             typefaces,
@@ -220,7 +203,7 @@ impl App {
     pub fn is_busy(&self) -> bool {
         let checks = matches!(&self.checking, Checking::On(check) if check.found.is_none());
         let studies = matches!(&self.chart, Some(chart) if chart.rows.is_none());
-        let files = self.underway().is_some() || !self.saving.is_empty();
+        let files = matches!(self.modal, Modal::Loading(_) | Modal::Saving(..));
         files
             || checks
             || studies

@@ -1,6 +1,6 @@
 //! The program's part in the tour, and in the gallery: from scene to scene, with the study's chart beside it.
 
-use super::{errands::Purpose, program::App};
+use super::program::App;
 use crate::{
     camera::{View, Viewport},
     scene::gallery::{Exhibit, GALLERY},
@@ -52,7 +52,7 @@ impl App {
         let step = if forward { 1 } else { GALLERY.len() - 1 };
         let next =
             (GALLERY.iter().position(on_screen)).map_or(0, |now| (now + step) % GALLERY.len());
-        self.load(vec![GALLERY[next].path()], Purpose::Open);
+        self.intend(Intent::Open(vec![GALLERY[next].path()]));
     }
 
     /// Takes the chart for the scene of the gallery, or begins to compute it.

@@ -1,7 +1,7 @@
 //! Reads files again when another program changes them, unless that would drop edits.
 
 use super::{
-    errands::{Errand, Purpose},
+    modal::{Modal, Purpose},
     program::App,
 };
 use crate::{
@@ -23,23 +23,17 @@ impl App {
         stamps
     }
 
-    /// Watches the files on screen for changes since they were read. `read` says how they were before that.
+    /// Watches the files of a scene that has just been read. `read` says how they were before that.
     pub(super) fn watch_anew(&mut self, read: Stamps) {
-        let document = self.state.document();
-        let state = &self.state;
-        // Scenes that undo and redo no longer lead to are not watched any more.
-        (self.watching).retain(|of, _| *of != document && state.opened(*of).is_some());
-        self.watch(document, read);
+        self.watching = None;
+        self.watch(read);
     }
 
-    /// Watches the files that a scene has now. `read` says how some of them were when they were read. A change that is
-    /// still to be read is kept.
-    pub(super) fn watch(&mut self, document: u64, read: Stamps) {
-        let Some(state) = self.state.opened(document) else {
-            return;
-        };
-        let files = files_of(state.source());
-        let mut before = self.watching.remove(&document);
+    /// Watches the files that the scene has now. `read` says how some of them were when they were read. A change that
+    /// is still to be read is kept.
+    pub(super) fn watch(&mut self, read: Stamps) {
+        let files = files_of(self.state.source());
+        let mut before = self.watching.take();
         let is_due = before.as_mut().is_some_and(Watching::is_due);
         let known = before.as_ref().map(Watching::known).cloned();
         let known = known.unwrap_or_default().with(read);
@@ -47,21 +41,28 @@ impl App {
             && let Some(mut watching) = Watching::start(&files, &known, self.waker())
         {
             watching.set_due(is_due);
-            self.watching.insert(document, watching);
+            self.watching = Some(watching);
         }
     }
 
-    /// Watches what is on screen now: undo and redo lead to other scenes and other files.
+    /// Goes back to what was open before the gallery, and to the watch of its files.
+    pub(super) fn leave_gallery(&mut self) {
+        self.state.leave_gallery();
+        self.watching = self.watching_outside.take();
+        self.build_trees();
+    }
+
+    /// Watches what is on screen now: undo and redo of added files lead to other files.
     fn keep_watching(&mut self) {
-        let (document, revision) = (self.state.document(), self.state.scene_revision());
+        let revision = self.state.scene_revision();
         if self.watched == revision {
             return;
         }
         self.watched = revision;
         let files = files_of(self.state.source());
-        let watching = self.watching.get(&document);
-        if !watching.is_some_and(|watching| watching.is_of(&files)) {
-            self.watch(document, Stamps::default());
+        let is_watched = |watching: &Watching| watching.is_of(&files);
+        if !self.watching.as_ref().is_some_and(is_watched) {
+            self.watch(Stamps::default());
         }
     }
 
@@ -72,7 +73,7 @@ impl App {
             let text = is_gone(file);
             self.notices.retain(|notice| notice.text != text);
         }
-        let Some(watching) = self.watching.get_mut(&self.state.document()) else {
+        let Some(watching) = &mut self.watching else {
             return;
         };
         let is_due = watching.is_due();
@@ -80,7 +81,7 @@ impl App {
             self.gone.push(file.clone());
             self.remind(is_gone(file));
         }
-        if !is_due || self.underway().is_some() || self.ready.is_some() {
+        if !is_due || !matches!(self.modal, Modal::None) {
             return;
         }
         if self.state.edited() {
@@ -92,7 +93,7 @@ impl App {
 
     /// The files have changed, but to read them would drop edits: says so instead.
     pub(super) fn keep_edits(&mut self) {
-        self.take_as_read(self.state.document());
+        self.take_as_read();
         let (name, many) = self.what_changed();
         let (have, them) = if many {
             ("have", "them")
@@ -106,7 +107,7 @@ impl App {
 
     /// The files of the scene on show that have changed since they were read, in words, and whether they are several.
     pub(super) fn what_changed(&self) -> (String, bool) {
-        let watching = self.watching.get(&self.state.document());
+        let watching = self.watching.as_ref();
         let files = watching.map_or_else(Vec::new, Watching::changed);
         let files = if files.is_empty() {
             &self.state.source().paths
@@ -117,14 +118,14 @@ impl App {
     }
 
     /// After a load that failed or was cancelled: the change that it was to read is not tried again.
-    pub(super) fn give_up_change(&mut self, errand: &Errand) {
-        if errand.purpose.reads_again() {
-            self.take_as_read(errand.document);
+    pub(super) fn give_up_change(&mut self, purpose: Purpose) {
+        if purpose.reads_again() {
+            self.take_as_read();
         }
     }
 
-    fn take_as_read(&mut self, document: u64) {
-        if let Some(watching) = self.watching.get_mut(&document) {
+    fn take_as_read(&mut self) {
+        if let Some(watching) = &mut self.watching {
             watching.set_due(false);
         }
     }

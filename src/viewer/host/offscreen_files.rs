@@ -30,9 +30,9 @@ impl Offscreen {
         self.app.answered(PathFor::Save, Answer::NotShown);
     }
 
-    /// How many save dialogs were opened so far.
-    pub fn save_dialogs(&self) -> usize {
-        self.app.save_dialogs
+    /// Whether a file dialog is open.
+    pub fn has_dialog(&self) -> bool {
+        self.app.has_dialog()
     }
 
     /// Closes the window, as the button of its frame does.

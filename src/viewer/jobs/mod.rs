@@ -22,7 +22,7 @@ mod watching;
 pub(super) use check::{Check, Checked, Checking};
 pub(super) use darkness::ask_darkness;
 pub(super) use dialogs::{Answer, open_dialog, save_dialog};
-pub(super) use job::Job;
+pub(super) use job::{Job, finished};
 pub(super) use keeping::keep;
 pub(super) use loading::{Loading, load};
 pub(super) use projecting::{Projecting, project};

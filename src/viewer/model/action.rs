@@ -115,8 +115,6 @@ pub enum Action {
     Redo,
     /// A slide or drag is over: the next one is an undo step of its own.
     Release,
-    /// Go back to what was open before the gallery, as it was; does nothing if nothing was open.
-    LeaveGallery,
     /// Leave the present camera standing in the world, as lines, or take it away. Does nothing in the four views.
     ToggleFreeze,
 }
@@ -156,6 +154,24 @@ impl Action {
                 | Self::Enter(_)
                 | Self::Resize(_)
         )
+    }
+
+    /// Whether it edits the scene, or takes an edit back.
+    pub fn edits(&self) -> bool {
+        match self {
+            Self::Place(..)
+            | Self::SetVisible(..)
+            | Self::HideSelection
+            | Self::Isolate
+            | Self::ShowAll
+            | Self::Section(_)
+            | Self::ToggleSection
+            | Self::Undo
+            | Self::Redo => true,
+            Self::Measure(to_list) => *to_list != MeasureAction::Toggle,
+            Self::Camera(choice) => choice.section.is_some(),
+            _ => false,
+        }
     }
 
     /// Whether it is for one of the four views while the mouse is in that view, and not for the camera's picture.

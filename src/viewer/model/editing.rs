@@ -30,7 +30,7 @@ impl State {
         let edits = self.edit(|edits| &mut edits.matrices);
         let inverse = self.make(Edit::Place(object, placement));
         let step = UndoStep::Edited(inverse, edits, chosen);
-        self.record(Some(Gesture::Place(object)), step);
+        self.timeline.push(Some(Gesture::Place(object)), step);
     }
 
     /// Hides all that is selected and deselects it.
@@ -63,20 +63,9 @@ impl State {
         if objects.is_empty() {
             return;
         }
-        let edits = self.edit(|edits| &mut edits.visibility);
         let inverse = self.make(Edit::Toggle(objects));
-        if self.shows_as_filed() {
-            self.edits.visibility = self.filed.visibility;
-        }
-        self.record(None, UndoStep::Edited(inverse, edits, chosen));
-    }
-
-    /// Whether the objects that its file shows are visible, and no others: then it has no edit there, whatever was
-    /// hidden meanwhile.
-    fn shows_as_filed(&self) -> bool {
-        let shown = self.scene.objects().iter().map(|object| object.visible);
-        let filed = self.filed_shown.as_ref();
-        filed.is_some_and(|filed| shown.eq(filed.iter().copied()))
+        self.timeline
+            .push(None, UndoStep::Edited(inverse, self.edits, chosen));
     }
 
     /// Adds the objects of other files to the scene. View and selection stay.
@@ -98,7 +87,8 @@ impl State {
         let objects = self.scene.objects().iter().chain(loaded.scene.objects());
         let scene = objects.cloned().collect();
         let inverse = self.make(Edit::Compose(scene, source));
-        self.record(None, UndoStep::Edited(inverse, edits, chosen));
+        self.timeline
+            .push(None, UndoStep::Edited(inverse, edits, chosen));
         self.refresh_panes();
     }
 
@@ -123,6 +113,9 @@ impl State {
                 Edit::Compose(scene, source)
             }
         };
+        if !matches!(inverse, Edit::Place(..)) {
+            self.compare_hidden();
+        }
         self.cleared = None;
         self.rearranged();
         inverse
@@ -163,7 +156,7 @@ impl State {
             MeasureAction::Clear => self.measuring.list.clear(),
         }
         if self.measuring.list != list {
-            self.record(None, UndoStep::Measured(list));
+            self.timeline.push(None, UndoStep::Measured(list));
         }
     }
 

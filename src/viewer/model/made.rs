@@ -9,17 +9,11 @@ pub(super) struct Made {
     pub scene: Scene,
     /// For each object of the scene that it was made from, its index now.
     became: Vec<Option<usize>>,
-    /// Whether it is the scene that it was made from, because the files hold the same objects, visibility aside.
-    pub is_same: bool,
-    /// Whether each object is hidden or shown as the files say.
-    pub hides_as_filed: bool,
 }
 
 impl Made {
     /// What the files of a scene hold now. Objects keep their visibility, and are matched by name: an object takes the
-    /// place of the old one at the same index if that has the same name, else of the first old one that has it. Meshes
-    /// count as equal if they are one in memory: [`Loaded::share_meshes`](crate::scene::Loaded) has put the old ones in
-    /// place of equal new ones.
+    /// place of the old one at the same index if that has the same name, else of the first old one that has it.
     pub fn again(scene: &Scene, mut now: Scene) -> Self {
         let old = scene.objects();
         let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())
@@ -36,30 +30,27 @@ impl Made {
         };
         let changed = was.iter().enumerate().filter(differs);
         let changed: Vec<usize> = changed.map(|(index, _)| index).collect();
-        let is_same = old.len() == was.len() && old.iter().zip(now.objects()).all(are_one);
-        if is_same {
-            now = scene.clone();
-        } else {
-            now.toggle(&changed);
-        }
+        now.toggle(&changed);
         let mut became = vec![None; old.len()];
         for (index, was) in was.iter().enumerate().rev() {
             if let Some(was) = was {
                 became[*was] = Some(index);
             }
         }
-        Self {
-            scene: now,
-            became,
-            is_same,
-            hides_as_filed: changed.is_empty(),
-        }
+        Self { scene: now, became }
     }
 
     /// The index that an object of the scene before has now.
     pub fn became(&self, object: usize) -> Option<usize> {
         self.became.get(object).copied().flatten()
     }
+}
+
+/// Whether two scenes are the same but for what is hidden. Meshes count as equal if they are one in memory:
+/// [`Loaded::share_meshes`](crate::scene::Loaded) has put the old ones in place of equal new ones.
+pub(super) fn is_same(a: &Scene, b: &Scene) -> bool {
+    let (a, b) = (a.objects(), b.objects());
+    a.len() == b.len() && a.iter().zip(b).all(are_one)
 }
 
 /// Whether two objects are the same but for their visibility.

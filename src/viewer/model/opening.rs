@@ -1,7 +1,8 @@
-//! Opening and saving scenes.
+//! Opening scenes: in place of the one on show, or, for the gallery, beside it.
 
 use super::{
     action::LensControls,
+    filed::shown_in,
     measuring::Measuring,
     on_screen::Seen,
     ortho_height::OrthoHeight,
@@ -12,8 +13,8 @@ use super::{
 };
 use crate::{
     camera::{CameraChoice, CameraError, Orbit, View, Viewport},
-    geometry::{Section, Sides},
-    scene::{self, Loaded, MeshFile, Scene},
+    geometry::Sides,
+    scene::Loaded,
 };
 use std::{mem, path::PathBuf};
 
@@ -34,7 +35,9 @@ impl State {
         let orbit = Orbit::of_camera(&camera, up_axis);
         let controls = LensControls::of(&choice);
         Ok(Self {
-            filed_shown: Some(shown_in(&loaded.scene)),
+            filed_shown: shown_in(&loaded.scene),
+            unedited_shown: shown_in(&loaded.scene),
+            hides_others: false,
             scene: loaded.scene,
             scene_revision: 0,
             visibility_revision: 0,
@@ -42,6 +45,7 @@ impl State {
             opened_with: choice,
             opened_at: None,
             replaced: None,
+            outside: None,
             orbit,
             up_axis,
             controls,
@@ -68,7 +72,6 @@ impl State {
                 materials: loaded.materials,
             },
             document: 0,
-            reads: 0,
             edits: Edits::default(),
             filed: Edits::default(),
             filed_section: section,
@@ -82,9 +85,8 @@ impl State {
         })
     }
 
-    /// Shows another scene, loaded from these files; the window's settings stay. Undo leads back from a scene of the
-    /// gallery to what was open; any other scene begins a new history. If the scene's own camera is invalid, everything
-    /// stays as it was.
+    /// Shows another scene, loaded from these files; the window's settings stay. What was open before the gallery is
+    /// kept beside its scenes. If the scene's own camera is invalid, everything stays as it was.
     pub fn open(&mut self, loaded: Loaded, paths: Vec<PathBuf>) -> Result<(), CameraError> {
         let inherited = CameraChoice {
             depth: Some(self.controls.depth),
@@ -94,21 +96,54 @@ impl State {
         let next = Self::new(loaded, choice, self.view.viewport, self.view.sides)?;
         let mut next = Box::new(next);
         next.source.paths = paths;
-        let goes_back = next.showing.is_some() && !self.scene.objects().is_empty();
+        next.document = self.document + 1;
+        let enters = next.showing.is_some() && self.showing.is_none();
+        let goes_round = next.showing.is_some() && self.showing.is_some();
+        // An empty scene is not kept.
+        let is_kept = !self.scene.objects().is_empty();
         let mut before = self.exchange(next);
-        if goes_back {
-            self.record(None, UndoStep::Open(before));
+        if enters {
+            self.outside = Some(before).filter(|_| is_kept);
         } else {
-            let fresh = self.timeline.fresh();
-            before.timeline = mem::replace(&mut self.timeline, fresh);
-            // If the scene before was never drawn, the one before that is kept. An empty scene is not kept.
+            if goes_round {
+                self.outside = before.outside.take();
+            }
+            // If the scene before was never drawn, the one before that is kept.
             let drawn = before.replaced.take().unwrap_or(before);
-            self.replaced = Some(drawn).filter(|drawn| !drawn.scene.objects().is_empty());
+            self.replaced = Some(drawn).filter(|_| is_kept);
         }
-        self.document = self.timeline.mark();
         self.opened_at = Some(self.viewpoint());
         self.refresh_panes();
         Ok(())
+    }
+
+    /// What was open before the gallery.
+    pub fn outside(&self) -> Option<&Self> {
+        self.outside.as_deref()
+    }
+
+    /// Goes back to what was open before the gallery, as it was; does nothing if nothing was open.
+    pub fn leave_gallery(&mut self) {
+        if let Some(outside) = self.outside.take() {
+            self.exchange(outside);
+        }
+    }
+
+    /// Shows another state; the window's settings stay. Returns the state before.
+    fn exchange(&mut self, mut other: Box<Self>) -> Box<Self> {
+        other.scene_revision = self.scene_revision + 1;
+        other.visibility_revision = self.visibility_revision + 1;
+        (other.grid, other.overlays) = (self.grid, self.overlays);
+        other.panes = self.panes.take();
+        // The picture on screen is still of the scene before.
+        other.seen = self.seen;
+        other.measuring.is_on = self.measuring.is_on;
+        other.view.viewport = self.view.viewport;
+        (other.cursor, other.lit, other.clicked_s) = (None, None, None);
+        mem::swap(self, &mut *other);
+        self.fit();
+        self.refresh_panes();
+        other
     }
 
     /// Gives the picture this size. While view and scene are as they were opened, the opening view is computed again
@@ -119,7 +154,7 @@ impl State {
             sides: self.view.sides,
             ..at
         });
-        let is_as_opened = stood == Some(self.viewpoint()) && self.edits == self.filed;
+        let is_as_opened = stood == Some(self.viewpoint()) && !self.has_edits();
         if mem::replace(&mut self.view.viewport, viewport) == viewport {
             return;
         }
@@ -156,35 +191,13 @@ impl State {
 
     /// The scene cannot be drawn: goes back to what was shown before. Returns whether there was anything.
     pub(in crate::viewer) fn refused(&mut self) -> bool {
-        if let Some(mut before) = self.replaced.take() {
-            let timeline = mem::take(&mut before.timeline);
+        if let Some(before) = self.replaced.take() {
             self.exchange(before);
-            self.timeline = timeline;
             return true;
         }
-        let made_it = matches!(
-            self.timeline.steps(true).last(),
-            Some(UndoStep::Open(_) | UndoStep::Edited(Edit::Compose(..), ..))
-        );
-        made_it && self.step_in_time(true)
-    }
-
-    /// Notes which objects the scene's file shows, where flags have changed that.
-    pub(in crate::viewer) fn file_shows(&mut self, shown: Vec<bool>) {
-        self.filed_shown = Some(shown);
-    }
-
-    /// The scene as it is now, to be saved.
-    pub(in crate::viewer) fn snapshot(&self) -> Snapshot {
-        Snapshot {
-            scene: self.scene.clone(),
-            camera: self.camera_choice(),
-            meshes: self.source.meshes.clone(),
-            document: self.document,
-            reads: self.reads,
-            edits: self.edits,
-            section: self.view.section,
-        }
+        let last = self.timeline.next(true);
+        let was_added = matches!(last, Some(UndoStep::Edited(Edit::Compose(..), ..)));
+        was_added && self.step_in_time(true)
     }
 
     /// Whether this is the demo, which opens where no file is named.
@@ -192,76 +205,4 @@ impl State {
         let of_no_file = self.source.paths.is_empty() && self.showing.is_none();
         of_no_file && !self.scene.objects().is_empty()
     }
-
-    /// The file that is proposed for saving: the scene file that the scene is from, or else `scene.toml` beside its
-    /// first file.
-    pub fn file_to_save(&self) -> PathBuf {
-        let beside = |first: &PathBuf| first.with_file_name("scene.toml");
-        let first = || self.source.paths.first().map(beside);
-        let own = self.scene_file().cloned().or_else(first);
-        own.unwrap_or_else(|| "scene.toml".into())
-    }
-
-    /// The scene file that the scene is from, if it is from one alone.
-    pub(in crate::viewer) fn scene_file(&self) -> Option<&PathBuf> {
-        match self.source.paths.as_slice() {
-            [own] => scene::is_scene_file(own).then_some(own),
-            _ => None,
-        }
-    }
-
-    /// Whether a scene's files were read again after this snapshot of it, and held something else.
-    pub(in crate::viewer) fn has_read_since(&self, snapshot: &Snapshot) -> bool {
-        let state = self.opened(snapshot.document);
-        state.is_some_and(|state| state.reads != snapshot.reads)
-    }
-
-    /// A snapshot was saved: from now on its scene, which is on show or was left for the gallery, belongs to these
-    /// files.
-    pub(in crate::viewer) fn saved(&mut self, snapshot: &Snapshot, source: Source) {
-        let steps = self.timeline.all_mut();
-        let left = steps.filter_map(|step| match step {
-            UndoStep::Open(state) if state.document == snapshot.document => Some(&mut **state),
-            _ => None,
-        });
-        let left: Vec<&mut State> = left.collect();
-        let state = match left.into_iter().next() {
-            Some(state) => state,
-            None if self.document == snapshot.document => self,
-            None => return,
-        };
-        if state.reads != snapshot.reads {
-            // The file does not hold what is on show.
-            return;
-        }
-        state.name = scene::title(&source.paths);
-        state.filed = snapshot.edits;
-        state.filed_shown = Some(shown_in(&snapshot.scene));
-        state.filed_section = snapshot.section;
-        let materials = mem::take(&mut state.source.materials);
-        state.source = Source {
-            materials,
-            ..source
-        };
-    }
-}
-
-/// Which objects of a scene are visible.
-pub(in crate::viewer) fn shown_in(scene: &Scene) -> Vec<bool> {
-    scene
-        .objects()
-        .iter()
-        .map(|object| object.visible)
-        .collect()
-}
-
-/// A scene as it was when the user asked to save it.
-pub(in crate::viewer) struct Snapshot {
-    pub scene: Scene,
-    pub camera: CameraChoice,
-    pub meshes: Vec<MeshFile>,
-    pub document: u64,
-    reads: u64,
-    edits: Edits,
-    section: Option<Section>,
 }

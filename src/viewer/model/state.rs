@@ -101,13 +101,11 @@ pub(super) struct Cleared {
     pub point: Option<(usize, DVec3)>,
 }
 
-/// Which edits a scene has. Each edit sets a new number: equal numbers mean an equal scene.
+/// Which edits a scene has, visibility aside. Each edit sets a new number: equal numbers mean an equal scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Edits {
     /// The number of the last edit of a model matrix.
     pub matrices: u64,
-    /// The number of the last change of what is hidden.
-    pub visibility: u64,
     /// The number of the last change of which objects there are.
     pub objects: u64,
 }
@@ -133,18 +131,6 @@ pub(super) enum UndoStep {
     Cut(Option<Section>, Sides),
     /// The list of measures was this.
     Measured(Vec<Entry>),
-    /// Another scene was open, with all of its state.
-    Open(Box<State>),
-}
-
-impl UndoStep {
-    /// The scene that it leads to, if that is another one.
-    pub fn scene(&self) -> Option<&State> {
-        match self {
-            Self::Open(state) => Some(state),
-            _ => None,
-        }
-    }
 }
 
 /// Where a scene is from.
@@ -171,6 +157,8 @@ pub struct State {
     pub(super) opened_at: Option<Viewpoint>,
     /// What was shown before, until this scene is known to be drawn.
     pub(super) replaced: Option<Box<State>>,
+    /// What was open before the gallery, with its edits and its history.
+    pub(super) outside: Option<Box<State>>,
     pub(super) orbit: Orbit,
     pub(super) up_axis: UpAxis,
     pub(super) controls: LensControls,
@@ -194,13 +182,15 @@ pub struct State {
     pub(super) source: Source,
     /// Which scene this is among those that were open.
     pub(super) document: u64,
-    /// Counts how often its files were read again and held something else.
-    pub(super) reads: u64,
     pub(super) edits: Edits,
     /// The edits that its file has.
     pub(super) filed: Edits,
-    /// Which objects its file shows, in order; `None` where that is not known.
-    pub(super) filed_shown: Option<Vec<bool>>,
+    /// Which objects its file shows, in order.
+    pub(super) filed_shown: Vec<bool>,
+    /// Which objects were visible when the scene was opened, with flags perhaps, or saved, or read again.
+    pub(super) unedited_shown: Vec<bool>,
+    /// Whether others are visible now, which is an edit.
+    pub(super) hides_others: bool,
     /// The section as the scene was opened or saved with it.
     pub(super) filed_section: Option<Section>,
     pub(super) timeline: Timeline<UndoStep>,
@@ -266,13 +256,12 @@ impl State {
 
     /// What undo (`back`) or redo would change, in a word or two; `None` where there is nothing to undo or redo.
     pub fn next_step(&self, back: bool) -> Option<&'static str> {
-        Some(match self.timeline.steps(back).last()? {
+        Some(match self.timeline.next(back)? {
             UndoStep::Edited(Edit::Place(..), ..) => "model matrix",
             UndoStep::Edited(Edit::Toggle(_), ..) => "hide and show",
             UndoStep::Edited(Edit::Compose(..), ..) => "objects added",
             UndoStep::Viewpoint(_) | UndoStep::Cut(..) => "view",
             UndoStep::Measured(_) => "measures",
-            UndoStep::Open(_) => "gallery",
         })
     }
 

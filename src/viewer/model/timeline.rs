@@ -42,19 +42,16 @@ impl<S> Timeline<S> {
         self.marks
     }
 
-    /// Adds the step that takes back what was just done. Within a gesture, only the first change adds a step. Steps for
-    /// which `stays` holds are never forgotten.
-    pub fn push(&mut self, gesture: Option<Gesture>, step: S, stays: impl Fn(&S) -> bool) {
+    /// Adds the step that takes back what was just done. Within a gesture, only the first change adds a step.
+    pub fn push(&mut self, gesture: Option<Gesture>, step: S) {
         if gesture.is_some() && self.gesture == gesture {
             return;
         }
         self.past.push(step);
         self.future.clear();
         self.gesture = gesture;
-        if self.past.len() > MOST
-            && let Some(oldest) = self.past.iter().position(|step| !stays(step))
-        {
-            self.past.remove(oldest);
+        if self.past.len() > MOST {
+            self.past.remove(0);
         }
     }
 
@@ -66,58 +63,36 @@ impl<S> Timeline<S> {
     /// Takes the last step, back or forth.
     pub fn take(&mut self, back: bool) -> Option<S> {
         self.gesture = None;
-        self.steps_mut(back).pop()
+        if back {
+            self.past.pop()
+        } else {
+            self.future.pop()
+        }
     }
 
     /// Keeps the opposite of a step that was taken, back or forth.
     pub fn give(&mut self, step: S, back: bool) {
-        self.steps_mut(!back).push(step);
-    }
-
-    /// The steps back or forth; the last one would be taken next.
-    pub fn steps(&self, back: bool) -> &[S] {
-        if back { &self.past } else { &self.future }
-    }
-
-    /// All steps.
-    pub fn all(&self) -> impl Iterator<Item = &S> {
-        self.past.iter().chain(&self.future)
-    }
-
-    /// All steps, to be changed.
-    pub fn all_mut(&mut self) -> impl Iterator<Item = &mut S> {
-        self.past.iter_mut().chain(&mut self.future)
-    }
-
-    /// Takes out the steps, back or forth, that come before the first for which `ends` holds; the next step comes
-    /// first.
-    pub fn take_near(&mut self, back: bool, ends: impl Fn(&S) -> bool) -> Vec<S> {
-        self.gesture = None;
-        let steps = self.steps_mut(back);
-        let far = steps.iter().rposition(ends).map_or(0, |last| last + 1);
-        let mut near = steps.split_off(far);
-        near.reverse();
-        near
-    }
-
-    /// Puts steps back that were taken out, in the same order.
-    pub fn put_near(&mut self, back: bool, near: Vec<S>) {
-        self.steps_mut(back).extend(near.into_iter().rev());
-    }
-
-    fn steps_mut(&mut self, back: bool) -> &mut Vec<S> {
         if back {
-            &mut self.past
+            self.future.push(step);
         } else {
-            &mut self.future
+            self.past.push(step);
         }
     }
 
-    /// A history without steps, whose marks go on counting.
-    pub fn fresh(&self) -> Self {
-        Self {
+    /// The step that would be taken next, back or forth.
+    pub fn next(&self, back: bool) -> Option<&S> {
+        if back {
+            self.past.last()
+        } else {
+            self.future.last()
+        }
+    }
+
+    /// Forgets all steps. Marks go on counting.
+    pub fn clear(&mut self) {
+        *self = Self {
             marks: self.marks,
             ..Self::default()
-        }
+        };
     }
 }

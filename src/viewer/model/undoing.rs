@@ -6,19 +6,7 @@ use super::{
 };
 use std::mem;
 
-impl UndoStep {
-    /// Whether it leads back to what was open before the gallery. Such a step is never forgotten.
-    fn leads_out(&self) -> bool {
-        matches!(self, Self::Open(state) if state.showing.is_none())
-    }
-}
-
 impl State {
-    /// Keeps the step that takes back what was just done. Within a gesture, only the first change leaves a step.
-    pub(super) fn record(&mut self, gesture: Option<Gesture>, step: UndoStep) {
-        self.timeline.push(gesture, step, UndoStep::leads_out);
-    }
-
     /// Keeps a step back to how the view was, if it has changed. It leads back to where the view stood only if that
     /// has changed.
     pub(super) fn record_viewpoint(&mut self, gesture: Option<Gesture>, was: &Viewpoint) {
@@ -34,7 +22,7 @@ impl State {
             UndoStep::Viewpoint(*was)
         };
         if *was != now {
-            self.record(gesture, step);
+            self.timeline.push(gesture, step);
         }
     }
 
@@ -46,18 +34,6 @@ impl State {
         let inverse = self.take_back(step);
         self.timeline.give(inverse, back);
         true
-    }
-
-    /// Goes back to what was open before the gallery; does nothing if nothing was open.
-    pub(super) fn leave_gallery(&mut self) {
-        if self.showing.is_some() && self.has_outside() {
-            while self.showing.is_some() && self.step_in_time(true) {}
-        }
-    }
-
-    /// Whether something was open before the gallery.
-    pub fn has_outside(&self) -> bool {
-        self.timeline.steps(true).iter().any(UndoStep::leads_out)
     }
 
     /// Does what a step says; returns the step that does the opposite.
@@ -87,26 +63,7 @@ impl State {
             UndoStep::Measured(list) => {
                 UndoStep::Measured(mem::replace(&mut self.measuring.list, list))
             }
-            UndoStep::Open(state) => UndoStep::Open(self.exchange(state)),
         }
-    }
-
-    /// Shows another state; the window's settings and the history stay. Returns the state before.
-    pub(super) fn exchange(&mut self, mut other: Box<State>) -> Box<State> {
-        other.timeline = mem::take(&mut self.timeline);
-        other.scene_revision = self.scene_revision + 1;
-        other.visibility_revision = self.visibility_revision + 1;
-        (other.grid, other.overlays) = (self.grid, self.overlays);
-        other.panes = self.panes.take();
-        // The picture on screen is still of the scene before.
-        other.seen = self.seen;
-        other.measuring.is_on = self.measuring.is_on;
-        other.view.viewport = self.view.viewport;
-        (other.cursor, other.lit, other.clicked_s) = (None, None, None);
-        mem::swap(self, &mut *other);
-        self.fit();
-        self.refresh_panes();
-        other
     }
 
     /// Gives an edit a number that the file does not have; returns the numbers before the edit.

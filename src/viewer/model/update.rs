@@ -44,7 +44,6 @@ impl State {
             Action::Undo => drop(self.step_in_time(true)),
             Action::Redo => drop(self.step_in_time(false)),
             Action::Release => {}
-            Action::LeaveGallery => self.leave_gallery(),
             Action::Resize(viewport) => self.resize(viewport),
             Action::BeginTurn(px) => {
                 self.pivot_world = self.surface_at(px).unwrap_or(self.pivot_world);

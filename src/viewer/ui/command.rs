@@ -2,7 +2,7 @@
 
 use crate::{
     scene::gallery::Exhibit,
-    viewer::model::{Action, State, Version},
+    viewer::model::{Action, State},
 };
 use std::{
     collections::BTreeSet,
@@ -114,46 +114,35 @@ pub(in crate::viewer) enum Intent {
 }
 
 impl Intent {
-    /// The scenes whose edits it would drop.
-    pub fn drops<'a>(&self, state: &'a State) -> Vec<&'a State> {
+    /// Whether it would drop edits of a scene on show. Going to the gallery drops none: it leads back.
+    pub fn drops_edits(&self, of: &State) -> bool {
         match self {
-            // Undo leads back out of the gallery.
-            Self::Open(paths) if is_exhibit(paths) => Vec::new(),
-            Self::Reload => state.edited().then_some(state).into_iter().collect(),
-            // Redo leads back in, but only until the next change.
-            Self::LeaveGallery => {
-                let scenes = state.unsaved_scenes().into_iter();
-                scenes.filter(|scene| scene.showing().is_some()).collect()
-            }
-            Self::Open(_) | Self::Quit => state.unsaved_scenes(),
+            Self::Reload => of.edited(),
+            _ => of.has_edits() && !self.enters_gallery(of),
         }
     }
 
-    /// The scenes whose measures it would drop.
-    pub fn drops_measures<'a>(&self, state: &'a State) -> Vec<&'a State> {
-        let mut scenes = state.measured_scenes();
-        match self {
-            Self::Open(paths) if is_exhibit(paths) => scenes.clear(),
-            Self::Reload => scenes.clear(),
-            Self::LeaveGallery => scenes.retain(|scene| scene.showing().is_some()),
-            Self::Open(_) | Self::Quit => {}
-        }
-        scenes
+    /// Whether it would drop measures of a scene on show. Reading files again keeps them.
+    pub fn drops_measures(&self, of: &State) -> bool {
+        of.has_measures() && *self != Self::Reload && !self.enters_gallery(of)
     }
 
-    /// Whether it would drop nothing.
-    pub fn drops_nothing(&self, state: &State) -> bool {
-        self.drops(state).is_empty() && self.drops_measures(state).is_empty()
+    /// Whether it would drop nothing of a scene on show.
+    pub fn drops_nothing(&self, of: &State) -> bool {
+        !self.drops_edits(of) && !self.drops_measures(of)
     }
 
-    /// The scenes whose edits or measures it would drop, each with what it would drop.
-    pub fn at_stake(&self, state: &State) -> Vec<Version> {
-        let drops = self.drops(state).into_iter();
-        let measured = self.drops_measures(state).into_iter();
+    /// Whether it closes the gallery for good, and with it what was left for it.
+    pub fn closes(&self) -> bool {
         match self {
-            Self::Reload => drops.map(State::version_of_matrices).collect(),
-            _ => drops.chain(measured).map(State::version).collect(),
+            Self::Open(paths) => !is_exhibit(paths),
+            Self::Quit => true,
+            Self::Reload | Self::LeaveGallery => false,
         }
+    }
+
+    fn enters_gallery(&self, from: &State) -> bool {
+        matches!(self, Self::Open(paths) if is_exhibit(paths)) && from.showing().is_none()
     }
 }
 

@@ -92,11 +92,6 @@ impl Contents {
             && libraries.all(|(file, stamp)| now(file) == *stamp)
     }
 
-    /// The length of the file when it was loaded; `None` where the bytes came from no file.
-    pub(in crate::scene::files) fn bytes(&self) -> Option<u64> {
-        Some(self.stamp.as_ref()?.bytes)
-    }
-
     /// Records how many triangles come before a piece. Of its faces, `faces` were read; `are_plain` says that
     /// each of those has two triangles fewer than corners.
     pub(super) fn begin(

@@ -62,7 +62,7 @@ pub(super) fn show(
     ui.weak(format!("{place} of {}", GALLERY.len()))
         .hint("E: the next scene of the gallery; Shift+E: the one before");
     ui.label(showing.exhibit.about());
-    ui.weak(match (showing.method, state.has_outside()) {
+    ui.weak(match (showing.method, state.outside().is_some()) {
         (Some(_), _) => "Esc: pick by Sightline's own method again.",
         (None, true) => "Esc, with nothing selected, leaves the gallery.",
         (None, false) => "Menu Learn, leave the gallery: opens the demo.",

@@ -6,12 +6,13 @@ use egui::{Context, Id, Modal};
 
 /// Shown in the middle of the window, over everything else.
 pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut Vec<Command>) {
-    let (edited, measured) = (intent.drops(state), intent.drops_measures(state));
-    let (heading, dropped) = match (edited.is_empty(), measured.is_empty()) {
-        (false, true) => ("Unsaved edits", "edits"),
-        (false, false) => ("Unsaved edits", "edits and measures"),
-        (true, _) => ("Measures would be lost", "measures"),
+    let (edited, measured) = (intent.drops_edits(state), intent.drops_measures(state));
+    let (heading, dropped) = match (edited, measured) {
+        (true, false) => ("Unsaved edits", "edits"),
+        (true, true) => ("Unsaved edits", "edits and measures"),
+        (false, _) => ("Measures would be lost", "measures"),
     };
+    let name = state.name();
     let (what, go_on) = match intent {
         Intent::Open(_) => ("opens other files", "Open"),
         Intent::Reload => ("reads the files again", "Reload"),
@@ -19,13 +20,12 @@ pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut
         Intent::Quit => ("closes the window", "Close"),
     };
     let mut text = vec![format!("This {what}.")];
-    if !edited.is_empty() {
-        text.push(format!("Your edits in {} are not saved.", names(&edited)));
+    if edited {
+        text.push(format!("Your edits in {name} are not saved."));
     }
-    if !measured.is_empty() {
-        let of = names(&measured);
+    if measured {
         text.push(format!(
-            "No file holds measures: those of {of} will be lost unless you copy them first."
+            "No file holds measures: those of {name} will be lost unless you copy them first."
         ));
     }
     Modal::new(Id::unique("question")).show(ctx, |ui| {
@@ -36,14 +36,13 @@ pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut
             let mut button = |ui: &mut Ui, text: &str, hint: &str, asked: Command| {
                 ui.button(text).asks(hint, asked, commands);
             };
-            if !edited.is_empty() {
+            if edited {
                 let hint = "as a scene file, then go on";
                 button(ui, "Save first\u{2026}", hint, Command::Reply(Reply::Save));
             }
-            if !measured.is_empty() {
-                let lists = measured.iter().map(|scene| scene.measuring().text());
+            if measured {
                 let hint = "all lines as text; the question stays";
-                let copy = Command::Copy(lists.collect());
+                let copy = Command::Copy(state.measuring().text());
                 button(ui, "Copy the measures", hint, copy);
             }
             if matches!(intent, Intent::Open(_)) {
@@ -57,9 +56,4 @@ pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut
             button(ui, "Cancel", hint, Command::Reply(Reply::Stay));
         });
     });
-}
-
-fn names(scenes: &[&State]) -> String {
-    let names: Vec<_> = scenes.iter().map(|scene| scene.name()).collect();
-    names.join(" and ")
 }

@@ -1,0 +1,139 @@
+//! Saving the scene on show.
+
+use super::{
+    modal::Modal,
+    program::{App, Host},
+    wake::{PathFor, Wake},
+};
+use crate::{
+    scene,
+    viewer::{
+        jobs::{self, Stamps, Watching},
+        model::Source,
+        screen::free_file,
+        ui::{Attempt, Intent},
+    },
+};
+use std::{mem, path::PathBuf};
+
+/// What is said where no file dialog can be shown.
+pub(super) const NO_DIALOG: &str =
+    "this desktop shows no file dialog, which needs an XDG desktop portal or zenity";
+
+impl App {
+    /// Asks where to save the scene on show, and what to do after that.
+    pub(super) fn ask_where_to_save(&mut self, then: Option<Intent>) {
+        if self.first {
+            return self.say("nothing is open yet that could be saved".into());
+        }
+        if !self.is_free() {
+            return;
+        }
+        self.modal = Modal::Dialog(PathFor::Save, then);
+        if self.host == Host::Window {
+            let wake = self.wake.clone();
+            jobs::save_dialog(&self.state.file_to_save(), move |answer| {
+                wake(Wake::Answered(PathFor::Save, answer));
+            });
+        }
+    }
+
+    /// Writes the scene on show to a file, and does then what waits for that. A change of its files that was not read
+    /// yet is not overwritten.
+    pub(super) fn save(&mut self, path: PathBuf) {
+        let then = match mem::take(&mut self.modal) {
+            Modal::Dialog(_, then) => then,
+            Modal::Question(intent) => Some(intent),
+            Modal::None => None,
+            waits @ (Modal::Loading(_) | Modal::Saving(..)) => {
+                self.modal = waits;
+                let text = "nothing was saved, because files are being loaded: save again";
+                return self.failed(Attempt::Save, text.into());
+            }
+        };
+        if self.watching.as_mut().is_some_and(Watching::is_due) {
+            let text = "its files changed on the disk while you chose a name: nothing was saved, save again";
+            return self.failed(Attempt::Save, text.into());
+        }
+        match scene_file(path) {
+            Ok(path) => {
+                let state = &self.state;
+                let meshes = state.source().meshes.clone();
+                let what = (state.scene().clone(), state.camera_choice(), meshes);
+                let saving = jobs::save(what, path, self.waker());
+                self.modal = Modal::Saving(saving, self.state.to_write(), then);
+            }
+            Err(text) => self.failed(Attempt::Save, text),
+        }
+    }
+
+    /// Where no dialog can be shown, the scene is saved to the scene file that it is from, or else under a free name
+    /// beside the screenshots.
+    pub(super) fn save_without_dialog(&mut self) {
+        if let Some(own) = self.state.scene_file().cloned() {
+            return self.save(own);
+        }
+        match free_file(&self.screenshots.folder, "toml") {
+            Ok(file) => {
+                self.remind(format!(
+                    "{NO_DIALOG}: the scene is saved as {}",
+                    file.display()
+                ));
+                self.save(file);
+            }
+            Err(text) => {
+                self.modal = Modal::None;
+                self.failed(Attempt::Save, text);
+            }
+        }
+    }
+
+    /// Takes the outcome of a save. From then on the scene belongs to its new file.
+    pub(super) fn take_saved(&mut self) {
+        let Modal::Saving(saving, ..) = &self.modal else {
+            return;
+        };
+        let Some(result) = saving.poll() else { return };
+        let Modal::Saving(_, written, then) = mem::take(&mut self.modal) else {
+            return;
+        };
+        let (path, meshes) = match result {
+            Ok(saved) => saved,
+            Err(text) => return self.failed(Attempt::Save, text),
+        };
+        self.succeeded(Attempt::Save);
+        self.say(format!("saved {}", path.display()));
+        let source = Source {
+            paths: vec![path],
+            meshes,
+            ..Source::default()
+        };
+        self.remember_opened(&source.paths);
+        if source.paths == self.state.source().paths {
+            // A file that could not be read is whole again.
+            self.succeeded(Attempt::Open);
+        }
+        let stamps = Stamps::of(&source.paths);
+        self.state.saved(written, source);
+        self.watch(stamps);
+        if let Some(then) = then {
+            self.intend(then);
+        }
+    }
+}
+
+/// The file to write a scene to: `.toml` is added to a name that lacks it. If that names an existing file, it is an
+/// error: the user has not agreed to overwrite that file.
+fn scene_file(mut path: PathBuf) -> Result<PathBuf, String> {
+    if scene::is_scene_file(&path) {
+        return Ok(path);
+    }
+    path.add_extension("toml");
+    if path.exists() {
+        return Err(format!(
+            "{} exists already: choose that file itself to replace it, or another name",
+            path.display()
+        ));
+    }
+    Ok(path)
+}

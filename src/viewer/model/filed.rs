@@ -1,0 +1,98 @@
+//! What the scene's file holds: which edits it does not have yet, and where they are saved.
+
+use super::state::{Edits, Source, State};
+use crate::{
+    geometry::Section,
+    scene::{self, Scene},
+};
+use std::{mem, path::PathBuf};
+
+/// The edits of a scene while they are written to a file.
+pub(in crate::viewer) struct Written {
+    edits: Edits,
+    shown: Vec<bool>,
+    section: Option<Section>,
+}
+
+impl State {
+    /// Whether the scene differs from its files in a model matrix, or has an object that is in none of them. What is
+    /// hidden and the section do not count: reading the files again keeps them.
+    pub fn edited(&self) -> bool {
+        self.edits.matrices != self.filed.matrices
+    }
+
+    /// Whether the scene on show has unsaved edits: in a model matrix, in what is hidden, in the section or in which
+    /// objects there are. Measures are none.
+    pub fn has_edits(&self) -> bool {
+        let is_cut = self.view.section != self.filed_section;
+        is_cut || self.hides_others || self.edits != self.filed
+    }
+
+    /// Whether the scene on show has measures, which no file holds.
+    pub fn has_measures(&self) -> bool {
+        !self.measuring.list.is_empty()
+    }
+
+    /// Whether there are unsaved edits, in the scene on show or in the one that was left for the gallery.
+    pub fn unsaved(&self) -> bool {
+        self.has_edits() || self.outside().is_some_and(Self::has_edits)
+    }
+
+    /// After a change of what is hidden. What was hidden and is shown again is no edit.
+    pub(super) fn compare_hidden(&mut self) {
+        let shown = self.scene.objects().iter().map(|object| object.visible);
+        self.hides_others = !shown.eq(self.unedited_shown.iter().copied());
+    }
+
+    /// Notes which objects the scene's file shows, where flags have changed that.
+    pub(in crate::viewer) fn file_shows(&mut self, shown: Vec<bool>) {
+        self.filed_shown = shown;
+    }
+
+    /// The edits as they are written to a file now.
+    pub(in crate::viewer) fn to_write(&self) -> Written {
+        Written {
+            edits: self.edits,
+            shown: shown_in(&self.scene),
+            section: self.view.section,
+        }
+    }
+
+    /// They were written: from now on the scene belongs to these files.
+    pub(in crate::viewer) fn saved(&mut self, written: Written, source: Source) {
+        self.name = scene::title(&source.paths);
+        self.filed = written.edits;
+        self.filed_shown.clone_from(&written.shown);
+        self.unedited_shown = written.shown;
+        self.filed_section = written.section;
+        let materials = mem::take(&mut self.source.materials);
+        self.source = Source {
+            materials,
+            ..source
+        };
+        self.compare_hidden();
+    }
+
+    /// The file that is proposed for saving: the scene file that the scene is from, or else `scene.toml` beside its
+    /// first file.
+    pub fn file_to_save(&self) -> PathBuf {
+        let beside = |first: &PathBuf| first.with_file_name("scene.toml");
+        let first = || self.source.paths.first().map(beside);
+        let own = self.scene_file().cloned().or_else(first);
+        own.unwrap_or_else(|| "scene.toml".into())
+    }
+
+    /// The scene file that the scene is from, if it is from one alone.
+    pub(in crate::viewer) fn scene_file(&self) -> Option<&PathBuf> {
+        match self.source.paths.as_slice() {
+            [own] => scene::is_scene_file(own).then_some(own),
+            _ => None,
+        }
+    }
+}
+
+/// Which objects of a scene are visible.
+pub(in crate::viewer) fn shown_in(scene: &Scene) -> Vec<bool> {
+    let objects = scene.objects().iter();
+    objects.map(|object| object.visible).collect()
+}
