@@ -23,7 +23,7 @@ impl App {
     /// Whether an edit has to wait for a load, which may replace the scene. Says so.
     pub(super) fn waits(&mut self, action: &Action) -> bool {
         let is_loading = matches!(self.modal, Modal::Loading(_));
-        is_loading && action.edits() && !self.is_free()
+        is_loading && action.rules().edits && !self.is_free()
     }
 
     /// Carries out an intent, or asks first if it would drop edits or measures. To open other files ends a load or

@@ -119,78 +119,110 @@ pub enum Action {
     ToggleFreeze,
 }
 
+/// The rules that an action obeys.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "an action may obey any of them"
+)]
+#[derive(Clone, Copy, Default)]
+pub(in crate::viewer) struct Rules {
+    /// It makes the view leap, so undo restores the view.
+    pub leaps: bool,
+    /// A slide or drag may go on after it. Any other action ends the gesture.
+    pub goes_on: bool,
+    /// While the mouse is in one of the four views it is for that view, and not for the camera's picture.
+    pub in_view: bool,
+    /// It edits the scene, or takes an edit back. While files load, edits wait.
+    pub edits: bool,
+}
+
 impl Action {
-    /// Whether it makes the view jump, so that undo restores the view.
-    pub(super) fn jumps(&self) -> bool {
-        matches!(
-            self,
-            Self::FrameAll
-                | Self::FrameSelection
-                | Self::LookFrom(_)
-                | Self::ResetView
-                | Self::Pose(_)
-                | Self::Lens(_)
-                | Self::ToggleProjection
-                | Self::ToggleSides
-                | Self::UpAxis(_)
-                | Self::Camera(_)
-                | Self::Section(_)
-                | Self::ToggleSection
-                | Self::Recentre(_)
-        )
-    }
-
-    /// Whether a slide or drag may go on after it. Any other action ends the gesture.
-    pub(super) fn may_be_of_a_gesture(&self) -> bool {
-        matches!(
-            self,
-            Self::Lens(_)
-                | Self::Pose(_)
-                | Self::Section(_)
-                | Self::Place(..)
-                | Self::Hover(_)
-                | Self::Light(_)
-                | Self::LightRow(_)
-                | Self::Enter(_)
-                | Self::Resize(_)
-        )
-    }
-
-    /// Whether it edits the scene, or takes an edit back.
-    pub fn edits(&self) -> bool {
+    /// The rules that it obeys.
+    pub(in crate::viewer) fn rules(&self) -> Rules {
+        let none = Rules::default();
+        let leaps = Rules {
+            leaps: true,
+            ..none
+        };
+        let goes_on = Rules {
+            goes_on: true,
+            ..none
+        };
+        let in_view = Rules {
+            in_view: true,
+            ..none
+        };
+        let edits = Rules {
+            edits: true,
+            ..none
+        };
         match self {
-            Self::Place(..)
-            | Self::SetVisible(..)
+            Self::Resize(_) | Self::Hover(_) => Rules {
+                goes_on: true,
+                ..in_view
+            },
+            Self::BeginTurn(_)
+            | Self::Turn(_)
+            | Self::BeginPan(_)
+            | Self::Pan(_)
+            | Self::Zoom(..)
+            | Self::Click(..)
+            | Self::ClickAlso(_) => in_view,
+            Self::Recentre(_) | Self::LookFrom(_) | Self::ResetView => Rules {
+                leaps: true,
+                ..in_view
+            },
+            Self::FrameAll
+            | Self::FrameSelection
+            | Self::ToggleProjection
+            | Self::ToggleSides
+            | Self::UpAxis(_) => leaps,
+            Self::Camera(choice) => Rules {
+                edits: choice.section.is_some(),
+                ..leaps
+            },
+            Self::Lens(_) | Self::Pose(_) => Rules {
+                goes_on: true,
+                ..leaps
+            },
+            Self::Section(_) => Rules {
+                leaps: true,
+                goes_on: true,
+                ..edits
+            },
+            Self::ToggleSection => Rules {
+                leaps: true,
+                ..edits
+            },
+            Self::Place(..) => Rules {
+                goes_on: true,
+                ..edits
+            },
+            Self::SetVisible(..)
             | Self::HideSelection
             | Self::Isolate
             | Self::ShowAll
-            | Self::Section(_)
-            | Self::ToggleSection
             | Self::Undo
-            | Self::Redo => true,
-            Self::Measure(to_list) => *to_list != MeasureAction::Toggle,
-            Self::Camera(choice) => choice.section.is_some(),
-            _ => false,
+            | Self::Redo => edits,
+            Self::Measure(action) => Rules {
+                edits: *action != MeasureAction::Toggle,
+                ..none
+            },
+            Self::Light(_) | Self::LightRow(_) | Self::Enter(_) => goes_on,
+            Self::Steer(_)
+            | Self::StepTo(_)
+            | Self::Step { .. }
+            | Self::Select(_)
+            | Self::ToggleSelected(_)
+            | Self::ToggleGrid
+            | Self::Toggle(_)
+            | Self::TreeLevel { .. }
+            | Self::Views(_)
+            | Self::PickBy(_)
+            | Self::NextMethod { .. }
+            | Self::Release
+            | Self::ToggleFreeze => none,
         }
-    }
-
-    /// Whether it is for one of the four views while the mouse is in that view, and not for the camera's picture.
-    pub(super) fn is_of_a_pane(&self) -> bool {
-        matches!(
-            self,
-            Self::Resize(_)
-                | Self::BeginTurn(_)
-                | Self::Turn(_)
-                | Self::BeginPan(_)
-                | Self::Pan(_)
-                | Self::Zoom(..)
-                | Self::Click(..)
-                | Self::ClickAlso(_)
-                | Self::Recentre(_)
-                | Self::Hover(_)
-                | Self::LookFrom(_)
-                | Self::ResetView
-        )
     }
 }
 

@@ -15,7 +15,8 @@ impl State {
     /// Does what the user asks for. An action that picks returns its pick. An impossible action changes nothing. An
     /// action that can be undone leaves a step that takes it back.
     pub fn apply(&mut self, action: Action) -> Option<PickLine> {
-        if !action.may_be_of_a_gesture() {
+        let rules = action.rules();
+        if !rules.goes_on {
             self.timeline.end_gesture();
         }
         let gesture = match action {
@@ -25,12 +26,12 @@ impl State {
             _ => None,
         };
         let entered = self.panes.as_ref().and_then(|panes| panes.entered);
-        if let Some(stage) = entered.filter(|_| action.is_of_a_pane()) {
+        if let Some(stage) = entered.filter(|_| rules.in_view) {
             let picked = self.act_in(stage, action);
             self.refresh_panes();
             return picked;
         }
-        let before = action.jumps().then(|| self.viewpoint());
+        let before = rules.leaps.then(|| self.viewpoint());
         let picked = self.perform(action);
         if let Some(before) = before {
             self.record_viewpoint(gesture, &before);
