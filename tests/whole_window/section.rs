@@ -107,39 +107,36 @@ fn what_makes_no_section_is_refused_in_red() {
     assert!(description.contains("must not be 0,0,0"), "{description}");
 }
 
-/// A drag of the arrow moves the plane by as much as the cursor moves along the arrow. It is one step of undo, and does
-/// not turn the view.
+/// A drag of the arrow, by its head or by its shaft, moves the plane by as much as the cursor moves along the arrow. It
+/// is one step of undo, and does not turn the view.
 #[test]
 fn the_arrow_in_the_picture_drags_it() {
     let (mut window, _folder) = row(1.0);
     press_key(&mut window, Modifiers::NONE, Key::Num3);
     click_under(&mut window, "Section", "section across z");
     let (before, view) = (section(&window).expect("a section"), *window.state().view());
-    let at = control(&window, "drag the section").rect.center();
-    drag(
-        &mut window,
-        PointerButton::Primary,
-        at,
-        at + egui::vec2(40.0, 3.0),
-    );
-    let after = section(&window).expect("a section");
-    assert_eq!(
-        window.state().view().camera,
-        view.camera,
-        "it does not turn"
-    );
-    assert_eq!(after.normal(), before.normal());
-    let shown = |section: &Section| {
-        let on_plane = -section.offset() * section.normal();
-        view.project(on_plane).expect("before the eye").px
-    };
-    let moved_px = shown(&after) - shown(&before);
-    assert!(
-        (moved_px.x - 40.0).abs() < 2.0 && moved_px.y.abs() < 1.0,
-        "{moved_px}"
-    );
-    press_key(&mut window, CTRL, Key::Z);
-    assert_eq!(section(&window), Some(before), "one step");
+    let head = control(&window, "drag the section").rect.center();
+    // The arrow points to the right.
+    for behind in [0.0, 14.0] {
+        let at = head - egui::vec2(behind, 0.0);
+        let to = at + egui::vec2(40.0, 3.0);
+        drag(&mut window, PointerButton::Primary, at, to);
+        let after = section(&window).expect("a section");
+        let now = window.state().view().camera;
+        assert_eq!(now, view.camera, "it does not turn");
+        assert_eq!(after.normal(), before.normal());
+        let shown = |section: &Section| {
+            let on_plane = -section.offset() * section.normal();
+            view.project(on_plane).expect("before the eye").px
+        };
+        let moved_px = shown(&after) - shown(&before);
+        assert!(
+            (moved_px.x - 40.0).abs() < 2.0 && moved_px.y.abs() < 1.0,
+            "{behind}: {moved_px}"
+        );
+        press_key(&mut window, CTRL, Key::Z);
+        assert_eq!(section(&window), Some(before), "one step");
+    }
 }
 
 #[test]

@@ -318,6 +318,14 @@ fn the_card_works_out_the_lectures_points() {
         &window,
         &format!("Now: (-2, 5, 0.5) maps to ({x:.4}, {y:.4}, -0.0556)"),
     );
+    // The height that the text speaks of.
+    type_into(&mut window, "height", "20");
+    press_key(&mut window, NONE, Key::Enter);
+    let x = -0.2 / aspect;
+    says(
+        &window,
+        &format!("Now: (-2, 5, 0.5) maps to ({x:.4}, 0.5000, -0.0556)"),
+    );
 }
 
 /// Over another scene, Help opens the demo and the tour in it.

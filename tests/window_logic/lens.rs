@@ -90,3 +90,32 @@ fn orthographic_and_back_shows_the_target_as_large() {
     let back = span(&state) / larger;
     assert!((back - 1.0).abs() < 1e-12, "{back} times as large");
 }
+
+/// The picture is as high as typed, and one step of undo leads back, however long the height was dragged.
+#[test]
+fn the_height_of_an_orthographic_picture_is_set() {
+    let height = |state: &State| match state.view().camera.lens().projection {
+        Projection::Orthographic { height } => Some(height),
+        Projection::Perspective { .. } => None,
+    };
+    let mut state = front_view();
+    let before = *state.view();
+    state.apply(Action::PictureHeight(20.0));
+    assert_eq!(*state.view(), before, "perspective has none");
+    state.apply(Action::ToggleProjection);
+    let first = height(&state);
+    assert!(first.is_some());
+    for typed in [18.0, 19.0, 20.0] {
+        state.apply(Action::PictureHeight(typed));
+        assert_eq!(height(&state), Some(typed));
+    }
+    for refused in [0.0, -1.0, f64::NAN] {
+        assert!(state.check(&Action::PictureHeight(refused)).is_err());
+        state.apply(Action::PictureHeight(refused));
+        assert_eq!(height(&state), Some(20.0));
+    }
+    state.apply(Action::Zoom(MIDDLE, 2.0));
+    assert_eq!(height(&state), Some(10.0));
+    state.apply(Action::Undo);
+    assert_eq!(height(&state), first);
+}

@@ -49,6 +49,8 @@ pub enum Action {
     Pose([DVec3; 3]),
     /// Field of view, projection, near, far, depth mapping.
     Lens(LensControls),
+    /// The height of an orthographic picture, in world units; does nothing in perspective.
+    PictureHeight(f64),
     /// Orthographic in place of perspective, or back.
     ToggleProjection,
     /// Which world axis points up.
@@ -181,7 +183,7 @@ impl Action {
                 edits: choice.section.is_some(),
                 ..leaps
             },
-            Self::Lens(_) | Self::Pose(_) => Rules {
+            Self::Lens(_) | Self::PictureHeight(_) | Self::Pose(_) => Rules {
                 goes_on: true,
                 ..leaps
             },

@@ -19,15 +19,19 @@ impl OrthoHeight {
         }
     }
 
-    /// As high as chosen, or else as in perspective.
-    pub fn chosen(choice: &CameraChoice, orbit: &Orbit) -> Self {
-        let as_chosen = |height| Self {
+    /// This high now.
+    pub fn new(height: f64, orbit: &Orbit) -> Self {
+        Self {
             height,
             distance: orbit.distance(),
-        };
+        }
+    }
+
+    /// As high as chosen, or else as in perspective.
+    pub fn chosen(choice: &CameraChoice, orbit: &Orbit) -> Self {
         let fov_deg = choice.fov.unwrap_or(CameraChoice::FOV);
         let as_perspective = || Self::of_perspective(fov_deg);
-        choice.ortho.map_or_else(as_perspective, as_chosen)
+        (choice.ortho).map_or_else(as_perspective, |height| Self::new(height, orbit))
     }
 
     /// The height at a distance of the orbit.

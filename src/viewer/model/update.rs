@@ -20,7 +20,7 @@ impl State {
             self.timeline.end_gesture();
         }
         let gesture = match action {
-            Action::Lens(_) => Some(Gesture::Lens),
+            Action::Lens(_) | Action::PictureHeight(_) => Some(Gesture::Lens),
             Action::Section(_) => Some(Gesture::Section),
             Action::Pose(_) => Some(Gesture::Pose),
             _ => None,
@@ -81,6 +81,7 @@ impl State {
                 }
             }
             Action::Lens(controls) => self.set_lens(controls),
+            Action::PictureHeight(height) => self.set_picture_height(height),
             Action::ToggleProjection => self.set_lens(LensControls {
                 orthographic: !self.controls.orthographic,
                 ..self.controls

@@ -76,6 +76,11 @@ impl State {
             Action::Lens(controls) => {
                 self.camera_with(controls)?;
             }
+            Action::PictureHeight(height) => {
+                let lens = *self.view.camera.lens();
+                let projection = Projection::Orthographic { height: *height };
+                (self.view.camera).with_lens(Lens { projection, ..lens })?;
+            }
             Action::Pose([eye, target, up]) => {
                 Camera::new(*eye, *target, *up, *self.view.camera.lens())?;
             }
@@ -226,6 +231,14 @@ impl State {
             _ => {}
         }
         self.fit();
+    }
+
+    pub(super) fn set_picture_height(&mut self, height: f64) {
+        let is_valid = self.check(&Action::PictureHeight(height)).is_ok();
+        if self.controls.orthographic && is_valid {
+            self.ortho = OrthoHeight::new(height, &self.orbit);
+            self.fit();
+        }
     }
 
     pub(super) fn turn(&mut self, by_px: DVec2) {

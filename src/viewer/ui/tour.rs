@@ -115,7 +115,7 @@ const CHAPTERS: [Chapter; 8] = [
             .with_example([-1.0, 1.5, 2.0]),
             step(
                 "Press 5: orthographic.",
-                "Nothing is divided, so size does not depend on depth. In a square picture 20 high the point (-2, 5, 0.5) maps to (-0.2, 0.5, -1/18): a depth below 0 is in front of the near plane.",
+                "Nothing is divided, so size does not depend on depth. In a square picture with a height of 20, which can be typed under Camera, the point (-2, 5, 0.5) maps to (-0.2, 0.5, -1/18): a depth below 0 is in front of the near plane.",
                 |done| done.state.controls().orthographic,
             )
             .with_example([-2.0, 5.0, 0.5]),

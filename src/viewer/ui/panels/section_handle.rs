@@ -8,14 +8,17 @@ use crate::{
     viewer::ui::theme::rimmed,
 };
 use egui::{CursorIcon, Painter, Pos2, Role, WidgetInfo};
+use std::iter;
 
 /// Length of the arrow, as a share of the radius of what is visible.
 const LENGTH: f64 = 0.25;
 /// The arrow is at least this long in the picture, in points, so that it can be grabbed.
 const SHORTEST: f32 = 28.0;
 const INSIDE: Color32 = color32(look::INSIDE);
-/// The arrow can be grabbed this far from its head, in points.
+/// The arrow can be grabbed this far from its head and from its shaft, in points.
 const REACH: f32 = 11.0;
+/// Near its foot, for this share of its length, clicks pick.
+const FREE: f32 = 0.3;
 
 /// Shown over the scene's rectangle; nothing if there is no section.
 pub(super) fn show(
@@ -35,9 +38,18 @@ pub(super) fn show(
     let Some(arrow) = Arrow::new(place, view, &section, &bounds) else {
         return;
     };
-    let taken = Rect::from_center_size(arrow.head, vec2(2.0, 2.0) * REACH);
-    let id = ui.scope_id().with("section handle");
-    let response = ui.interact(taken.intersect(rect), id, Sense::DRAG);
+    let along = arrow.head - arrow.foot;
+    let back = 2.0 * REACH / along.length();
+    let shares = iter::successors(Some(1.0), |share: &f32| Some(share - back));
+    let shares = shares.take_while(|share| *share > FREE);
+    let grips = shares.enumerate().map(|(count, share)| {
+        let taken = Rect::from_center_size(arrow.foot + share * along, vec2(2.0, 2.0) * REACH);
+        let id = ui.scope_id().with(("section handle", count));
+        ui.interact(taken.intersect(rect), id, Sense::DRAG)
+    });
+    let Some(response) = grips.reduce(|all, grip| all | grip) else {
+        return;
+    };
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "drag the section"));
     let is_lit = response.hovered() || response.dragged();
     arrow.draw(&painter, is_lit);

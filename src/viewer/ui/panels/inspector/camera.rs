@@ -1,7 +1,7 @@
 //! The camera: its projection, what it takes in, and where it stands.
 
 use super::{
-    field::{AXES, Field, WIDTH, short},
+    field::{AXES, Field, WIDTH},
     gesture::Gesture,
     lens_slider,
     prelude::*,
@@ -20,7 +20,10 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let grid = Grid::new("lens").num_columns(3).min_col_width(0.0);
     grid.show(ui, |ui| {
         projection(ui, &mut next);
-        fov(ui, state, &mut next, &mut gesture);
+        match state.view().camera.lens().projection {
+            Projection::Perspective { .. } => fov(ui, state, &mut next, &mut gesture),
+            Projection::Orthographic { height } => picture_height(ui, state, height, commands),
+        }
         planes(ui, state, &mut next, &mut gesture);
     });
     gesture.push((next != controls).then_some(Action::Lens(next)), commands);
@@ -77,21 +80,30 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
         };
         state.check(&Action::Lens(lens))
     };
-    ui.add_enabled_ui(!next.orthographic, |ui| {
-        ui.horizontal(|ui| {
-            let slid = lens_slider::fov(ui, "fov, slid", FOV, next.fov_deg, gesture);
-            next.fov_deg = slid.unwrap_or(next.fov_deg);
-            let field = Field::new("fov", FOV, state.scene_revision(), WIDTH, next.fov_deg);
-            if let Some(number) = field.show(ui, 1.0, gesture, typed) {
-                next.fov_deg = number;
-            }
-        });
+    ui.horizontal(|ui| {
+        let slid = lens_slider::fov(ui, "fov, slid", FOV, next.fov_deg, gesture);
+        next.fov_deg = slid.unwrap_or(next.fov_deg);
+        let field = Field::new("fov", FOV, state.scene_revision(), WIDTH, next.fov_deg);
+        if let Some(number) = field.show(ui, 1.0, gesture, typed) {
+            next.fov_deg = number;
+        }
     });
-    let default = ui.add_enabled(!next.orthographic, Button::new("45").small());
-    let default = default.named("fov of 45 degrees");
+    let default = ui.small_button("45").named("fov of 45 degrees");
     if default.hint("back to 45 degrees, the default").clicked() {
         next.fov_deg = CameraChoice::FOV;
     }
+    ui.end_row();
+}
+
+/// In place of the field of view.
+fn picture_height(ui: &mut Ui, state: &State, height: f64, commands: &mut Vec<Command>) {
+    const HINT: &str = "how much of the world the picture spans from bottom to top, in world units";
+    let mut gesture = Gesture::default();
+    ui.label("height").hint(HINT);
+    let field = Field::new("height", HINT, state.scene_revision(), WIDTH, height);
+    let typed = |height| state.check(&Action::PictureHeight(height));
+    let number = (field.by_factors(true)).show(ui, 0.01 * height, &mut gesture, typed);
+    gesture.push(number.map(Action::PictureHeight), commands);
     ui.end_row();
 }
 
@@ -248,10 +260,6 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     };
     ui.data_mut(|data| data.insert_temp(id, typed));
     gesture.push(asked, commands);
-    if let Projection::Orthographic { height } = camera.lens().projection {
-        ui.label(format!("height {} units", short(height)))
-            .hint("how much of the world the picture spans from bottom to top");
-    }
 }
 
 /// A part of a row, of this width in points.
