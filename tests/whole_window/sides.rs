@@ -36,6 +36,12 @@ fn what_is_picked_is_said_first_and_moves_nothing() {
     assert_eq!(places(&window), before, "in another view");
     control(&window, "object 3");
     control(&window, "3 x 3 x 0");
+    // The remark that the view has changed is longer than this panel is wide.
+    window.resize(px([560, 420], 1.0));
+    let copy = |window: &Window| control(window, "copy JSON").rect;
+    let long = copy(&window);
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(copy(&window), long);
 }
 
 /// A topic that unfolds moves only what is below it, and comes into view.

@@ -1,7 +1,7 @@
 //! Hints, and names for controls that show no name. Screen readers are told both, and tests find controls by name.
 
 use crate::viewer::ui::command::Command;
-use egui::{Order, Response, accesskit};
+use egui::{Order, RectAlign, Response, Tooltip, accesskit};
 
 /// Describes a control, for example why the text in it is invalid.
 pub(super) fn described(response: &Response, text: &str) {
@@ -47,7 +47,15 @@ impl Hint for Response {
         if is_covered(&self) {
             return self;
         }
-        self.on_hover_text(text).on_disabled_hover_text(text)
+        if self.layer_id.order != Order::Foreground {
+            return self.on_hover_text(text).on_disabled_hover_text(text);
+        }
+        // Beside a line of a menu, where it covers no other line.
+        for mut tooltip in [Tooltip::for_enabled(&self), Tooltip::for_disabled(&self)] {
+            tooltip.popup = tooltip.popup.align(RectAlign::RIGHT_START);
+            tooltip.show(|ui| ui.label(text));
+        }
+        self
     }
 
     fn asks(self, hint: impl AsRef<str>, command: impl Into<Command>, commands: &mut Vec<Command>) {
