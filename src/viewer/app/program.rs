@@ -12,7 +12,7 @@ use crate::{
     json::plain,
     scene::{Loaded, Warning},
     viewer::{
-        jobs::{self, Chart, Checking, Job, Loading, Projecting, Saving, Typefaces, Watching},
+        jobs::{self, Chart, Checking, Job, Loading, Saving, Typefaces, Watching},
         model::{Snapshot, Stage, State},
         options::Options,
         screen::{SceneRect, Textures},
@@ -66,8 +66,6 @@ pub(in crate::viewer) struct App {
     pub context: egui::Context,
     pub textures: Textures,
     pub state: State,
-    /// The scene that is being projected for NDC.
-    pub(super) projecting: Option<Projecting>,
     /// What is to be shown once no question waits for an answer.
     pub(super) ready: Option<Arrival>,
     /// The load under way, and what it is for.
@@ -157,7 +155,6 @@ impl App {
         let typefaces = Typefaces::default();
         ui::note_missing(&context, typefaces.missing.clone());
         let app = Self {
-            projecting: None,
             ready: None,
             loading: None,
             asks_for_files: false,
@@ -225,7 +222,6 @@ impl App {
             || checks
             || studies
             || self.typefaces.is_busy()
-            || self.projecting.is_some()
             || self.numbers.is_busy()
             || !self.state.scene().trees_are_built()
     }
