@@ -18,6 +18,14 @@ struct Frame {
     section_per_q: f32,
     inside: vec3<f32>,
     section_slack: f32,
+    near_per_px: vec2<f32>,
+    near_start: f32,
+    near_per_q: f32,
+    ndc_clip: mat4x4<f32>,
+    ndc_normal: mat4x4<f32>,
+    q_is_depth: u32,
+    shows_inside: u32,
+    padding: vec2<u32>,
 }
 
 struct ObjectState {
@@ -56,8 +64,8 @@ struct ColourAndId {
     @location(1) id: vec2<u32>,
 }
 
-// Whether the section keeps a fragment. In perspective q = 1 / clip w, which WGSL gives as position.w; else it is the
-// stored depth. `slack` is for what moves q.
+// Whether the section keeps a fragment. In perspective q = 1 / clip w, which WGSL gives as position.w; else, and in
+// NDC, it is the stored depth. `slack` is for what moves q.
 fn kept(px: vec2<f32>, q: f32, slack: f32) -> bool {
     let at = px - 0.5 * frame.viewport_px;
     let aside = frame.section_per_px * at;
@@ -66,7 +74,12 @@ fn kept(px: vec2<f32>, q: f32, slack: f32) -> bool {
     return frame.section_start + aside.x + aside.y + ahead >= -(frame.section_slack * terms + slack);
 }
 
+// Whether a fragment of NDC lies behind the camera's near plane. Elsewhere, all do.
+fn past_near(px: vec2<f32>, q: f32) -> bool {
+    return dot(frame.near_per_px, px - 0.5 * frame.viewport_px) + frame.near_start + frame.near_per_q * q >= 0.0;
+}
+
 // The q of a fragment.
 fn q_of(position: vec4<f32>) -> f32 {
-    return select(position.z, position.w, frame.perspective == 1u);
+    return select(position.w, position.z, frame.q_is_depth == 1u);
 }

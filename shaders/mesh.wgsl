@@ -35,15 +35,21 @@ struct Corner {
     @location(2) @interpolate(flat) own: vec3<u32>,
 }
 
+// A vertex in view space: x, y, buffer depth and view depth.
+fn in_view(in: Vertex, batch: Batch) -> vec4<f32> {
+    // Subtracting the pivot first is exact near it, where the digits are needed.
+    let linear = mat3x3<f32>(batch.linear_x, batch.linear_y, batch.linear_z);
+    let from_pivot = linear * (in.position - batch.pivot_and_view_depth.xyz);
+    return vec4<f32>(from_pivot + batch.translation, from_pivot.z + batch.pivot_and_view_depth.w);
+}
+
 // A corner of the draw's triangle with this number; 0 where only the fragment shader knows it.
 fn corner(in: Vertex, batch: Batch, triangle: u32) -> Corner {
     let object = in.part + batch.numbers.x;
     let state = objects[object];
     var out: Corner;
-    // Subtracting the pivot first is exact near it, where the digits are needed.
-    let linear = mat3x3<f32>(batch.linear_x, batch.linear_y, batch.linear_z);
-    let from_pivot = linear * (in.position - batch.pivot_and_view_depth.xyz);
-    out.clip = project(from_pivot + batch.translation, from_pivot.z + batch.pivot_and_view_depth.w);
+    let view = in_view(in, batch);
+    out.clip = project(view.xyz, view.w);
     if state.visible == 0u {
         // All corners at one point outside the picture: nothing is drawn.
         out.clip = vec4<f32>(2.0, 2.0, 2.0, 1.0);
@@ -52,6 +58,18 @@ fn corner(in: Vertex, batch: Batch, triangle: u32) -> Corner {
     out.albedo = select(in.colour.rgb, state.colour, state.has_colour == 1u);
     let triangle_base = triangle + batch.numbers.y - state.first_triangle + 1u;
     out.own = vec3<u32>(object, triangle_base, batch.numbers.z);
+    return out;
+}
+
+// The same in the camera's NDC, as an observer sees it there. A normal is that of a plane, n . x + d = 0.
+fn corner_in_ndc(in: Vertex, batch: Batch, triangle: u32) -> Corner {
+    var out = corner(in, batch, triangle);
+    let at = in_view(in, batch).xyw;
+    if objects[out.own.x].visible == 1u {
+        out.clip = frame.ndc_clip * vec4<f32>(at, 1.0);
+    }
+    let normal = out.normal_view;
+    out.normal_view = (frame.ndc_normal * vec4<f32>(normal, -dot(normal, at))).xyz;
     return out;
 }
 
@@ -93,10 +111,11 @@ fn edge() -> @location(0) vec4<f32> {
     return EDGE;
 }
 
-// The same entry points for a world that a section cuts.
+// The same entry points for a world that a section cuts, and for NDC, which ends at the near plane.
 
 fn cut(in: Corner) {
-    if !kept(in.clip.xy, q_of(in.clip), frame.section_corner_slack) {
+    let q = q_of(in.clip);
+    if !kept(in.clip.xy, q, frame.section_corner_slack) || !past_near(in.clip.xy, q) {
         discard;
     }
 }
@@ -106,7 +125,7 @@ fn cut(in: Corner) {
 @fragment
 fn colour_cut(in: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     cut(in);
-    return shaded(in, front, true);
+    return shaded(in, front, frame.shows_inside == 1u);
 }
 
 @fragment

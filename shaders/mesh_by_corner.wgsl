@@ -5,6 +5,11 @@ fn vertex(in: Vertex, batch: Batch, @builtin(vertex_index) index: u32) -> Corner
     return corner(in, batch, index / 3u);
 }
 
+@vertex
+fn vertex_in_ndc(in: Vertex, batch: Batch, @builtin(vertex_index) index: u32) -> Corner {
+    return corner_in_ndc(in, batch, index / 3u);
+}
+
 @fragment
 fn id(in: Corner) -> @location(0) vec2<u32> {
     return id_of(in, 0u);
@@ -24,5 +29,5 @@ fn id_cut(in: Corner) -> @location(0) vec2<u32> {
 @fragment
 fn colour_and_id_cut(in: Corner, @builtin(front_facing) front: bool) -> ColourAndId {
     cut(in);
-    return ColourAndId(shaded(in, front, true), id_of(in, 0u));
+    return ColourAndId(shaded(in, front, frame.shows_inside == 1u), id_of(in, 0u));
 }

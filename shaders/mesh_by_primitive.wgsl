@@ -5,6 +5,11 @@ fn vertex(in: Vertex, batch: Batch) -> Corner {
     return corner(in, batch, 0u);
 }
 
+@vertex
+fn vertex_in_ndc(in: Vertex, batch: Batch) -> Corner {
+    return corner_in_ndc(in, batch, 0u);
+}
+
 @fragment
 fn id(in: Corner, @builtin(primitive_index) primitive: u32) -> @location(0) vec2<u32> {
     return id_of(in, primitive);
@@ -32,5 +37,5 @@ fn colour_and_id_cut(
     @builtin(primitive_index) primitive: u32,
 ) -> ColourAndId {
     cut(in);
-    return ColourAndId(shaded(in, front, true), id_of(in, primitive));
+    return ColourAndId(shaded(in, front, frame.shows_inside == 1u), id_of(in, primitive));
 }

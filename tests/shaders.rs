@@ -87,7 +87,14 @@ fn structs_have_one_layout_on_both_sides() {
             section_start,
             section_per_q,
             inside,
-            section_slack
+            section_slack,
+            near_per_px,
+            near_start,
+            near_per_q,
+            ndc_clip,
+            ndc_normal,
+            q_is_depth,
+            shows_inside
         }
     );
     same_layout!(

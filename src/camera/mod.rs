@@ -6,6 +6,7 @@
 mod choice;
 mod fit;
 mod lens;
+mod ndc;
 mod orbit;
 mod section_choice;
 mod view;
@@ -15,6 +16,7 @@ pub(crate) use choice::{check_size, exactly, some_vector};
 pub use fit::fit_near_far;
 pub(crate) use fit::least_near;
 pub use lens::{DepthMapping, Lens, Projection};
+pub use ndc::NdcSpace;
 pub use orbit::{Orbit, UpAxis};
 pub use section_choice::{SectionChoice, SectionWordError};
 pub use view::{View, Viewport, pixel_centre};

@@ -79,7 +79,7 @@ pub use one_place::{InOnePlace, NamedSurface};
 pub(crate) use raycast::{RAYCAST_BYTES, each_ray, id};
 pub use raycast::{ids, raycast};
 #[doc(hidden)] // public for tests and benches
-pub use raycast::{ids_by, raycast_until};
+pub use raycast::{ids_by, raycast_ndc_until, raycast_until};
 pub use record::Pick;
 #[doc(hidden)] // public for tests: the shape of the program's lines
 pub use record::{PickLine, PickLines};

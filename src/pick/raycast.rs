@@ -2,14 +2,14 @@
 
 use super::{Beam, SceneHit, nearest::nearest};
 use crate::{
-    camera::View,
+    camera::{NdcSpace, View},
     colour::Srgb,
     geometry::{Ray, WorldRay, shares::on_all_cores},
     image::{Id, Image, Pixel, Rgb},
     look,
     scene::Scene,
 };
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use std::{
     sync::atomic::{AtomicBool, Ordering::Relaxed},
     time::Instant,
@@ -37,6 +37,58 @@ pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
 /// done by `deadline`. Build the scene's trees first.
 pub fn raycast_until(scene: &Scene, view: &View, deadline: Instant) -> Option<Image<Pixel>> {
     let (rays, lens) = (&view.rays(), view.camera.lens());
+    in_time(view, deadline, |tile| {
+        let beam = Beam::of_tile(scene, rays, tile);
+        move |px| {
+            let ray = &rays.ray(px);
+            let hit = nearest(&beam, ray, view.sides, None);
+            let (id, colour) = id_and_colour(scene, view, ray, px, hit.as_ref());
+            let t = hit.map_or(lens.far, |hit| hit.hit.t);
+            #[expect(clippy::cast_possible_truncation, reason = "as depth is stored")]
+            let depth = lens.ndc_depth(t) as f32;
+            Pixel { id, colour, depth }
+        }
+    })
+}
+
+/// [`raycast_until`] of a camera's NDC, as an observer there sees it.
+pub fn raycast_ndc_until(
+    scene: &Scene,
+    ndc: &NdcSpace,
+    observer: &View,
+    deadline: Instant,
+) -> Option<Image<Pixel>> {
+    let (rays, lens) = (&observer.rays(), observer.camera.lens());
+    let (camera, beam) = (&ndc.of.camera, &Beam::whole(scene));
+    let back = ndc.back(&scene.visible_bounds());
+    let seen = |ray: &WorldRay| {
+        let hit = nearest(beam, ray, observer.sides, None)?;
+        let p_view = camera.to_view(ray.at(hit.hit.t));
+        let depth = observer.camera.to_view(ndc.of_view(p_view)).z;
+        let colour = colour(scene, &ndc.of, ray, &hit, |normal_world| {
+            let normal = ndc.normal(p_view, camera.rotation() * normal_world);
+            observer.camera.rotation() * normal
+        });
+        Some((id(scene, &hit), colour.0, depth))
+    };
+    in_time(observer, deadline, |_| {
+        |px| {
+            let ray = ndc.ray(&rays.ray(px), back);
+            let (id, colour, depth) = (ray.and_then(|ray| seen(&ray)))
+                .unwrap_or_else(|| (Id::default(), background(observer, px), lens.far));
+            #[expect(clippy::cast_possible_truncation, reason = "as depth is stored")]
+            let depth = lens.ndc_depth(depth) as f32;
+            Pixel { id, colour, depth }
+        }
+    })
+}
+
+/// What `of_tile` makes for each tile makes each of its pixels, if all is done by `deadline`.
+fn in_time<C: Fn(DVec2) -> Pixel>(
+    view: &View,
+    deadline: Instant,
+    of_tile: impl Fn([DVec2; 2]) -> C + Sync,
+) -> Option<Image<Pixel>> {
     let late = AtomicBool::new(false);
     // Asked for each ray: one may take a millisecond, where thousands of objects lie in one place.
     let is_late = &|| {
@@ -50,18 +102,12 @@ pub fn raycast_until(scene: &Scene, view: &View, deadline: Instant) -> Option<Im
         if is_late() {
             return None;
         }
-        let beam = Beam::of_tile(scene, rays, tile);
+        let pixel = of_tile(tile);
         Some(move |px| {
             if is_late() {
                 return Pixel::default();
             }
-            let ray = &rays.ray(px);
-            let hit = nearest(&beam, ray, view.sides, None);
-            let (id, colour) = id_and_colour(scene, view, ray, px, hit.as_ref());
-            let t = hit.map_or(lens.far, |hit| hit.hit.t);
-            #[expect(clippy::cast_possible_truncation, reason = "as depth is stored")]
-            let depth = lens.ndc_depth(t) as f32;
-            Pixel { id, colour, depth }
+            pixel(px)
         })
     });
     (!late.into_inner()).then(|| Image::new(view.viewport, pixels))
@@ -135,12 +181,18 @@ fn id_and_colour(
     px: DVec2,
     hit: Option<&SceneHit>,
 ) -> (Id, Rgb) {
-    if let Some(hit) = hit {
-        return (id(scene, hit), colour(scene, view, ray, hit).0);
-    }
+    let Some(hit) = hit else {
+        return (Id::default(), background(view, px));
+    };
+    let rotation = view.camera.rotation();
+    let colour = colour(scene, view, ray, hit, |normal| rotation * normal);
+    (id(scene, hit), colour.0)
+}
+
+fn background(view: &View, px: DVec2) -> Rgb {
     #[expect(clippy::cast_possible_truncation, reason = "colours need no more")]
     let down = (px.y / f64::from(view.viewport.height())) as f32;
-    (Id::default(), Srgb::from_linear(look::background(down)).0)
+    Srgb::from_linear(look::background(down)).0
 }
 
 fn id_or_none(scene: &Scene, hit: Option<SceneHit>) -> Id {
@@ -155,11 +207,17 @@ pub(crate) fn id(scene: &Scene, hit: &SceneHit) -> Id {
     }
 }
 
-fn colour(scene: &Scene, view: &View, ray: &Ray, hit: &SceneHit) -> Srgb {
+/// The shaded colour of a hit. `to_view` leads normals from the world to the view space of who looks at it.
+fn colour(
+    scene: &Scene,
+    view: &View,
+    ray: &Ray,
+    hit: &SceneHit,
+    to_view: impl Fn(DVec3) -> DVec3,
+) -> Srgb {
     let object = &scene.objects()[hit.object];
-    let rotation = view.camera.rotation();
-    let to_view = |normal| (rotation * object.placement.normal_to_world(normal)).as_vec3();
-    let normal = to_view(object.shading_normal(&hit.hit));
+    let normal = (object.placement).normal_to_world(object.shading_normal(&hit.hit));
+    let normal = to_view(normal).as_vec3();
     // The geometric normal, not the interpolated one, decides which side is seen.
     let front = (ray.direction).dot(object.placement.normal_to_world(hit.hit.normal)) < 0.0;
     let albedo = match view.section {

@@ -7,7 +7,7 @@ use super::{
     gpu::{Gpu, GpuError},
     lines::{self, Line},
     mesh_buffers::SOFTWARE_CALL,
-    pipelines::{BATCHES, Drawn, Pass},
+    pipelines::{BATCHES, Drawn, Pass, World},
     resolve::Resolve,
     scene_buffers::SceneBuffers,
     targets::Targets,
@@ -78,13 +78,13 @@ impl Renderer {
     ) -> Result<(), GpuError> {
         self.check(targets, view);
         let gpu = &self.gpu;
-        let seen = scene.seen_in(view);
+        let (seen, world) = (scene.seen_in(view), World::of(scene.ndc.as_ref(), view));
         let edged = match self.wireframe {
             None => Vec::new(),
             Some(Wireframe::OfAll) => seen.draws.clone(),
             Some(Wireframe::Of(object)) => scene.alone(view, object),
         };
-        self.write_frame(view);
+        self.write_frame(scene, view);
         let bindings = self.bind(scene, &scene.tables.spheres);
         let vertices = lines::vertices(view, lines);
         let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
@@ -95,7 +95,7 @@ impl Renderer {
             let draws = seen.draws.iter().map(|draw| (surface(draw, view), draw));
             let draws: Vec<_> = draws.chain(edges.filter(|_| pass.has_colours())).collect();
             let shares = shares(gpu, &draws);
-            let mut pipeline = |drawn| self.pipelines.get(gpu, pass, drawn, view);
+            let mut pipeline = |drawn| self.pipelines.get(gpu, pass, drawn, view, world);
             for (at, share) in shares.iter().enumerate() {
                 let [is_first, is_last] = [at == 0, at + 1 == shares.len()];
                 gpu.submit(|encoder| {
@@ -139,8 +139,11 @@ impl Renderer {
     }
 
     /// Writes the numbers that all of a frame shares to the GPU.
-    pub(super) fn write_frame(&self, view: &View) {
-        let bytes = transform::frame(view);
+    pub(super) fn write_frame(&self, scene: &SceneBuffers, view: &View) {
+        let bytes = match &scene.ndc {
+            Some(ndc) => transform::frame_in_ndc(ndc, view),
+            None => transform::frame(view),
+        };
         let bytes = bytemuck::bytes_of(&bytes);
         self.gpu.queue.write_buffer(&self.frame, 0, bytes);
     }

@@ -13,12 +13,12 @@ const ROOM: f64 = 16.0 * 8.0 * f64::EPSILON;
 /// surface.
 const ASIDE_PX: f64 = 2.0;
 
-/// The six planes of a view's frustum.
-#[derive(Clone, Copy, Debug)]
+/// Planes about what a view may show.
+#[derive(Clone, Debug)]
 pub(super) struct Frustum {
     eye: DVec3,
     /// Each plane's inward normal, and how far inside the plane the eye is, in units of the normal's length.
-    planes: [(DVec3, f64); 6],
+    planes: Vec<(DVec3, f64)>,
 }
 
 impl Frustum {
@@ -35,7 +35,7 @@ impl Frustum {
         let (right, up) = (camera.right(), camera.up());
         Self {
             eye: camera.eye(),
-            planes: [
+            planes: vec![
                 side(right, half.x),
                 side(-right, half.x),
                 side(up, half.y),
@@ -43,6 +43,15 @@ impl Frustum {
                 (forward, -lens.near),
                 (-forward, lens.far),
             ],
+        }
+    }
+
+    /// All that lies behind a view's near plane.
+    pub fn past_near(view: &View) -> Self {
+        let camera = &view.camera;
+        Self {
+            eye: camera.eye(),
+            planes: vec![(camera.forward(), -camera.lens().near)],
         }
     }
 

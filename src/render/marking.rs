@@ -216,7 +216,7 @@ fn screen_rect(
 ) -> Option<[u32; 4]> {
     let size = view.viewport.size_px();
     // Beyond this many, to find the rectangle costs more than to mark the whole picture.
-    if objects.len() > 1000 {
+    if objects.len() > 1000 || (scene.ndc.is_some() && !objects.is_empty()) {
         let size = view.viewport;
         return Some([0, 0, size.width(), size.height()]);
     }

@@ -7,10 +7,10 @@ use super::{
 };
 use crate::{
     colour::Srgb,
-    geometry::{Cuboid, Mesh, Square, face_normal},
+    geometry::{Cuboid, Mesh, Sphere, Square, face_normal, sin_cos_quarters},
 };
 use glam::DVec3;
-use std::{borrow::Cow, collections::HashMap, ops::Range, sync::Arc};
+use std::{borrow::Cow, collections::HashMap, f64::consts::PI, ops::Range, sync::Arc};
 use wgpu::BufferUsages;
 
 /// The most triangles that a software adapter draws by one call. It keeps them, transformed, until they are drawn: half
@@ -133,6 +133,35 @@ impl MeshBuffers {
     /// The unit square as two triangles.
     pub fn square(gpu: &Gpu) -> Result<Self, GpuError> {
         Self::quads(gpu, &[Square::corners()])
+    }
+
+    /// The sphere by parallels and meridians: `rings` quadrilaterals from pole to pole, twice as many around.
+    pub fn ball(gpu: &Gpu, rings: u32) -> Result<Self, GpuError> {
+        let spokes = 2 * rings;
+        let places = (0..=rings).flat_map(|ring| (0..spokes).map(move |spoke| (ring, spoke)));
+        let vertices = places.map(|(ring, spoke)| {
+            let (sin, cos) = libm::sincos(PI * f64::from(ring) / f64::from(rings));
+            let (side, front) = sin_cos_quarters(4.0 * f64::from(spoke) / f64::from(spokes));
+            let normal = DVec3::new(sin * side, cos, sin * front);
+            Vertex {
+                position: (Sphere::RADIUS * normal).as_vec3().to_array(),
+                normal: normal.as_vec3().to_array(),
+                part: 0,
+                colour: [0; 4],
+            }
+        });
+        let cells = (0..rings).flat_map(|ring| (0..spokes).map(move |spoke| (ring, spoke)));
+        let triangles = cells.flat_map(|(ring, spoke)| {
+            let at = |ring, spoke| ring * spokes + spoke % spokes;
+            let [a, b] = [at(ring, spoke), at(ring + 1, spoke)];
+            let [c, d] = [at(ring + 1, spoke + 1), at(ring, spoke + 1)];
+            [[a, b, c], [a, c, d]]
+        });
+        Self::new(
+            gpu,
+            &vertices.collect::<Vec<_>>(),
+            &triangles.collect::<Vec<_>>(),
+        )
     }
 
     /// Flat quadrilaterals, counter-clockwise seen from outside.

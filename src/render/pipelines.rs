@@ -10,7 +10,7 @@ use super::{
     shaders::shader_module,
 };
 use crate::{
-    camera::{DepthMapping, View},
+    camera::{DepthMapping, NdcSpace, View},
     geometry::Sides,
 };
 use std::{collections::HashMap, mem::offset_of};
@@ -51,8 +51,30 @@ pub(super) enum Drawn {
     Depths,
 }
 
-/// What a pipeline depends on. The last element tells whether a section cuts what is drawn.
-type Key = (Pass, Drawn, DepthMapping, bool);
+/// What the surfaces that are drawn are part of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum World {
+    /// The world. Lines and background belong to it always.
+    Whole,
+    /// What a section leaves of it.
+    Cut,
+    /// A camera's NDC.
+    Ndc,
+}
+
+impl World {
+    /// What a view of the world shows, or of a camera's NDC.
+    pub fn of(ndc: Option<&NdcSpace>, view: &View) -> Self {
+        match (ndc, view.section) {
+            (Some(_), _) => Self::Ndc,
+            (None, Some(_)) => Self::Cut,
+            (None, None) => Self::Whole,
+        }
+    }
+}
+
+/// What a pipeline depends on.
+type Key = (Pass, Drawn, DepthMapping, World);
 
 /// All pipelines that draw the scene.
 #[derive(Debug)]
@@ -153,8 +175,9 @@ impl Pipelines {
         pass: Pass,
         drawn: Drawn,
         view: &View,
+        world: World,
     ) -> wgpu::RenderPipeline {
-        let key = key(pass, drawn, view);
+        let key = key(pass, drawn, view, world);
         if let Some(pipeline) = self.made.get(&key) {
             return pipeline.clone();
         }
@@ -183,23 +206,31 @@ impl Pipelines {
                 .chain(others.filter(move |_| pass.has_colours()));
             drawn.map(move |drawn| (pass, drawn))
         });
-        let missing = all.find(|&(pass, drawn)| !self.made.contains_key(&key(pass, drawn, view)));
+        let world = World::of(None, view);
+        let is_missing = |(pass, drawn)| !self.made.contains_key(&key(pass, drawn, view, world));
+        let missing = all.find(|kind| is_missing(*kind));
         if let Some((pass, drawn)) = missing {
-            self.get(gpu, pass, drawn, view);
+            self.get(gpu, pass, drawn, view, world);
         }
         missing.is_some()
     }
 
-    fn make(&mut self, gpu: &Gpu, (pass, drawn, depth, is_cut): Key) -> wgpu::RenderPipeline {
+    fn make(&mut self, gpu: &Gpu, (pass, drawn, depth, world): Key) -> wgpu::RenderPipeline {
+        // NDC is cut, too: by the near plane.
+        let is_cut = world != World::Whole;
         let (uncut, cut) = match pass {
             Pass::ColourAndIds => ("colour_and_id", "colour_and_id_cut"),
             Pass::Colour => ("colour", "colour_cut"),
             Pass::Ids => ("id", "id_cut"),
         };
         let surface_entry = if is_cut { cut } else { uncut };
+        let vertex = match world {
+            World::Ndc => "vertex_in_ndc",
+            _ => "vertex",
+        };
         let triangle_vertex = match surface_entry {
             "colour" => "colour_vertex",
-            _ => "vertex",
+            _ => vertex,
         };
         let edge_entry = if is_cut { "edge_cut" } else { "edge" };
         let mesh = match gpu.numbers {
@@ -208,7 +239,7 @@ impl Pipelines {
         };
         let (module, vertex, fragment) = match drawn {
             Drawn::Triangles { .. } => (mesh, triangle_vertex, surface_entry),
-            Drawn::Edges => (mesh, "vertex", edge_entry),
+            Drawn::Edges => (mesh, vertex, edge_entry),
             Drawn::Spheres => ("sphere", "vertex", surface_entry),
             Drawn::Lines => ("background and lines", "line_vertex", "line_colour"),
             Drawn::Background => ("background and lines", "behind", "background_colour"),
@@ -271,10 +302,12 @@ impl Pipelines {
     }
 }
 
-fn key(pass: Pass, drawn: Drawn, view: &View) -> Key {
-    let is_uncut = matches!(drawn, Drawn::Lines | Drawn::Background | Drawn::Depths);
-    let is_cut = view.section.is_some() && !is_uncut;
-    (pass, drawn, view.camera.lens().depth, is_cut)
+fn key(pass: Pass, drawn: Drawn, view: &View, world: World) -> Key {
+    let world = match drawn {
+        Drawn::Lines | Drawn::Background | Drawn::Depths => World::Whole,
+        _ => world,
+    };
+    (pass, drawn, view.camera.lens().depth, world)
 }
 
 /// Counter-clockwise in the world is counter-clockwise in the picture, unless the model matrix mirrors: then the

@@ -5,7 +5,7 @@ use super::{
     drawing::begin,
     gpu::{Gpu, GpuError},
     lines::{self, Line},
-    pipelines::{Drawn, Pass},
+    pipelines::{Drawn, Pass, World},
 };
 use crate::image::{Image, Pixel};
 use bytemuck::Pod;
@@ -56,11 +56,11 @@ impl Renderer {
         let vertices = lines::vertices(view, lines);
         let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
         let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
-        self.write_frame(view);
+        self.write_frame(scene, view);
         let bind_group = self.bind(scene, &depths);
         let pass = Pass::ColourAndIds;
-        let [depths, lines] =
-            [Drawn::Depths, Drawn::Lines].map(|drawn| self.pipelines.get(gpu, pass, drawn, view));
+        let [depths, lines] = [Drawn::Depths, Drawn::Lines]
+            .map(|drawn| self.pipelines.get(gpu, pass, drawn, view, World::Whole));
         gpu.submit(|encoder| {
             let mut pass = begin(gpu, encoder, targets, view, pass, [false, true]);
             pass.set_bind_group(0, &bind_group, &[]);

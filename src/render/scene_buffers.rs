@@ -3,6 +3,7 @@
 use super::{
     batches::{Batch, Draw, Kind, Own, TriangleBatch},
     draw_order::index,
+    frustum::Frustum,
     gpu::{Gpu, GpuError},
     mesh_buffers::MeshBuffers,
     mesh_store::MeshStore,
@@ -13,7 +14,7 @@ use super::{
     view_space::ViewSpace,
 };
 use crate::{
-    camera::View,
+    camera::{NdcSpace, View},
     colour::Srgb,
     geometry::{Aabb, Mesh},
     scene::{Object, Scene, SceneKey, Shape},
@@ -29,6 +30,8 @@ use wgpu::BufferUsages;
 
 /// A scene in graphics memory. What changes in the scene is drawn only after [`SceneBuffers::update`].
 pub struct SceneBuffers {
+    /// The camera whose NDC is drawn, as the view's observer sees it, in place of the world.
+    pub ndc: Option<NdcSpace>,
     all: ToDraw,
     seen: RefCell<Seen>,
     /// The tables of what is seen of it.
@@ -67,10 +70,11 @@ impl SceneBuffers {
     /// # Errors
     /// When it does not fit.
     pub fn upload(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
-        Self::upload_beside(gpu, scene, &mut MeshStore::default())
+        Self::upload_beside(gpu, scene, &mut MeshStore::default(), None)
     }
 
-    /// Uploads a scene, except the meshes that are in `meshes` already; new ones are added to it.
+    /// Uploads a scene, except the meshes that are in `meshes` already; new ones are added to it. For pictures of NDC,
+    /// spheres become meshes: no sphere is one there.
     ///
     /// # Errors
     /// When it does not fit.
@@ -78,8 +82,13 @@ impl SceneBuffers {
         gpu: &Gpu,
         scene: &Scene,
         meshes: &mut MeshStore,
+        ndc: Option<NdcSpace>,
     ) -> Result<Self, GpuError> {
         let (cube, square) = (MeshBuffers::cube(gpu)?, MeshBuffers::square(gpu)?);
+        let ball = match ndc {
+            Some(_) => Some(MeshBuffers::ball(gpu, rings(scene))?),
+            None => None,
+        };
         let states: Vec<ObjectState> = scene.objects().iter().map(object_state).collect();
         let (mut kinds, mut calls, mut known) = (Vec::new(), Vec::new(), HashMap::new());
         let mut batches = Vec::with_capacity(scene.batches().len());
@@ -89,7 +98,7 @@ impl SceneBuffers {
             let object = &scene.objects()[batch.start];
             // A mesh is known by its address, which is never as low as the numbers of the other shapes.
             let (address, triangles) = match &object.shape {
-                Shape::Sphere => (0, 0..0),
+                Shape::Sphere => (0, 0..ball.as_ref().map_or(0, |ball| ball.triangles)),
                 Shape::Cube => (1, 0..cube.triangles),
                 Shape::Square => (2, 0..square.triangles),
                 Shape::Mesh { mesh, part } => (
@@ -97,14 +106,14 @@ impl SceneBuffers {
                     batch_triangles(mesh, *part, batch.len()),
                 ),
             };
-            let is_sphere = matches!(object.shape, Shape::Sphere);
+            let is_sphere = ball.is_none() && matches!(object.shape, Shape::Sphere);
             let mirrors = object.placement.mirrors() && !is_sphere;
             let key = (address, triangles.clone(), mirrors);
             let kind = if let Some(kind) = known.get(&key) {
                 *kind
             } else {
                 let buffers = match &object.shape {
-                    Shape::Sphere => None,
+                    Shape::Sphere => ball.clone(),
                     Shape::Cube => Some(cube.clone()),
                     Shape::Square => Some(square.clone()),
                     Shape::Mesh { mesh, .. } => Some(meshes.buffers(gpu, mesh)?),
@@ -120,7 +129,7 @@ impl SceneBuffers {
             };
             rows[usize::from(is_sphere)] += calls[kind as usize];
             let number = index(batches.len());
-            batches.push(drawn_batch(scene, batch, kind));
+            batches.push(drawn_batch(scene, batch, kind, is_sphere));
             for object in batch.clone() {
                 let shape = &scene.objects()[object].shape;
                 places.push(Place {
@@ -132,6 +141,7 @@ impl SceneBuffers {
         }
         let tables = Tables::new(gpu, rows)?;
         Ok(Self {
+            ndc,
             objects: gpu.buffer("objects", BufferUsages::STORAGE, &states)?,
             seen: RefCell::default(),
             tables,
@@ -159,16 +169,25 @@ impl SceneBuffers {
         meshes: &mut MeshStore,
     ) -> Result<(), GpuError> {
         if !self.key.is_of(scene) {
-            *self = Self::upload_beside(gpu, scene, meshes)?;
+            *self = Self::upload_beside(gpu, scene, meshes, self.ndc)?;
         }
         Ok(())
     }
 
     /// What a view shows of it.
     pub(super) fn seen_in(&self, view: &View) -> RefMut<'_, Seen> {
+        let frustum = match &self.ndc {
+            Some(ndc) => Frustum::past_near(&ndc.of),
+            None => Frustum::new(view),
+        };
         let mut seen = self.seen.borrow_mut();
-        seen.prepare(&self.tables, &self.all, view);
+        seen.prepare(&self.tables, &self.all, self.through(view), &frustum);
         seen
+    }
+
+    /// The view whose view space the tables' rows are in.
+    fn through<'a>(&'a self, view: &'a View) -> &'a View {
+        self.ndc.as_ref().map_or(view, |ndc| &ndc.of)
     }
 
     /// Where an object is; `None` while it is hidden.
@@ -183,7 +202,7 @@ impl SceneBuffers {
             return Vec::new();
         };
         let batch = &self.all.batches[place.batch as usize];
-        let row = batch.seen_in(&ViewSpace::new(view));
+        let row = batch.seen_in(&ViewSpace::new(self.through(view)));
         let row = self.tables.write_alone(&row);
         let kind = &self.all.kinds[batch.kind as usize];
         let calls = kind.calls(&place.triangles).into_iter();
@@ -191,27 +210,43 @@ impl SceneBuffers {
     }
 }
 
-/// The batch of a range of objects.
-fn drawn_batch(scene: &Scene, range: &Range<usize>, kind: u32) -> Batch {
+/// Rings of the mesh that stands in for a sphere, where spheres are few.
+const RINGS: u32 = 32;
+/// The same where there are very many.
+const LEAST_RINGS: u32 = 4;
+/// Between these limits, all spheres of a scene together have about four times this many triangles.
+const SPHERE_QUADS: usize = 500_000;
+
+/// The rings of the mesh that stands in for each of a scene's spheres.
+fn rings(scene: &Scene) -> u32 {
+    let shapes = scene.objects().iter().map(|object| &object.shape);
+    let spheres = shapes
+        .filter(|shape| matches!(shape, Shape::Sphere))
+        .count();
+    let rings = (SPHERE_QUADS / spheres.max(1)).isqrt();
+    u32::try_from(rings).map_or(RINGS, |rings| rings.clamp(LEAST_RINGS, RINGS))
+}
+
+/// The batch of a range of objects: a sphere, or triangles.
+fn drawn_batch(scene: &Scene, range: &Range<usize>, kind: u32, is_sphere: bool) -> Batch {
     let objects = &scene.objects()[range.clone()];
     let object = &objects[0];
-    let own = match &object.shape {
-        Shape::Sphere => Own::Sphere {
+    let own = if is_sphere {
+        Own::Sphere {
             object: index(range.start),
-        },
-        shape => {
-            let (origin, bounds) = vertex_space(scene, range);
-            let first_part = match shape {
-                Shape::Mesh { part, .. } => *part,
-                _ => 0,
-            };
-            Own::Triangles(TriangleBatch {
-                origin,
-                bounds,
-                object_of_part_0: index(range.start).wrapping_sub(index(first_part)),
-                numbers_triangles: shape.triangles().is_some(),
-            })
         }
+    } else {
+        let (origin, bounds) = vertex_space(scene, range);
+        let first_part = match &object.shape {
+            Shape::Mesh { part, .. } => *part,
+            _ => 0,
+        };
+        Own::Triangles(TriangleBatch {
+            origin,
+            bounds,
+            object_of_part_0: index(range.start).wrapping_sub(index(first_part)),
+            numbers_triangles: object.shape.triangles().is_some(),
+        })
     };
     let shown = objects.iter().filter(|object| object.visible).count();
     let mut batch = Batch {

@@ -3,6 +3,7 @@
 use super::{
     batches::{Draw, Row},
     draw_order::index,
+    frustum::Frustum,
     gpu::{Gpu, GpuError},
     shader_structs,
     view_rows::ToDraw,
@@ -72,14 +73,14 @@ pub(super) struct Seen {
 }
 
 impl Seen {
-    /// Writes the rows of a view to the tables, unless they are there.
-    pub fn prepare(&mut self, tables: &Tables, all: &ToDraw, view: &View) {
+    /// Writes the rows of what a view's frustum may hold to the tables, unless they are there.
+    pub fn prepare(&mut self, tables: &Tables, all: &ToDraw, view: &View, frustum: &Frustum) {
         if self.view == Some(*view) {
             return;
         }
         let [mut triangles, mut spheres] = [0, 0];
         self.draws.clear();
-        for share in all.seen_in(view) {
+        for share in all.seen_in(view, frustum) {
             tables.write_rows(&tables.triangles, triangles, &share.triangles);
             tables.write_rows(&tables.spheres, spheres, &share.spheres);
             self.draws.extend(share.draws.into_iter().map(|mut draw| {

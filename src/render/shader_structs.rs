@@ -3,7 +3,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-/// What all of a frame shares: projection, light, background and section.
+/// What all of a frame shares: projection, light, background, section, and the camera whose NDC is drawn, if any.
 ///
 /// Lengths of view space are in *view units* ([`super::view_units::view_unit`]). Depth is two numbers, each precise
 /// where the other is not: *view depth*, from the eye, and *buffer depth*, from the plane where the depth buffer
@@ -46,6 +46,24 @@ pub struct Frame {
     pub inside: [f32; 3],
     /// The test's slack, relative to its terms: how far beyond the plane fragments are still drawn.
     pub section_slack: f32,
+    /// The same numbers as the section's, of the test for what lies behind the near plane of a camera whose NDC is
+    /// drawn. Elsewhere the test always holds.
+    pub near_per_px: [f32; 2],
+    /// See `near_per_px`.
+    pub near_start: f32,
+    /// See `near_per_px`.
+    pub near_per_q: f32,
+    /// Columns of the matrix from that camera's view space to clip space; unused elsewhere.
+    pub ndc_clip: [[f32; 4]; 4],
+    /// Columns of the matrix from planes in that camera's view space to planes, and so normals, in view space; unused
+    /// elsewhere.
+    pub ndc_normal: [[f32; 4]; 4],
+    /// 1 where q is the stored depth.
+    pub q_is_depth: u32,
+    /// 1 where back faces that a section or the near plane may open get the colour of a solid's inside.
+    pub shows_inside: u32,
+    /// Padding.
+    pub padding: [u32; 2],
 }
 
 /// One model matrix under this frame's view, for the triangles of a batch: attributes of an instance.

@@ -3,6 +3,7 @@
 //! rounding of the result, wherever in the world things stand.
 
 use super::{
+    rasteriser::Rasteriser,
     rounding::{U, UNDERFLOW, is_f32, larger, to_f32},
     section::{KEPT_BEFORE, ScreenSection},
     shader_structs,
@@ -10,7 +11,7 @@ use super::{
     view_units::view_unit,
 };
 use crate::{
-    camera::{Projection, View},
+    camera::{NdcSpace, Projection, View},
     geometry::{
         Aabb, Cuboid, Placement, Sides, Square,
         binary::{split, times_power_of_two},
@@ -18,7 +19,7 @@ use crate::{
     look,
     scene::{Scene, Shape},
 };
-use glam::{DMat3, DVec2, DVec3, Mat3, Vec3};
+use glam::{DMat3, DMat4, DVec2, DVec3, DVec4, Mat3, Vec3};
 use std::ops::{Add, Range};
 
 /// The numbers that all of a frame shares.
@@ -53,7 +54,64 @@ pub fn frame(view: &View) -> shader_structs::Frame {
         section_per_q,
         inside: look::INSIDE.to_linear(),
         section_slack: to_f32(KEPT_BEFORE * U),
+        near_per_px: [0.0; 2],
+        near_start: 1.0,
+        near_per_q: 0.0,
+        ndc_clip: [[0.0; 4]; 4],
+        ndc_normal: [[0.0; 4]; 4],
+        q_is_depth: u32::from(!perspective),
+        shows_inside: 1,
+        padding: [0; 2],
     }
+}
+
+/// The same for a camera's NDC, as an observer there sees it: one projective matrix stands before the observer's.
+pub(super) fn frame_in_ndc(ndc: &NdcSpace, observer: &View) -> shader_structs::Frame {
+    let camera = &ndc.of.camera;
+    let to_view = observer.camera.view() * ndc.matrix();
+    let to_clip = observer.camera.projection(observer.viewport) * to_view;
+    // Planes of the camera's view space, whose value is at least 0 for what is kept.
+    let on_screen = |plane: DVec4| plane_on_screen(to_clip, plane, observer);
+    let near = on_screen(DVec3::Z.extend(-camera.lens().near));
+    let section = ndc.of.section.map(|section| {
+        let normal = camera.rotation() * section.normal();
+        on_screen(normal.extend(section.side(camera.eye())))
+    });
+    let [right, down, section_start, section_per_q] = section.unwrap_or_default();
+    let corner_slack = 0.5 * Rasteriser::COMMON.grid_px * (right.abs() + down.abs());
+    let per_unit = DMat4::from_scale(DVec3::splat(view_unit(&ndc.of).recip()));
+    shader_structs::Frame {
+        section_corner_slack: to_f32(corner_slack),
+        section_per_px: [right, down].map(to_f32),
+        section_start: to_f32(section_start),
+        section_per_q: to_f32(section_per_q),
+        near_per_px: [near[0], near[1]].map(to_f32),
+        near_start: to_f32(near[2]),
+        near_per_q: to_f32(near[3]),
+        ndc_clip: columns(to_clip * per_unit),
+        ndc_normal: columns((to_view * per_unit).inverse().transpose()),
+        q_is_depth: 1,
+        shows_inside: u32::from(section.is_some()),
+        ..frame(observer)
+    }
+}
+
+/// The test of a fragment's position by a plane, given before a matrix to clip space: its change per pixel right and
+/// down, its value in the picture's middle for depth 0, and its change per stored depth.
+fn plane_on_screen(to_clip: DMat4, plane: DVec4, view: &View) -> [f64; 4] {
+    let plane = to_clip.inverse().transpose() * plane;
+    // Only the value's sign counts.
+    let plane = plane / plane.abs().max_element();
+    let per_px = 2.0 / view.viewport.size_px();
+    [plane.x * per_px.x, -plane.y * per_px.y, plane.w, plane.z]
+}
+
+/// The columns of a matrix of any scale, its largest entry about 1.
+fn columns(matrix: DMat4) -> [[f32; 4]; 4] {
+    let entries = matrix.abs().to_cols_array().into_iter();
+    (matrix * entries.fold(0.0, f64::max).recip())
+        .as_mat4()
+        .to_cols_array_2d()
 }
 
 /// The origin, in object space, of the vertex space of a batch of triangles, and the AABB of its vertices in vertex

@@ -40,9 +40,10 @@ impl ToDraw {
         }
     }
 
-    /// The rows of what a view may show, in shares that follow each other in the tables. All cores compose them.
-    pub fn seen_in(&self, view: &View) -> Vec<ViewRows> {
-        let (space, frustum) = (ViewSpace::new(view), Frustum::new(view));
+    /// The rows in a view of what a frustum may hold, in shares that follow each other in the tables. All cores compose
+    /// them.
+    pub fn seen_in(&self, view: &View, frustum: &Frustum) -> Vec<ViewRows> {
+        let space = ViewSpace::new(view);
         let calls = self.kinds.iter().map(|kind| kind.calls(&kind.triangles));
         let calls: Vec<_> = calls.collect();
         in_shares(self.order.len(), |places| {

@@ -152,11 +152,6 @@ impl Scene {
         self.sums.triangles
     }
 
-    /// Objects plus triangles. By this number callers recognise a large scene.
-    pub(crate) fn size(&self) -> usize {
-        self.objects.len() + self.triangle_count()
-    }
-
     /// Shows or hides an object.
     ///
     /// # Panics

@@ -9,6 +9,7 @@ mod lesser;
 mod looks;
 mod many;
 mod marks;
+mod ndc;
 mod rays;
 #[path = "../common/scenes.rs"]
 mod scenes;

@@ -62,7 +62,7 @@ fn by_rays(
 }
 
 /// A view through each kind of lens, one with a section, and one of front sides alone.
-fn views() -> [(&'static str, View); 5] {
+pub(crate) fn views() -> [(&'static str, View); 5] {
     let plain = overview([640, 400]);
     let lens = *plain.camera.lens();
     let of = |lens: Lens| View {

@@ -50,7 +50,11 @@ fn a_point_has_one_colour_in_all_views_and_the_numbers() {
         (Stage::Object, Some(in_object(world)), None),
         (Stage::World, Some(world), Some(pixel)),
         (Stage::View, Some(world), Some(pixel)),
-        (Stage::Ndc, state.ndc_drawn(world), state.ndc_drawn(pixel)),
+        (
+            Stage::Ndc,
+            state.ndc().drawn(world),
+            state.ndc().drawn(pixel),
+        ),
     ] {
         // A ring marks the point, and a dot its pixel.
         let is_amber = |at, aside: i32| colour_at(stage, at, aside.into()) == Some(amber);

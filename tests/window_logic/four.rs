@@ -1,7 +1,6 @@
 //! Each of the four views shows its own stage, the mouse moves each alone, and a point is the same point in all.
 
 use super::*;
-use sightline::viewer::model::projected;
 
 const STAGES: [Stage; 4] = [Stage::Object, Stage::World, Stage::View, Stage::Ndc];
 
@@ -27,7 +26,7 @@ fn px_in(state: &State, stage: Stage, object: usize, point_world: DVec3) -> Opti
             .placement
             .point_to_object(point_world),
         Stage::World | Stage::View => point_world,
-        Stage::Ndc => state.ndc_drawn(point_world)?,
+        Stage::Ndc => state.ndc().drawn(point_world)?,
     };
     Some(state.pane_view(stage)?.project(at)?.px)
 }
@@ -191,115 +190,91 @@ fn planes_are_the_camera_s_and_no_view_cuts_them() {
 }
 
 #[test]
-fn ndc_is_what_the_camera_projects_and_is_cut_at_its_near_plane() {
+fn ndc_is_what_the_camera_projects() {
     let mut state = front_view();
-    state.apply(Action::SetVisible(2, false));
+    let corners = state.scene().bounds_of(0).corners();
+    let drawn = |state: &State| corners.map(|corner| state.ndc().drawn(corner));
+    let reversed = drawn(&state);
     state.apply(Action::Lens(LensControls {
         depth: DepthMapping::Standard,
         ..state.controls()
     }));
-    let corners = state.scene().bounds_of(0).corners();
-    let made = projected(state.scene(), state.view());
-    let ndc = corners.map(|corner| {
+    for (corner, drawn) in corners.into_iter().zip(drawn(&state)) {
         let ndc = state.view().project(corner).expect("in front").ndc;
-        DVec3::new(ndc.x, ndc.y, -ndc.z)
-    });
-    let expected = Aabb::around(ndc);
-    let bounds = made.bounds_of(0);
-    let apart = (bounds.min - expected.min).length() + (bounds.max - expected.max).length();
-    assert!(apart < 1e-6, "{bounds:?}, not {expected:?}");
-    assert!(!made.objects()[2].visible, "what is hidden stays hidden");
-    // NDC is drawn in the same place with either depth mapping.
-    let reversed = LensControls {
-        depth: DepthMapping::Reversed,
-        ..state.controls()
-    };
-    state.apply(Action::Lens(reversed));
-    assert_eq!(projected(state.scene(), state.view()).bounds_of(0), bounds);
-    // Front faces stay front faces, even if M mirrors.
-    let mirrored = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
-    state.apply(Action::Place(1, mirrored));
-    let made = projected(state.scene(), state.view());
-    for object in [0, 1] {
-        let middle = made.bounds_of(object).center();
-        let from = middle.with_z(2.0);
-        let target = Some(middle);
-        let seen = CameraChoice {
-            eye: Some(from),
-            target,
-            ..CameraChoice::default()
-        };
-        let alone = Loaded {
-            scene: Scene::new(vec![made.objects()[object].clone()]),
-            ..Loaded::default()
-        };
-        let seen = open(alone, seen);
-        let hit = pick::pick(seen.scene(), seen.view(), MIDDLE + 0.25).expect("before it");
-        assert!(hit.front, "object {object}");
+        let expected = DVec3::new(ndc.x, ndc.y, -ndc.z);
+        assert!(drawn.expect("behind near").distance(expected) < 1e-12);
     }
+    // It is drawn in the same place with either depth mapping.
+    assert_eq!(drawn(&state), reversed);
     state.apply(Action::Lens(LensControls {
         near: Some(8.0),
         ..state.controls()
     }));
-    let bounds = projected(state.scene(), state.view()).bounds_of(0);
-    assert!(
-        bounds.max.z.abs() < 1e-6,
-        "it begins on the near plane, not at {}",
-        bounds.max.z
-    );
-    assert!(
-        bounds.min.z < -0.05 && bounds.min.z > -1.0,
-        "{}",
-        bounds.min.z
-    );
+    let is_there = |state: &State| drawn(state).map(|at| at.is_some());
+    let far_half = corners.map(|corner| corner.z < 2.0);
+    assert_eq!(is_there(&state), far_half, "it begins at the near plane");
 }
 
-/// NDC shows what the section leaves of each object, up to the plane and no further.
+/// Whatever is clicked in NDC is drawn at that pixel, behind the near plane, and kept by the section. Of a solid that
+/// neither cuts, the front is clicked, even if its matrix mirrors.
 #[test]
-fn ndc_ends_at_the_section() {
-    let mut state = front_view();
-    let whole = projected(state.scene(), state.view());
-    let positions = |scene: &Scene, object: usize| {
-        let Shape::Mesh { mesh, part } = &scene.objects()[object].shape else {
-            panic!("a mesh");
-        };
-        let data = mesh.data();
-        let triangles = &data.triangles[data.parts[*part].triangles.start as usize..];
-        let count = data.parts[*part].triangles.len();
-        let corners = triangles[..count].iter().flatten();
-        let positions = corners.map(|place| data.positions[*place as usize]);
-        positions.collect::<Vec<_>>()
-    };
-    for normal in [DVec3::X, DVec3::new(0.3, -0.2, 0.1), DVec3::NEG_Y] {
-        let section = Section::through(DVec3::new(0.1, 0.05, 0.0), normal).expect("a section");
-        state.apply(Action::Section(Some(section)));
-        let view = *state.view();
-        let cut = projected(state.scene(), &view);
-        let lens = Lens {
-            depth: DepthMapping::Standard,
-            ..*view.camera.lens()
-        };
-        let (a, b) = lens.depth_row();
-        let side = |at: &[f32; 3]| {
-            let [x, y, z] = at.map(f64::from);
-            let px = DVec2::new(x + 1.0, 1.0 - y) * 0.5 * view.viewport.size_px();
-            section.side(view.uncut().ray(px).at(b / (-z - a)))
-        };
-        for object in 0..3 {
-            let (before, after) = (positions(&whole, object), positions(&cut, object));
-            // An upper bound of the rounding in f32, and a distance far beyond it.
-            let (rounding, off) = (1e-4, 1e-2);
-            assert!(after.iter().all(|at| side(at) > -rounding), "{object}");
-            let on_plane = after.iter().filter(|at| side(at).abs() < rounding).count();
-            // The plane cuts the square's border in two places, and a solid in more.
-            assert!(on_plane >= [4, 4, 2][object], "{object}: {on_plane}");
-            let (kept, gone): (Vec<_>, Vec<_>) = before.iter().partition(|at| side(at) > -rounding);
-            assert!(!gone.is_empty() && !kept.is_empty(), "{object}");
-            let kept = kept.into_iter().filter(|at| side(at) > off);
-            for at in kept {
-                assert!(after.contains(&at), "{object}: {at:?}");
+fn a_click_in_ndc_is_on_what_is_left_of_the_world() {
+    let plane = |normal| Section::through(DVec3::new(0.1, 0.05, 0.0), normal).expect("a section");
+    let sections = [DVec3::X, DVec3::new(0.3, -0.2, 0.1), DVec3::NEG_Y].map(plane);
+    let sections = [None].into_iter().chain(sections.map(Some));
+    let kinds = sections.flat_map(|section| [None, Some(8.0)].map(|near| (section, near)));
+    for ((section, near), ortho) in kinds.flat_map(|kind| [(kind, None), (kind, Some(6.0))]) {
+        let mut state = front_view();
+        let mirrored = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
+        state.apply(Action::Place(1, mirrored));
+        state.apply(Action::Lens(LensControls {
+            near,
+            orthographic: ortho.is_some(),
+            ..state.controls()
+        }));
+        state.apply(Action::Section(section));
+        state.apply(Action::Views(Views::Four));
+        let seen = state.pane_view(Stage::Ndc).expect("a view");
+        let (mut of_object, mut at_border) = ([0; 3], 0);
+        for (x, y) in (0..160).flat_map(|x| (0..120).map(move |y| (x, y))) {
+            let px = DVec2::new(f64::from(x), f64::from(y)) * 5.0 + 0.5;
+            within(&mut state, Stage::Ndc, Action::Hover(Some(px)));
+            let Some((object, point)) = state.cursor().and_then(|cursor| cursor.hit) else {
+                continue;
+            };
+            let placement = &state.scene().objects()[object].placement;
+            let world = placement.point_to_world(point);
+            let drawn = state.ndc().drawn(world).expect("behind near");
+            assert_near(seen.project(drawn).expect("in front").px, px, 1e-6);
+            let side = section.map_or(1.0, |section| section.side(world));
+            assert!(side > -1e-9, "{side}");
+            of_object[object] += 1;
+            let depth = state.view().camera.to_view(world).z;
+            if near.is_none() && section.is_none() && object < 2 {
+                let outward = if object == 0 {
+                    DVec3::AXES[point.abs().max_position()] * point[point.abs().max_position()]
+                } else {
+                    point
+                };
+                let along = [outward, outward.any_orthogonal_vector()];
+                let along = [along[0], along[1], along[0].cross(along[1])];
+                let [out, right, up] = along.map(|step| {
+                    let beside = placement.point_to_world(point + 1e-6 * step);
+                    state.ndc().drawn(beside).expect("behind near") - drawn
+                });
+                let normal = right.cross(up);
+                let normal = normal * normal.dot(out).signum();
+                let is_front = normal.dot(seen.camera.eye() - drawn) > 0.0;
+                assert!(is_front, "{object} at {point}");
             }
+            at_border += u32::from(near.is_some_and(|near| depth < near + 0.2));
         }
+        let kind = (section, near, ortho);
+        assert!(
+            of_object[..2].iter().all(|count| *count > 5),
+            "{kind:?}: {of_object:?}"
+        );
+        assert!(near.is_none() || at_border > 5, "{kind:?}: {at_border}");
     }
 }
 

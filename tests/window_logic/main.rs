@@ -17,8 +17,8 @@ mod undo;
 
 use glam::{DAffine3, DVec2, DVec3};
 use sightline::{
-    camera::{CameraChoice, DepthMapping, Lens, Projection, UpAxis, Viewport},
-    geometry::{Aabb, Placement, Section, Sides},
+    camera::{CameraChoice, DepthMapping, Projection, UpAxis, Viewport},
+    geometry::{Placement, Section, Sides},
     pick,
     scene::{self, Loaded, Object, Progress, Scene, Shape, description},
     viewer::model::{Action, DOUBLE_CLICK_S, LensControls, Matrices, Stage, State, Steps, Views},

@@ -126,7 +126,6 @@ impl App {
     /// Takes the results of jobs.
     pub fn take_finished(&mut self) {
         self.take_loaded();
-        self.take_projected();
         self.take_saved();
         self.take_checked();
         self.take_chart();

@@ -4,7 +4,7 @@ use super::{numbers::Triangle, program::App};
 use crate::{
     scene::{MeshFile, obj::InFile},
     viewer::{
-        jobs::{self, Job, finished},
+        jobs::{self, Job},
         model::State,
     },
 };
@@ -54,8 +54,10 @@ impl App {
     }
 
     fn take_snapped(&mut self) {
-        let done = finished(&mut self.numbers.snapping, |(_, job)| job.poll());
-        let Some(((of, _), found)) = done else { return };
+        let snapping = self.numbers.snapping.as_ref();
+        let done = snapping.and_then(|(of, job)| Some((*of, job.poll()?)));
+        let Some((of, found)) = done else { return };
+        self.numbers.snapping = None;
         if let Some((snap, area)) = found.filter(|_| of == scene_now(&self.state)) {
             self.state.take_snap(snap, area);
         }

@@ -1,7 +1,6 @@
 //! The program: executes commands, takes the results of jobs, and drives every frame.
 
 mod acting;
-mod arriving;
 mod checks;
 mod commands;
 mod files;

@@ -12,7 +12,7 @@ use crate::{
     json::plain,
     scene::{Loaded, Warning},
     viewer::{
-        jobs::{self, Chart, Checking, Job, Projecting, Typefaces, Watching},
+        jobs::{self, Chart, Checking, Job, Typefaces, Watching},
         model::{Stage, State},
         options::Options,
         screen::{SceneRect, Textures},
@@ -65,8 +65,6 @@ pub(in crate::viewer) struct App {
     pub context: egui::Context,
     pub textures: Textures,
     pub state: State,
-    /// The scene that is being projected for NDC.
-    pub(super) projecting: Option<Projecting>,
     /// The one thing that waits.
     pub(super) modal: Modal,
     /// Commands that wait for the next pass: first the number that is being typed is entered.
@@ -145,7 +143,6 @@ impl App {
         let typefaces = Typefaces::default();
         ui::note_missing(&context, typefaces.missing.clone());
         let app = Self {
-            projecting: None,
             modal: Modal::None,
             late: Vec::new(),
             trees: None,
@@ -208,7 +205,6 @@ impl App {
             || checks
             || studies
             || self.typefaces.is_busy()
-            || self.projecting.is_some()
             || self.numbers.is_busy()
             || !self.state.scene().trees_are_built()
     }

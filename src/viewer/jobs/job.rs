@@ -62,15 +62,6 @@ impl<T: Send + 'static> Job<T> {
     }
 }
 
-/// Takes a job that has a result, with that result.
-pub(in crate::viewer) fn finished<J, R>(
-    job: &mut Option<J>,
-    poll: impl FnOnce(&J) -> Option<R>,
-) -> Option<(J, R)> {
-    let result = poll(job.as_ref()?)?;
-    Some((job.take()?, result))
-}
-
 impl<T> Drop for Job<T> {
     fn drop(&mut self) {
         self.progress.cancel();

@@ -3,7 +3,7 @@
 use super::{
     action::Action,
     hits::RayHits,
-    stages::{Stage, standard, view_of_ndc_drawn},
+    stages::Stage,
     state::{Cleared, Cursor, DOUBLE_CLICK_S, State},
 };
 use crate::{
@@ -133,7 +133,7 @@ impl State {
             Action::BeginTurn(px) | Action::BeginPan(px) | Action::Zoom(px, _) => quick_hit(px),
             _ => None,
         };
-        let hit = hit.map(|at| self.drawn_to_scene(stage).inverse().transform_point3(at));
+        let hit = hit.and_then(|at| self.drawn_at(stage, at));
         match action {
             Action::Click(px, time_s) => {
                 let point = self.pane_point(stage, px);
@@ -186,12 +186,25 @@ impl State {
 
     /// What a ray hits at a position of a stage's view, and the point that it hits in the scene that the stage shows.
     fn pane_hit(&self, stage: Stage, px: DVec2) -> Option<(SceneHit, DVec3)> {
-        let (scene, _) = self.pane_scene(stage)?;
-        let view = self.pane_view(stage)?;
-        let ray = view.ray(px);
+        let (scene, view) = (self.pane_scene(stage)?, self.pane_view(stage)?);
+        let ray = match stage {
+            // A line here is a line in the world.
+            Stage::Ndc => {
+                let ndc = self.ndc();
+                ndc.ray(&view.ray(px), ndc.back(&scene.visible_bounds()))?
+            }
+            _ => view.ray(px),
+        };
         let hit = pick::closest(scene, ray, view.sides)?;
-        let point = ray.at(hit.hit.t);
-        Some((hit, point))
+        Some((hit, ray.at(hit.hit.t)))
+    }
+
+    /// Where a stage draws a point of the scene that it shows.
+    fn drawn_at(&self, stage: Stage, point: DVec3) -> Option<DVec3> {
+        match stage {
+            Stage::Ndc => self.ndc().drawn(point),
+            _ => Some(self.drawn_to_scene(stage).inverse().transform_point3(point)),
+        }
     }
 
     /// The object at a position of a stage's view, and the point there in its space.
@@ -200,16 +213,7 @@ impl State {
         if stage == Stage::Object {
             return Some((self.pane_object()?, point));
         }
-        let world = match stage {
-            Stage::Ndc => {
-                let lens = standard(&self.view);
-                let p = view_of_ndc_drawn(point, self.view.half_extent(), &lens);
-                let camera = &self.view.camera;
-                camera.eye() + camera.rotation().transpose() * p
-            }
-            _ => point,
-        };
         let placement = &self.scene.objects().get(hit.object)?.placement;
-        Some((hit.object, placement.point_to_object(world)))
+        Some((hit.object, placement.point_to_object(point)))
     }
 }

@@ -2,23 +2,17 @@
 
 use super::{
     observer::{Observer, Points},
-    stages::{Stage, ndc_drawn, projected, standard},
+    stages::Stage,
     state::State,
     viewing::with_frustum,
-    views::{NDC_DRAWN, Panes, Source, Staged, Views},
+    views::{Panes, Views},
 };
 use crate::{
-    camera::{UpAxis, View},
-    geometry::{Aabb, Placement, Section},
+    camera::{NdcSpace, UpAxis, View},
+    geometry::{Aabb, Placement},
     scene::{Object, Scene},
 };
 use glam::{DAffine3, DMat3, DVec3};
-
-/// A scene with fewer objects and triangles than this is projected within a pass, as fast as a job
-/// is started.
-const LITTLE: usize = 20_000;
-/// Farther from the origin than anything in NDC.
-const BEYOND_NDC: f64 = 1e30;
 
 impl State {
     /// What the window shows of the scene.
@@ -66,11 +60,11 @@ impl State {
         self.panes = Some(Box::new(Panes {
             large,
             entered: None,
-            observers: Stage::ALL.map(|(stage, _)| self.observer(stage, &NDC_DRAWN)),
+            observers: Stage::ALL.map(|(stage, _)| self.observer(stage, &NdcSpace::FRUSTUM)),
             of: None,
             object: None,
-            alone: Staged::default(),
-            ndc: Staged::default(),
+            alone: Scene::default(),
+            alone_of: None,
             clicked_s: None,
             clicked_at: None,
             point: None,
@@ -78,7 +72,7 @@ impl State {
         self.refresh_panes();
     }
 
-    /// After each change: brings the scenes that the views show up to date with scene, camera and selection.
+    /// After each change: brings the object that the views show up to date with scene and selection.
     pub(super) fn refresh_panes(&mut self) {
         let Some(mut panes) = self.panes.take() else {
             return;
@@ -94,23 +88,17 @@ impl State {
         panes.point = panes.point.filter(|(of, _)| selected == Some(*of));
         if let Some(object) = panes.object {
             // Its colour and shape change only with the scene; its placement is not shown.
-            let of = Source::Alone(self.scene_revision, object);
-            if panes.alone.of != Some(of) {
+            let of = Some((self.scene_revision, object));
+            if panes.alone_of != of {
                 let alone = Object {
                     placement: Placement::IDENTITY,
                     visible: true,
                     ..self.scene.objects()[object].clone()
                 };
-                let alone = Scene::new(vec![alone]);
-                panes.alone.take(alone, &of);
-                let corners = with_axes(&panes.alone.scene.bounds());
+                (panes.alone, panes.alone_of) = (Scene::new(vec![alone]), of);
+                let corners = with_axes(&panes.alone.bounds());
                 panes.observers[Stage::Object as usize].frame(&corners);
             }
-        }
-        let through = self.projected_of();
-        if panes.ndc.of != Some(through) && self.is_projected_at_once() {
-            let scene = projected(&self.scene, &self.view);
-            panes.ndc.take(scene, &through);
         }
         let is_of_another = panes.of.replace(self.document) != Some(self.document);
         self.panes = Some(panes);
@@ -118,30 +106,6 @@ impl State {
             for (stage, _) in Stage::ALL {
                 self.frame_pane(stage);
             }
-        }
-    }
-
-    fn is_projected_at_once(&self) -> bool {
-        self.scene.size() < LITTLE
-    }
-
-    fn projected_of(&self) -> Source {
-        Source::Through([self.scene_revision, self.visibility_revision], self.view)
-    }
-
-    /// The scene and the view to project on another thread; `None` where NDC is up to date, or is little work.
-    pub(in crate::viewer) fn to_project(&self) -> Option<(Scene, View, Source)> {
-        let (panes, of) = (self.panes.as_ref()?, self.projected_of());
-        let is_wanted = panes.ndc.of != Some(of) && !self.is_projected_at_once();
-        is_wanted.then(|| (self.scene.clone(), self.view, of))
-    }
-
-    /// Takes the scene in NDC that another thread made, unless it was made from an earlier scene.
-    pub(in crate::viewer) fn take_projected(&mut self, scene: Scene, of: &Source) {
-        let is_of_now =
-            matches!(of, Source::Through([revision, _], _) if *revision == self.scene_revision);
-        if let Some(panes) = self.panes.as_mut().filter(|_| is_of_now) {
-            panes.ndc.take(scene, of);
         }
     }
 
@@ -163,27 +127,22 @@ impl State {
     /// The box about an object in its own space; empty unless the object view shows it.
     pub fn object_bounds(&self, object: usize) -> Aabb {
         match &self.panes {
-            Some(panes) if panes.object == Some(object) => panes.alone.scene.bounds(),
+            Some(panes) if panes.object == Some(object) => panes.alone.bounds(),
             _ => Aabb::EMPTY,
         }
     }
 
-    /// Where a world point is drawn in NDC; `None` in front of the near plane.
-    pub fn ndc_drawn(&self, point_world: DVec3) -> Option<DVec3> {
-        let lens = standard(&self.view);
-        let p = self.view.camera.to_view(point_world);
-        // Rounding may put a point of the near plane in front of it.
-        let is_behind = p.z >= lens.near - 1e-9 * lens.near.abs();
-        is_behind.then(|| ndc_drawn(p, self.view.half_extent(), &lens))
+    /// The camera's NDC.
+    pub fn ndc(&self) -> NdcSpace {
+        NdcSpace { of: self.view }
     }
 
-    /// What a stage shows, and a number that changes with it; `None` while the views are closed.
-    pub(super) fn pane_scene(&self, stage: Stage) -> Option<(&Scene, u64)> {
+    /// The scene that a stage shows: one object, or the whole. `None` while the views are closed.
+    pub(super) fn pane_scene(&self, stage: Stage) -> Option<&Scene> {
         let panes = self.panes.as_ref()?;
         Some(match stage {
-            Stage::Object => (&panes.alone.scene, panes.alone.revision),
-            Stage::World | Stage::View => (&self.scene, self.scene_revision),
-            Stage::Ndc => (&panes.ndc.scene, panes.ndc.revision),
+            Stage::Object => &panes.alone,
+            Stage::World | Stage::View | Stage::Ndc => &self.scene,
         })
     }
 
@@ -191,31 +150,30 @@ impl State {
         with_frustum(self.scene.visible_bounds(), self.view)
     }
 
-    /// The view of a stage's observer, in the space of the scene that the stage shows. The view stage shows the scene
-    /// in the world. `None` while the views are closed.
+    /// The view of a stage's observer: in the object's space, in the world (that of the view stage, too), or in NDC.
+    /// `None` while the views are closed.
     pub fn pane_view(&self, stage: Stage) -> Option<View> {
         let panes = self.panes.as_ref()?;
-        let (scene, _) = self.pane_scene(stage)?;
         let bounds = match stage {
-            Stage::Object => scene.bounds(),
+            Stage::Object => panes.alone.bounds(),
             Stage::World | Stage::View => self.bounds_with_camera(),
-            Stage::Ndc => scene.bounds().union(NDC_DRAWN),
+            Stage::Ndc => {
+                let drawn = self.ndc().drawn_box(&self.scene.visible_bounds());
+                drawn.union(NdcSpace::FRUSTUM)
+            }
         };
         let observer = &panes.observers[stage as usize];
         let view = observer.view(&self.drawn_to_scene(stage), &bounds, self.view.sides)?;
-        // A lone object is shown whole. NDC was cut when it was made.
-        let of_world = self.view.section;
+        // A lone object is shown whole. NDC is cut as the camera's view is.
         let section = match stage {
-            Stage::World | Stage::View => of_world,
-            Stage::Object => None,
-            // A section that cuts nothing: under any section, insides show in a colour of their own.
-            Stage::Ndc => of_world.and(Section::new(DVec3::X, BEYOND_NDC).ok()),
+            Stage::World | Stage::View => self.view.section,
+            Stage::Object | Stage::Ndc => None,
         };
         Some(View { section, ..view })
     }
 
-    /// From the right-handed space that a stage is drawn in to that of its scene. View space is left-handed, (right,
-    /// up, forward), and is drawn as (right, up, backward): the same places in other coordinates.
+    /// From the right-handed space that a stage is drawn in to that of its observer's view. View space is left-handed,
+    /// (right, up, forward), and is drawn as (right, up, backward): the same places in other coordinates.
     pub(super) fn drawn_to_scene(&self, stage: Stage) -> DAffine3 {
         let camera = &self.view.camera;
         match stage {
@@ -250,7 +208,11 @@ impl State {
                 (up, frame.transpose() * side, points)
             }
             Stage::View => (UpAxis::Y, DVec3::new(1.2, 0.7, 0.8), points),
-            Stage::Ndc => (UpAxis::Y, DVec3::new(0.8, 0.6, 1.5), corners_of(&NDC_DRAWN)),
+            Stage::Ndc => (
+                UpAxis::Y,
+                DVec3::new(0.8, 0.6, 1.5),
+                corners_of(&NdcSpace::FRUSTUM),
+            ),
         };
         Observer::new(up_axis, from, &points, viewport)
     }
@@ -268,7 +230,7 @@ impl State {
     /// Shows all of a stage, from the direction it was seen from at first.
     pub(super) fn frame_pane(&mut self, stage: Stage) {
         let Some(panes) = &self.panes else { return };
-        let observer = self.observer(stage, &panes.alone.scene.bounds());
+        let observer = self.observer(stage, &panes.alone.bounds());
         if let Some(panes) = &mut self.panes {
             panes.observers[stage as usize] = observer;
         }

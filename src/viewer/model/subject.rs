@@ -7,7 +7,7 @@ use super::{
     state::{Frozen, State},
 };
 use crate::{
-    camera::{UpAxis, View},
+    camera::{NdcSpace, UpAxis, View},
     scene::Scene,
 };
 use std::{collections::BTreeSet, sync::Arc};
@@ -36,20 +36,24 @@ pub(in crate::viewer) struct Subject<'a> {
 
 /// What is drawn at a stage besides the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[expect(
-    clippy::large_enum_variant,
-    reason = "four at a time, and a view is most of one"
-)]
 pub(in crate::viewer) enum Lesson {
     /// Nothing.
     Object,
     /// The scene's camera.
     Camera(View),
-    /// The box that the camera's frustum becomes, with the size of the camera's picture.
-    Ndc(crate::camera::Viewport),
+    /// The camera's NDC, in place of the world, with the box that its frustum becomes.
+    Ndc(NdcSpace),
 }
 
 impl Subject<'_> {
+    /// The camera whose NDC is shown in place of the world.
+    pub fn ndc(&self) -> Option<NdcSpace> {
+        match self.lesson {
+            Some(Lesson::Ndc(ndc)) => Some(ndc),
+            _ => None,
+        }
+    }
+
     /// Indices of all that is selected.
     pub fn all_selected(&self) -> Vec<usize> {
         let others = self
@@ -80,7 +84,7 @@ impl State {
 
     /// What one of the four views is of; `None` while they are closed.
     pub(in crate::viewer) fn pane_subject(&self, stage: Stage) -> Option<Subject<'_>> {
-        let (scene, revision) = self.pane_scene(stage)?;
+        let scene = self.pane_scene(stage)?;
         let of_camera = self.subject();
         let alone = self.pane_object();
         // A lone object has index 0.
@@ -90,10 +94,10 @@ impl State {
         };
         Some(Subject {
             scene,
-            revision,
             visibility: match stage {
-                Stage::World | Stage::View => self.visibility_revision,
-                Stage::Object | Stage::Ndc => revision,
+                // Only another object is another picture.
+                Stage::Object => alone.map_or(0, |object| object as u64),
+                _ => self.visibility_revision,
             },
             view: self.pane_view(stage)?,
             selection: here(of_camera.selection),
@@ -104,7 +108,7 @@ impl State {
             lesson: Some(match stage {
                 Stage::Object => Lesson::Object,
                 Stage::World | Stage::View => Lesson::Camera(self.view),
-                Stage::Ndc => Lesson::Ndc(self.view.viewport),
+                Stage::Ndc => Lesson::Ndc(self.ndc()),
             }),
             ..of_camera
         })

@@ -2,12 +2,12 @@
 
 use super::{box_edges::edges, frozen::pixel_grid};
 use crate::{
-    camera::{UpAxis, View, Viewport},
+    camera::{NdcSpace, UpAxis, View, Viewport},
     colour::Srgb,
     geometry::Aabb,
     look,
     render::Line,
-    viewer::model::{NDC_DRAWN, State},
+    viewer::model::State,
 };
 use glam::{DVec2, DVec3};
 
@@ -125,7 +125,7 @@ fn axis_colour(direction: DVec3) -> Srgb {
 pub(super) fn ndc(viewport: Viewport) -> Vec<Line> {
     let on_near = |px: DVec2| viewport.px_to_ndc(px).extend(0.0);
     let mut lines = pixel_grid(viewport, on_near);
-    lines.extend(edges(&NDC_DRAWN, look::CAMERA));
+    lines.extend(edges(&NdcSpace::FRUSTUM, look::CAMERA));
     lines
 }
 

@@ -63,9 +63,17 @@ pub(in crate::viewer) fn lines(subject: &Subject) -> Vec<Line> {
             }
         }
     }
-    if let Some(section) = subject.view.section {
+    let ndc = subject.ndc();
+    if let Some(section) = ndc.map_or(subject.view.section, |ndc| ndc.of.section) {
         let kept = |line: &Line| kept(line, &section);
         lines = lines.iter().filter_map(kept).collect();
+    }
+    if let Some(ndc) = ndc {
+        let drawn = |line: &Line| {
+            let [from, to] = ndc.drawn_segment([line.from, line.to])?;
+            Some(Line { from, to, ..*line })
+        };
+        lines = lines.iter().filter_map(drawn).collect();
     }
     lines
 }

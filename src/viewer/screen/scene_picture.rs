@@ -7,7 +7,7 @@ use super::{
 use crate::{
     camera::{View, Viewport},
     image::{Id, Image, Pixel},
-    pick::raycast_until,
+    pick::{raycast_ndc_until, raycast_until},
     render::{Gpu, GpuError, Marks, MeshStore, Renderer, SMOOTH_SAMPLES, Targets},
     viewer::model::{OnScreen, Subject},
 };
@@ -329,7 +329,11 @@ fn coarse(view: &View) -> View {
 fn cast(subject: &Subject, through: &View) -> Option<Image<Pixel>> {
     let rays = u32::try_from(pixels(through)).unwrap_or(u32::MAX);
     let most = (RAY_TAKES * rays).min(LONGEST);
-    raycast_until(subject.scene, through, Instant::now() + most)
+    let deadline = Instant::now() + most;
+    match subject.ndc() {
+        Some(ndc) => raycast_ndc_until(subject.scene, &ndc, through, deadline),
+        None => raycast_until(subject.scene, through, deadline),
+    }
 }
 
 /// A picture in which each pixel of another stands for several, up to this size.

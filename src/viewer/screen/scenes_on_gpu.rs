@@ -49,7 +49,7 @@ impl ScenesOnGpu {
             }
             let buffers = match self.known(subject.scene) {
                 Some(buffers) => Ok(buffers),
-                None => SceneBuffers::upload_beside(gpu, subject.scene, meshes),
+                None => SceneBuffers::upload_beside(gpu, subject.scene, meshes, subject.ndc()),
             };
             let buffers =
                 buffers.inspect_err(|error| self.unfit = Some((revision, error.clone())))?;
@@ -58,6 +58,7 @@ impl ScenesOnGpu {
             self.before.truncate(MOST_BEFORE);
         }
         if let Some(now) = &mut self.now {
+            now.buffers.ndc = subject.ndc();
             now.buffers.update(gpu, subject.scene, meshes)?;
         }
         Ok(())

@@ -60,7 +60,7 @@ pub(super) fn lines(subject: &Subject) -> Vec<Line> {
     let frozen = subject.frozen.map(|frozen| frozen::lines(&frozen, scene));
     let lesson = match subject.lesson {
         Some(Lesson::Camera(camera)) => frozen::camera(&camera),
-        Some(Lesson::Ndc(viewport)) => grid::ndc(viewport),
+        Some(Lesson::Ndc(ndc)) => grid::ndc(ndc.of.viewport),
         Some(Lesson::Object) | None => Vec::new(),
     };
     let all = floor.into_iter().chain(frozen);

@@ -1,7 +1,10 @@
 //! Shows in the four views what a row of a matrix does, while the cursor rests on the row: its planes, axis or length.
 
 use super::{pane_page::Page, prelude::*};
-use crate::viewer::model::{Matrix, NDC_DRAWN, Stage};
+use crate::{
+    camera::NdcSpace,
+    viewer::model::{Matrix, Stage},
+};
 
 /// White. No area of another colour is filled.
 const COLOUR: Color32 = Color32::from_rgb(255, 255, 255);
@@ -33,7 +36,7 @@ impl Page<'_> {
             Stage::Ndc => {
                 let around = [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
                 let face = |z| around.map(|(x, y)| DVec3::new(x, y, z));
-                let [near, far] = [NDC_DRAWN.max.z, NDC_DRAWN.min.z].map(face);
+                let [near, far] = [NdcSpace::FRUSTUM.max.z, NdcSpace::FRUSTUM.min.z].map(face);
                 std::array::from_fn(|i| if i < 4 { near[i] } else { far[i - 4] })
             }
         };

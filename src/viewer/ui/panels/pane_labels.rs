@@ -3,9 +3,9 @@
 
 use super::{field::short, pane_page::Page, prelude::*};
 use crate::{
-    camera::{DepthMapping, View},
+    camera::{DepthMapping, NdcSpace, View},
     look,
-    viewer::model::{NDC_DRAWN, Stage, Steps},
+    viewer::model::{Stage, Steps},
 };
 use glam::DVec2;
 
@@ -172,7 +172,11 @@ impl Page<'_> {
             let (at, text) = (DVec3::new(0.0, 1.0, z), format!("{name}: z = {number}"));
             self.name(at, text, colour, "what the frustum's plane becomes");
         }
-        for at in NDC_DRAWN.corners().into_iter().filter(|_| !is_small) {
+        for at in NdcSpace::FRUSTUM
+            .corners()
+            .into_iter()
+            .filter(|_| !is_small)
+        {
             let number = if at.z == 0.0 { near } else { far };
             let text = format!("({}, {}, {number})", at.x, at.y);
             let hint = "a corner of the box that the frustum becomes";

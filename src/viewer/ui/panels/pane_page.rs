@@ -41,7 +41,7 @@ impl Page<'_> {
                 Some(object.placement.point_to_object(world))
             }
             Stage::World | Stage::View => Some(world),
-            Stage::Ndc => self.state.ndc_drawn(world),
+            Stage::Ndc => self.state.ndc().drawn(world),
         }
     }
 
