@@ -137,9 +137,9 @@ impl App {
         })?;
         self.state.file_shows(in_file);
         if enters_gallery {
-            self.watching_outside = self.watching.take();
+            self.watches.outside = self.watches.now.take();
         } else if self.state.outside().is_none() {
-            self.watching_outside = None;
+            self.watches.outside = None;
         }
         self.watch_anew(load.stamps);
         if self.first {
@@ -192,7 +192,7 @@ impl App {
     /// Shows the warnings about what is shown now, and no other messages.
     fn tell_anew(&mut self, warnings: &[Warning]) {
         self.notices.clear();
-        self.gone.clear();
+        self.watches.gone.clear();
         self.told = warnings.iter().map(Warning::to_string).collect();
         self.warn(warnings);
     }

@@ -3,7 +3,7 @@
 use super::wake::PathFor;
 use crate::viewer::{
     jobs::{Loading, Saving, Stamps},
-    model::Written,
+    model::Filed,
     ui::Intent,
 };
 use std::{mem, path::PathBuf};
@@ -19,7 +19,7 @@ pub(in crate::viewer) enum Modal {
     /// The answer of a file dialog. What is to be done after a save.
     Dialog(PathFor, Option<Intent>),
     /// A save of these edits, and what is to be done after it.
-    Saving(Saving, Written, Option<Intent>),
+    Saving(Saving, Filed, Option<Intent>),
     /// The user's answer to the question whether this may drop edits or measures.
     Question(Intent),
 }

@@ -46,6 +46,19 @@ pub(in crate::viewer) struct Screenshots {
     pub folder: PathBuf,
 }
 
+/// Watches of files, for changes by others.
+#[derive(Default)]
+pub(in crate::viewer) struct Watches {
+    /// Of the files of the scene on show.
+    pub now: Option<Watching>,
+    /// Of the files of the scene that was left for the gallery.
+    pub outside: Option<Watching>,
+    /// The scene's revision at which `now` was brought up to date last.
+    pub revision: u64,
+    /// Files that are gone, as messages say.
+    pub gone: Vec<PathBuf>,
+}
+
 /// Who shows the program.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::viewer) enum Host {
@@ -87,14 +100,7 @@ pub(in crate::viewer) struct App {
     pub memory: Memory,
     /// The last write of the memory to its file.
     pub(super) keeping: Option<Job<()>>,
-    /// Watches the files of the scene on show for changes by others.
-    pub(super) watching: Option<Watching>,
-    /// The same of the scene that was left for the gallery.
-    pub(super) watching_outside: Option<Watching>,
-    /// Files that are gone, as messages say.
-    pub(super) gone: Vec<PathBuf>,
-    /// The scene's revision at which the watch was brought up to date last.
-    pub(super) watched: u64,
+    pub(super) watches: Watches,
     /// The search for system typefaces with characters that egui's own lack.
     pub(super) typefaces: Typefaces,
     /// Questions to the files of meshes, and their answers.
@@ -155,10 +161,7 @@ impl App {
             matrices_showed: false,
             memory,
             keeping: None,
-            watching: None,
-            watching_outside: None,
-            gone: Vec::new(),
-            watched: 0,
+            watches: Watches::default(),
             typefaces,
             numbers: Numbers::default(),
             sums: Sums::default(),

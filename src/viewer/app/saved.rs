@@ -51,7 +51,7 @@ impl App {
                 return self.failed(Attempt::Save, text.into());
             }
         };
-        if self.watching.as_mut().is_some_and(Watching::is_due) {
+        if self.watches.now.as_mut().is_some_and(Watching::is_due) {
             let text = "its files changed on the disk while you chose a name: nothing was saved, save again";
             return self.failed(Attempt::Save, text.into());
         }
@@ -61,7 +61,7 @@ impl App {
                 let meshes = state.source().meshes.clone();
                 let what = (state.scene().clone(), state.camera_choice(), meshes);
                 let saving = jobs::save(what, path, self.waker());
-                self.modal = Modal::Saving(saving, self.state.to_write(), then);
+                self.modal = Modal::Saving(saving, self.state.to_file(), then);
             }
             Err(text) => self.failed(Attempt::Save, text),
         }
@@ -94,7 +94,7 @@ impl App {
             return;
         };
         let Some(result) = saving.poll() else { return };
-        let Modal::Saving(_, written, then) = mem::take(&mut self.modal) else {
+        let Modal::Saving(_, filed, then) = mem::take(&mut self.modal) else {
             return;
         };
         let (path, meshes) = match result {
@@ -114,7 +114,7 @@ impl App {
             self.succeeded(Attempt::Open);
         }
         let stamps = Stamps::of(&source.paths);
-        self.state.saved(written, source);
+        self.state.saved(filed, source);
         self.watch(stamps);
         if let Some(then) = then {
             self.intend(then);

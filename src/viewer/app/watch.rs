@@ -25,7 +25,7 @@ impl App {
 
     /// Watches the files of a scene that has just been read. `read` says how they were before that.
     pub(super) fn watch_anew(&mut self, read: Stamps) {
-        self.watching = None;
+        self.watches.now = None;
         self.watch(read);
     }
 
@@ -33,7 +33,7 @@ impl App {
     /// is still to be read is kept.
     pub(super) fn watch(&mut self, read: Stamps) {
         let files = files_of(self.state.source());
-        let mut before = self.watching.take();
+        let mut before = self.watches.now.take();
         let is_due = before.as_mut().is_some_and(Watching::is_due);
         let known = before.as_ref().map(Watching::known).cloned();
         let known = known.unwrap_or_default().with(read);
@@ -41,27 +41,27 @@ impl App {
             && let Some(mut watching) = Watching::start(&files, &known, self.waker())
         {
             watching.set_due(is_due);
-            self.watching = Some(watching);
+            self.watches.now = Some(watching);
         }
     }
 
     /// Goes back to what was open before the gallery, and to the watch of its files.
     pub(super) fn leave_gallery(&mut self) {
         self.state.leave_gallery();
-        self.watching = self.watching_outside.take();
+        self.watches.now = self.watches.outside.take();
         self.build_trees();
     }
 
     /// Watches what is on screen now: undo and redo of added files lead to other files.
     fn keep_watching(&mut self) {
         let revision = self.state.scene_revision();
-        if self.watched == revision {
+        if self.watches.revision == revision {
             return;
         }
-        self.watched = revision;
+        self.watches.revision = revision;
         let files = files_of(self.state.source());
         let is_watched = |watching: &Watching| watching.is_of(&files);
-        if !self.watching.as_ref().is_some_and(is_watched) {
+        if !self.watches.now.as_ref().is_some_and(is_watched) {
             self.watch(Stamps::default());
         }
     }
@@ -69,16 +69,16 @@ impl App {
     /// Reads the files again after a change. A change during a load waits for its end.
     pub(super) fn take_changed(&mut self) {
         self.keep_watching();
-        for file in self.gone.extract_if(.., |file| file.exists()) {
+        for file in self.watches.gone.extract_if(.., |file| file.exists()) {
             let text = is_gone(file);
             self.notices.retain(|notice| notice.text != text);
         }
-        let Some(watching) = &mut self.watching else {
+        let Some(watching) = &mut self.watches.now else {
             return;
         };
         let is_due = watching.is_due();
         for file in watching.take_gone() {
-            self.gone.push(file.clone());
+            self.watches.gone.push(file.clone());
             self.remind(is_gone(file));
         }
         if !is_due || !matches!(self.modal, Modal::None) {
@@ -107,7 +107,7 @@ impl App {
 
     /// The files of the scene on show that have changed since they were read, in words, and whether they are several.
     pub(super) fn what_changed(&self) -> (String, bool) {
-        let watching = self.watching.as_ref();
+        let watching = self.watches.now.as_ref();
         let files = watching.map_or_else(Vec::new, Watching::changed);
         let files = if files.is_empty() {
             &self.state.source().paths
@@ -125,7 +125,7 @@ impl App {
     }
 
     fn take_as_read(&mut self) {
-        if let Some(watching) = &mut self.watching {
+        if let Some(watching) = &mut self.watches.now {
             watching.set_due(false);
         }
     }

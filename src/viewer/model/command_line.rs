@@ -74,7 +74,7 @@ fn line(state: &State, view: &View, command: &str) -> String {
     if let Some(section) = view.section {
         flag("section", SectionChoice::Plane(section).to_string());
     }
-    let filed = &state.filed_shown;
+    let filed = &state.filed.shown;
     let is_hidden_in_file = |index: usize| filed.get(index) == Some(&false);
     for (name, visible) in [("hide", false), ("show", true)] {
         let objects = state.scene().objects().iter().enumerate();

@@ -1,31 +1,21 @@
 //! What the scene's file holds: which edits it does not have yet, and where they are saved.
 
-use super::state::{Edits, Source, State};
-use crate::{
-    geometry::Section,
-    scene::{self, Scene},
-};
+use super::state::{Filed, Source, State};
+use crate::scene::{self, Scene};
 use std::{mem, path::PathBuf};
-
-/// The edits of a scene while they are written to a file.
-pub(in crate::viewer) struct Written {
-    edits: Edits,
-    shown: Vec<bool>,
-    section: Option<Section>,
-}
 
 impl State {
     /// Whether the scene differs from its files in a model matrix, or has an object that is in none of them. What is
     /// hidden and the section do not count: reading the files again keeps them.
     pub fn edited(&self) -> bool {
-        self.edits.matrices != self.filed.matrices
+        self.edits.matrices != self.filed.edits.matrices
     }
 
     /// Whether the scene on show has unsaved edits: in a model matrix, in what is hidden, in the section or in which
     /// objects there are. Measures are none.
     pub fn has_edits(&self) -> bool {
-        let is_cut = self.view.section != self.filed_section;
-        is_cut || self.hides_others || self.edits != self.filed
+        let is_cut = self.view.section != self.filed.section;
+        is_cut || self.hides_others || self.edits != self.filed.edits
     }
 
     /// Whether the scene on show has measures, which no file holds.
@@ -41,30 +31,28 @@ impl State {
     /// After a change of what is hidden. What was hidden and is shown again is no edit.
     pub(super) fn compare_hidden(&mut self) {
         let shown = self.scene.objects().iter().map(|object| object.visible);
-        self.hides_others = !shown.eq(self.unedited_shown.iter().copied());
+        self.hides_others = !shown.eq(self.filed.unedited.iter().copied());
     }
 
     /// Notes which objects the scene's file shows, where flags have changed that.
     pub(in crate::viewer) fn file_shows(&mut self, shown: Vec<bool>) {
-        self.filed_shown = shown;
+        self.filed.shown = shown;
     }
 
-    /// The edits as they are written to a file now.
-    pub(in crate::viewer) fn to_write(&self) -> Written {
-        Written {
+    /// What its file will hold once the scene is written to it as it is now.
+    pub(in crate::viewer) fn to_file(&self) -> Filed {
+        Filed {
             edits: self.edits,
             shown: shown_in(&self.scene),
+            unedited: shown_in(&self.scene),
             section: self.view.section,
         }
     }
 
-    /// They were written: from now on the scene belongs to these files.
-    pub(in crate::viewer) fn saved(&mut self, written: Written, source: Source) {
+    /// That was written: from now on the scene belongs to these files.
+    pub(in crate::viewer) fn saved(&mut self, filed: Filed, source: Source) {
         self.name = scene::title(&source.paths);
-        self.filed = written.edits;
-        self.filed_shown.clone_from(&written.shown);
-        self.unedited_shown = written.shown;
-        self.filed_section = written.section;
+        self.filed = filed;
         let materials = mem::take(&mut self.source.materials);
         self.source = Source {
             materials,

@@ -8,7 +8,7 @@ use super::{
     ortho_height::OrthoHeight,
     overlay::Overlays,
     showing::Showing,
-    state::{Chosen, Edit, Edits, Source, State, UndoStep, Viewpoint},
+    state::{Chosen, Edit, Edits, Filed, Source, State, UndoStep, Viewpoint},
     timeline::Timeline,
 };
 use crate::{
@@ -35,9 +35,13 @@ impl State {
         let orbit = Orbit::of_camera(&camera, up_axis);
         let controls = LensControls::of(&choice);
         Ok(Self {
-            filed_shown: shown_in(&loaded.scene),
-            unedited_shown: shown_in(&loaded.scene),
             hides_others: false,
+            filed: Filed {
+                shown: shown_in(&loaded.scene),
+                unedited: shown_in(&loaded.scene),
+                section,
+                ..Filed::default()
+            },
             scene: loaded.scene,
             scene_revision: 0,
             visibility_revision: 0,
@@ -73,8 +77,6 @@ impl State {
             },
             document: 0,
             edits: Edits::default(),
-            filed: Edits::default(),
-            filed_section: section,
             timeline: Timeline::default(),
             grid: true,
             overlays: Overlays::default(),

@@ -22,19 +22,19 @@ impl State {
         }
         self.source.meshes = loaded.meshes;
         self.source.materials = loaded.materials;
-        self.filed_shown = shown_in(&loaded.scene);
+        self.filed.shown = shown_in(&loaded.scene);
         let differs = !is_same(&self.scene, &loaded.scene);
         if differs {
             self.show_again(Made::again(&self.scene, loaded.scene));
         } else {
             self.ask_files_again();
         }
-        self.filed.matrices = self.edits.matrices;
+        self.filed.edits.matrices = self.edits.matrices;
         if self.source.paths.is_empty() {
-            self.filed.objects = self.edits.objects;
+            self.filed.edits.objects = self.edits.objects;
         }
-        self.unedited_shown = if self.hides_others {
-            self.filed_shown.clone()
+        self.filed.unedited = if self.hides_others {
+            self.filed.shown.clone()
         } else {
             shown_in(&self.scene)
         };

@@ -110,6 +110,17 @@ pub(super) struct Edits {
     pub objects: u64,
 }
 
+/// What a scene's file holds. What differs from it is an edit.
+#[derive(Clone, Default)]
+pub(in crate::viewer) struct Filed {
+    pub(super) edits: Edits,
+    /// Which objects it shows, in order.
+    pub(super) shown: Vec<bool>,
+    /// Which objects were visible when it was opened, with flags perhaps, or saved, or read again. Others are an edit.
+    pub(super) unedited: Vec<bool>,
+    pub(super) section: Option<Section>,
+}
+
 /// An edit of the scene.
 pub(super) enum Edit {
     /// An object gets this placement.
@@ -183,16 +194,9 @@ pub struct State {
     /// Which scene this is among those that were open.
     pub(super) document: u64,
     pub(super) edits: Edits,
-    /// The edits that its file has.
-    pub(super) filed: Edits,
-    /// Which objects its file shows, in order.
-    pub(super) filed_shown: Vec<bool>,
-    /// Which objects were visible when the scene was opened, with flags perhaps, or saved, or read again.
-    pub(super) unedited_shown: Vec<bool>,
-    /// Whether others are visible now, which is an edit.
+    /// Whether other objects are visible than [`Filed::unedited`] says.
     pub(super) hides_others: bool,
-    /// The section as the scene was opened or saved with it.
-    pub(super) filed_section: Option<Section>,
+    pub(super) filed: Filed,
     pub(super) timeline: Timeline<UndoStep>,
     pub(super) grid: bool,
     pub(super) overlays: Overlays,
