@@ -15,7 +15,7 @@ use sightline::{
     geometry::Sides,
     image::{Id, Image, Pixel, Rgb},
     pick,
-    render::{Gpu, MeshStore, Renderer, SceneBuffers, Targets},
+    render::{Gpu, Marks, MeshStore, Renderer, SceneBuffers, Targets},
     scene::Scene,
 };
 use std::time::{Duration, Instant};
@@ -114,6 +114,42 @@ fn from_straight_in_front_ndc_shows_what_the_camera_sees() {
         let cast = Image::new(cast.size(), cast.pixels().iter().map(|at| at.id).collect());
         let differ = differing(&cast, &seen);
         assert!(differ < 100, "{name}: {differ} rays");
+    }
+}
+
+/// Wherever an object is in NDC, what is selected or lit shows it.
+#[test]
+fn what_is_selected_or_lit_in_ndc_is_marked() {
+    let (gpu, scene) = (gpu(), shapes(DVec3::ZERO));
+    let lens = perspective(34.0, 0.05, 2000.0);
+    let (_, camera) = cameras()[0];
+    let observer = observer(dvec3(2.4, 1.8, 4.0), -0.4 * DVec3::Z, lens, camera.sides);
+    let ndc = NdcSpace { of: camera };
+    let meshes = &mut MeshStore::default();
+    let buffers = SceneBuffers::upload_beside(&gpu, &scene, meshes, Some(ndc)).expect("fits");
+    let targets = Targets::new(&gpu, observer.viewport, 1).expect("fits");
+    let onto = (&buffers, &targets, &observer);
+    let mut renderer = Renderer::new(&gpu, 1);
+    renderer.draw(onto, &[]).expect("draws");
+    let bare = targets.read_colours(&gpu).expect("colours");
+    let ids = targets.read_ids(&gpu).expect("ids");
+    for object in 0..scene.objects().len() {
+        let selected = Marks {
+            selection: vec![object],
+            hover: None,
+        };
+        let lit = Marks {
+            selection: Vec::new(),
+            hover: Some(object),
+        };
+        for marks in [selected, lit] {
+            renderer.draw_outline(onto, &marks.selection);
+            let marked = renderer.read_marked(onto, &marks).expect("a picture");
+            let of_it =
+                (ids.positions()).filter(|&(x, y)| ids.at(x, y).object as usize == object + 1);
+            let plain = of_it.filter(|&(x, y)| marked.at(x, y) == bare.at(x, y));
+            assert_eq!(plain.count(), 0, "{object}: {marks:?}");
+        }
     }
 }
 

@@ -173,6 +173,20 @@ fn a_matrix_that_is_edited_moves_what_it_makes() {
     control(&window, "middle, before M mirrors it");
 }
 
+/// The cube and the ball fill the same box, each in its own space.
+#[test]
+fn the_object_view_shows_the_object_that_is_selected() {
+    let (mut window, _folder) = four();
+    let [_, cube, ball, again] = ["middle", "front", "middle", "front"].map(|name| {
+        click_on(&mut window, name);
+        away(&mut window)
+    });
+    let object = rects(&window)[0];
+    let object = object.with_min_y(object.top() + 36.0).shrink(2.0);
+    assert!(differing_in(&cube, &ball, object) > 1000);
+    assert_eq!(differing_in(&cube, &again, object), 0);
+}
+
 #[test]
 fn one_made_large_is_the_single_stage_and_comes_back() {
     let (mut window, folder) = four();

@@ -13,7 +13,13 @@ fn about(window: &Window, picture: &Image<Rgb>, point_world: DVec3) -> Vec<Rgb> 
     let view = window.state().view();
     let size = DVec2::new(view.viewport.width().into(), view.viewport.height().into());
     let origin = DVec2::new(MIDDLE.x.into(), MIDDLE.y.into()) - 0.5 * size;
-    let at = (view.project(point_world).expect("before the eye").px + origin).floor();
+    let at = view.project(point_world).expect("before the eye").px + origin;
+    about_pixel(picture, at)
+}
+
+/// The colours of a picture around a position.
+fn about_pixel(picture: &Image<Rgb>, at: DVec2) -> Vec<Rgb> {
+    let at = at.floor();
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -82,6 +88,28 @@ fn overlays_are_about_the_selection() {
     assert_eq!(of_selection, bare);
     let of_all = seen(Some(Key::Escape));
     assert!(turned(&bare, &of_all, look::BOXES.0), "{of_all:?}");
+}
+
+/// In NDC, overlays are where the camera's matrices bring them: a box is none there.
+#[test]
+fn a_box_in_ndc_has_its_corners_where_the_camera_projects_them() {
+    let (mut window, _folder) = four::four();
+    let bare = four::away(&mut window);
+    press_key(&mut window, Modifiers::NONE, Key::X);
+    let boxed = four::away(&mut window);
+    let state = window.state();
+    let seen = state.pane_view(Stage::Ndc).expect("a view");
+    let origin = four::rects(&window)[3].min;
+    let origin = DVec2::new(origin.x.into(), origin.y.into());
+    let corners = state.scene().bounds_of(1).corners().into_iter();
+    let shown = corners.filter(|corner| {
+        let drawn = state.ndc().drawn(*corner).expect("behind near");
+        let at = seen.project(drawn).expect("in front").px + origin;
+        let [before, now] = [&bare, &boxed].map(|picture| about_pixel(picture, at));
+        turned(&before, &now, look::BOXES.0)
+    });
+    // The others are behind objects.
+    assert!(shown.count() >= 4);
 }
 
 /// Where an object shows in the window, with room for its outline.
