@@ -30,7 +30,8 @@ use wgpu::BufferUsages;
 
 /// A scene in graphics memory. What changes in the scene is drawn only after [`SceneBuffers::update`].
 pub struct SceneBuffers {
-    /// The camera whose NDC is drawn, as the view's observer sees it, in place of the world.
+    /// The camera whose NDC is drawn, as the view's observer sees it, in place of the world. Only buffers that were
+    /// uploaded for NDC show another camera's, and they show no world.
     pub ndc: Option<NdcSpace>,
     all: ToDraw,
     seen: RefCell<Seen>,
