@@ -1,8 +1,11 @@
 //! The operating system's window, egui's side of it and the surface that it shows.
 
-use super::{clipboard::Clipboard, mark::marked};
+use super::{
+    clipboard::{Clipboard, without_clipboard},
+    mark::marked,
+};
 use crate::viewer::{
-    app::WindowPlace,
+    app::{Waker, WindowPlace},
     options::{Options, ViewerError},
     screen::WindowSurface,
 };
@@ -17,7 +20,7 @@ use winit::{
 pub(super) struct Shell {
     pub window: Arc<Window>,
     pub egui: egui_winit::State,
-    clipboard: Option<Clipboard>,
+    clipboard: Clipboard,
     pub surface: WindowSurface,
     /// What was asked of the system last.
     title: String,
@@ -32,6 +35,7 @@ impl Shell {
         options: &Options,
         remembered: Option<WindowPlace>,
         context: egui::Context,
+        wake: &Waker,
     ) -> Result<Self, ViewerError> {
         let attributes = Window::default_attributes().with_title("Sightline");
         let attributes = if let Some(size) = options.size {
@@ -47,13 +51,12 @@ impl Shell {
         let surface = WindowSurface::new(Arc::clone(&window), event_loop.owned_display_handle())?;
         #[expect(clippy::cast_possible_truncation, reason = "egui's type")]
         let scale = window.scale_factor() as f32;
-        let (id, theme) = (egui::ViewportId::ROOT, window.theme());
-        let mut egui = egui_winit::State::new(context, id, &*window, Some(scale), theme, None);
-        let clipboard = Clipboard::new(&window, &mut egui);
+        let egui = without_clipboard(context, scale, window.theme());
+        let display = event_loop.owned_display_handle();
         Ok(Self {
             window,
             egui,
-            clipboard,
+            clipboard: Clipboard::new(display, Arc::clone(wake)),
             surface,
             title: String::new(),
             fills_screen: false,
@@ -63,17 +66,13 @@ impl Shell {
     /// The input since the last call.
     pub fn input(&mut self) -> egui::RawInput {
         let mut input = self.egui.take_egui_input(&self.window);
-        if let Some(clipboard) = &mut self.clipboard {
-            clipboard.paste(&mut input.events);
-        }
+        self.clipboard.paste(&mut input.events);
         input
     }
 
     /// Does what egui asks of the system.
     pub fn obey(&mut self, mut asked: egui::PlatformOutput) {
-        if let Some(clipboard) = &mut self.clipboard {
-            clipboard.copy(&mut asked.commands);
-        }
+        self.clipboard.copy(&mut asked.commands);
         self.egui.handle_platform_output(&self.window, asked);
     }
 

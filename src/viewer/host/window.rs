@@ -7,7 +7,7 @@ use crate::viewer::{
     app::{App, Host, Wake, Waker},
     jobs::ask_darkness,
     options::{Options, ViewerError},
-    ui::Command,
+    ui::{Attempt, Command},
 };
 use egui::Theme;
 use std::{
@@ -123,7 +123,7 @@ impl ApplicationHandler<Wake> for Program {
         }
         let app = &mut self.app;
         let (remembered, context) = (app.memory.window, app.context.clone());
-        match Shell::open(event_loop, &app.options, remembered, context) {
+        match Shell::open(event_loop, &app.options, remembered, context, &app.wake) {
             Ok(shell) => {
                 #[cfg(feature = "screen-readers")]
                 let shell = super::reader::show(shell, event_loop, &app.wake);
@@ -142,6 +142,18 @@ impl ApplicationHandler<Wake> for Program {
             Wake::Look => self.request_redraw(),
             Wake::Answered(what, answer) => {
                 self.app.answered(what, answer);
+                self.request_redraw();
+            }
+            Wake::Pasted(Ok(text)) => {
+                if let Some(shell) = &mut self.shell {
+                    let events = &mut shell.egui.egui_input_mut().events;
+                    events.push(egui::Event::Paste(text));
+                }
+                self.app.succeeded(Attempt::Paste);
+                self.request_redraw();
+            }
+            Wake::Pasted(Err(reason)) => {
+                self.app.failed(Attempt::Paste, reason.to_owned());
                 self.request_redraw();
             }
             Wake::Desktop { is_dark } => {
