@@ -14,6 +14,7 @@ mod memory;
 mod numbers;
 mod program;
 mod remembering;
+mod rescue;
 mod rest;
 mod touring;
 mod typesetting;
@@ -25,6 +26,7 @@ pub(super) use in_turn::in_turn;
 pub(super) use memory::WindowPlace;
 pub use memory::memory_file;
 pub(super) use program::{App, Host};
+pub(super) use rescue::{Unsaved, rescue};
 pub use rest::REST_S;
 #[cfg(feature = "screen-readers")]
 pub(super) use wake::Reader;

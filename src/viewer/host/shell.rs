@@ -12,6 +12,7 @@ use crate::viewer::{
 use std::sync::Arc;
 use winit::{
     dpi::{LogicalSize, PhysicalPosition, PhysicalSize},
+    event::InnerSizeWriter,
     event_loop::ActiveEventLoop,
     window::{Fullscreen, Window, WindowAttributes},
 };
@@ -22,6 +23,8 @@ pub(super) struct Shell {
     pub egui: egui_winit::State,
     clipboard: Clipboard,
     pub surface: WindowSurface,
+    /// The size that the command line asks for, until the window is used.
+    pub size_px: Option<PhysicalSize<u32>>,
     /// What was asked of the system last.
     title: String,
     fills_screen: bool,
@@ -38,15 +41,17 @@ impl Shell {
         wake: &Waker,
     ) -> Result<Self, ViewerError> {
         let attributes = Window::default_attributes().with_title("Sightline");
-        let attributes = if let Some(size) = options.size {
-            attributes.with_inner_size(PhysicalSize::new(size.width(), size.height()))
+        let size_px = options.size;
+        let size_px = size_px.map(|size| PhysicalSize::new(size.width(), size.height()));
+        let attributes = if let Some(size_px) = size_px {
+            attributes.with_inner_size(size_px)
         } else {
             let screens = event_loop.available_monitors();
             let screens = screens.map(|screen| (screen.position(), screen.size()));
             restored(attributes, remembered, screens)
         };
         let attributes = attributes.with_visible(!cfg!(feature = "screen-readers"));
-        let window = event_loop.create_window(marked(attributes));
+        let window = event_loop.create_window(marked(attributes, event_loop));
         let window = Arc::new(window.map_err(|error| ViewerError::no_display(&error))?);
         let surface = WindowSurface::new(Arc::clone(&window), event_loop.owned_display_handle())?;
         #[expect(clippy::cast_possible_truncation, reason = "egui's type")]
@@ -58,9 +63,19 @@ impl Shell {
             egui,
             clipboard: Clipboard::new(display, Arc::clone(wake)),
             surface,
+            size_px,
             title: String::new(),
             fills_screen: false,
         })
+    }
+
+    /// The window is shown at another scale. Wayland tells the scale only once the window is open, and until then takes
+    /// the size that was asked for as that at scale 1.
+    pub fn keep_size(&mut self, writer: &mut InnerSizeWriter) {
+        if let Some(size_px) = self.size_px.take() {
+            // It fails where the system has decided.
+            let _ = writer.request_inner_size(size_px);
+        }
     }
 
     /// The input since the last call.
