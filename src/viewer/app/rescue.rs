@@ -1,4 +1,8 @@
 //! When the display goes, the window goes with it: edits that are in no file are saved beside their files first.
+#![cfg_attr(
+    not(target_os = "linux"),
+    allow(dead_code, reason = "only X11 needs a list at hand")
+)]
 
 use super::program::App;
 use crate::{
