@@ -82,7 +82,7 @@ exit_codes! {
     ImageError: |_| 3;
     SaveError: |_| 3;
     GpuError: |_| 4;
-    ViewerError: |error| if matches!(error, ViewerError::NoDisplay) { 5 } else { 4 };
+    ViewerError: |error| if matches!(error, ViewerError::Gpu(_)) { 4 } else { 5 };
 }
 
 /// Turns clap's message into one line, with its suggestion for a misspelt word and without the usage text.

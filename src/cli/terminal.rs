@@ -17,8 +17,12 @@ pub(super) fn start_log(verbose: bool) {
         .filter_module("sightline", ours)
         // Without a driver, errors say so in one line; Vulkan's loader takes several, with addresses in them.
         .filter_module("wgpu_hal::vulkan::instance", retold)
-        // The window says in its own words that no dialog can be shown.
+        // The window says in its own words that no dialog can be shown, and that its display is gone.
         .filter_module("rfd", retold)
+        .filter_module("arboard", retold)
+        .filter_module("calloop_wayland_source", retold)
+        .filter_module("sctk_adwaita", retold)
+        .filter_module("wayland_backend", retold)
         .parse_default_env()
         .format(|out, record| {
             let kind = if record.level() == Level::Warn {

@@ -63,11 +63,14 @@ pub fn adapters() -> Vec<AdapterFound> {
             }
         })
         .collect();
-    // Where the best one fails, the first that draws takes its place.
+    // Where the best one fails, the first other that draws takes its place, those on the CPU last.
     let fails = |found: &AdapterFound| found.is_used && found.can.is_err();
+    let draws = |at: &usize| found[*at].can.is_ok();
     if let (Some(best), Some(other)) = (
         found.iter().position(fails),
-        found.iter().position(|found| found.can.is_ok()),
+        (0..found.len())
+            .filter(draws)
+            .min_by_key(|at| found[*at].kind == "software"),
     ) {
         (found[best].is_used, found[other].is_used) = (false, true);
     }

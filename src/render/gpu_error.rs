@@ -1,13 +1,13 @@
 //! What can go wrong with the graphics device.
 
+use std::env;
+
 /// Why nothing can be drawn. Each says in one line what to do about it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GpuError {
     /// No driver.
-    #[error(
-        "no graphics driver found: install one (Debian, Ubuntu: apt-get install mesa-vulkan-drivers)"
-    )]
+    #[error("no graphics driver found{}", where_to_find())]
     NoAdapter,
     /// The driver lacks something that drawing requires.
     #[error("{adapter} lacks {what}: use another driver; `sightline doctor` lists what there is")]
@@ -18,7 +18,9 @@ pub enum GpuError {
         what: String,
     },
     /// The driver is there but does not work.
-    #[error("{adapter} refuses to work ({reason}): use another driver")]
+    #[error(
+        "{adapter} refuses to work ({reason}): use another driver; `sightline doctor` lists what there is"
+    )]
     Device {
         /// The adapter's name.
         adapter: String,
@@ -57,4 +59,15 @@ pub enum GpuError {
     /// Graphics memory is used up.
     #[error("{0} is out of memory: draw a smaller picture or scene")]
     OutOfMemory(String),
+}
+
+/// What to do where no driver is found.
+fn where_to_find() -> String {
+    match env::var_os("WGPU_BACKEND") {
+        Some(name) => format!(" for WGPU_BACKEND={}: unset it", name.display()),
+        None if cfg!(target_os = "linux") => {
+            ": install one (Debian, Ubuntu: apt-get install mesa-vulkan-drivers)".to_owned()
+        }
+        None => ": install that of the graphics card".to_owned(),
+    }
 }

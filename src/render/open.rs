@@ -6,6 +6,7 @@ use super::{
     probe::probe,
 };
 use std::time::Instant;
+use wgpu::TextureFormat;
 
 impl Gpu {
     /// A device that draws into textures only. `WGPU_BACKEND` narrows the choice, as everywhere in wgpu.
@@ -35,16 +36,22 @@ impl Gpu {
         first_that_draws(&instance(), None, |adapter| Self::of(adapter, restraint))
     }
 
-    /// A device that can draw on a window's surface.
+    /// A device that can draw on a window's surface, and the format of what it draws: colours of 8 bits as they are.
     ///
     /// # Errors
     /// When no driver can draw on it, or the driver cannot do what drawing needs.
     pub fn for_surface(
         instance: &wgpu::Instance,
         surface: &wgpu::Surface<'_>,
-    ) -> Result<Self, GpuError> {
+    ) -> Result<(Self, TextureFormat), GpuError> {
         let made = first_that_draws(instance, Some(surface), |adapter| {
-            Self::of(adapter, &Restraint::default())
+            let can = surface.get_capabilities(&adapter).formats;
+            let gpu = Self::of(adapter, &Restraint::default())?;
+            let mut plain = [TextureFormat::Bgra8Unorm, TextureFormat::Rgba8Unorm].into_iter();
+            match plain.find(|format| can.contains(format)) {
+                Some(format) => Ok((gpu, format)),
+                None => Err(gpu.failed(&"the screen takes no 8-bit colours")),
+            }
         });
         made.map_err(|error| match error {
             GpuError::NoAdapter => Self::no_window(instance),
@@ -80,11 +87,11 @@ impl Gpu {
 }
 
 /// The device of the best adapter; where that fails, of another that draws.
-fn first_that_draws(
+fn first_that_draws<T>(
     instance: &wgpu::Instance,
     surface: Option<&wgpu::Surface<'_>>,
-    open: impl Fn(wgpu::Adapter) -> Result<Gpu, GpuError>,
-) -> Result<Gpu, GpuError> {
+    open: impl Fn(wgpu::Adapter) -> Result<T, GpuError>,
+) -> Result<T, GpuError> {
     let best = pollster::block_on(best_adapter(instance, surface))?;
     let info = best.get_info();
     let others = || {

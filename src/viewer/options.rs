@@ -40,6 +40,14 @@ pub enum ViewerError {
         "no display to open a window on; draw a picture instead: sightline render SCENE -o picture.png"
     )]
     NoDisplay,
+    /// The display went away while the window was open.
+    #[error("{0}")]
+    DisplayGone(String),
+    /// A library that winit needs is missing.
+    #[error(
+        "no window opens without libxkbcommon (Debian, Ubuntu: apt-get install libxkbcommon-x11-0); draw a picture instead: sightline render SCENE -o picture.png"
+    )]
+    NoKeyboards,
     /// No graphics device to draw it with.
     #[error("{0}; or draw a picture by rays: sightline render SCENE --by raycast -o picture.png")]
     Gpu(#[from] GpuError),

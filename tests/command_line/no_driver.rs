@@ -83,3 +83,16 @@ fn with_a_driver_rays_are_not_mentioned() {
     );
     assert!(!said.contains("by rays"), "{said}");
 }
+
+/// Where only other backends are allowed, that is said: to install a driver would not help.
+#[test]
+fn a_choice_of_backends_that_leaves_none_is_named() {
+    let folder = Folder::new();
+    let mut command = folder.command("verify scene.toml");
+    let output = command.env("WGPU_BACKEND", "gl").output().unwrap();
+    let said = error(&output, 4, "verify");
+    assert!(
+        said.contains("no graphics driver found for WGPU_BACKEND=gl: unset it"),
+        "{said}"
+    );
+}

@@ -3,6 +3,8 @@
 #![cfg(feature = "window")]
 
 mod clipboard;
+#[cfg(target_os = "linux")]
+mod display_gone;
 mod refusals;
 
 use std::{

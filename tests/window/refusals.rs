@@ -62,3 +62,36 @@ fn a_compositor_that_is_gone_gives_way_to_x11() {
     let text = report(":999");
     assert!(text.contains("display: no display"), "{text}");
 }
+
+/// Without the library that reads keyboards, one line says what to install.
+#[test]
+#[cfg(target_os = "linux")]
+fn without_a_library_of_keyboards_it_refuses() {
+    let screen = Screen::new(640, 480);
+    let folder = tempfile::tempdir().expect("a folder");
+    let refused = |library: &str| {
+        // An empty file is found before the system's library, and is none.
+        let files = [".so.0", ".so"].map(|ending| folder.path().join(format!("{library}{ending}")));
+        for file in &files {
+            std::fs::write(file, "").expect("written");
+        }
+        let mut command = Command::new(SIGHTLINE);
+        command.env("DISPLAY", &screen.display);
+        command.env("LD_LIBRARY_PATH", folder.path());
+        command.env_remove("WAYLAND_DISPLAY");
+        command.env_remove("WAYLAND_SOCKET");
+        let output = command.output().expect("it runs");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(5), "{said}");
+        assert_eq!(said.lines().count(), 1, "{said}");
+        assert!(
+            said.contains("apt-get install libxkbcommon-x11-0"),
+            "{said}"
+        );
+        for file in files {
+            std::fs::remove_file(file).expect("removed");
+        }
+    };
+    refused("libxkbcommon-x11");
+    refused("libxkbcommon");
+}

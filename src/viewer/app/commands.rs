@@ -166,7 +166,7 @@ impl App {
             (PathFor::Open, Answer::Paths(paths)) => self.run_after_typing(Command::Open(paths)),
             (PathFor::Open, Answer::NotShown) => self.failed(
                 Attempt::Open,
-                format!("{NO_DIALOG}: drop files on the window, or name them as arguments: sightline FILE"),
+                format!("{NO_DIALOG}: name files as arguments: sightline FILE; or drop files on the window, which Wayland does not pass on"),
             ),
             (PathFor::Save, Answer::Paths(paths)) => paths.into_iter().for_each(|to| self.save(to)),
             (PathFor::Save, Answer::NotShown) => self.save_without_dialog(),

@@ -13,6 +13,7 @@ mod modal;
 mod numbers;
 mod program;
 mod remembering;
+mod rescue;
 mod rest;
 mod saved;
 mod touring;
@@ -25,6 +26,8 @@ pub(super) use in_turn::in_turn;
 pub(super) use memory::WindowPlace;
 pub use memory::memory_file;
 pub(super) use program::{App, Host};
+#[cfg(target_os = "linux")]
+pub(super) use rescue::{Unsaved, rescue};
 pub use rest::REST_S;
 #[cfg(feature = "screen-readers")]
 pub(super) use wake::Reader;

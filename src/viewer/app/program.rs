@@ -218,12 +218,12 @@ impl App {
     }
 
     /// Reports why an attempt has failed. The message goes when the next one succeeds.
-    pub(super) fn failed(&mut self, attempt: Attempt, text: String) {
+    pub fn failed(&mut self, attempt: Attempt, text: String) {
         self.post_error(Some(attempt), text);
     }
 
     /// An attempt has succeeded: removes messages about those before it that failed.
-    pub(super) fn succeeded(&mut self, attempt: Attempt) {
+    pub fn succeeded(&mut self, attempt: Attempt) {
         let about = Kind::Error(Some(attempt));
         self.notices.retain(|notice| notice.kind != about);
     }

@@ -57,10 +57,7 @@ impl App {
         }
         match scene_file(path) {
             Ok(path) => {
-                let state = &self.state;
-                let meshes = state.source().meshes.clone();
-                let what = (state.scene().clone(), state.camera_choice(), meshes);
-                let saving = jobs::save(what, path, self.waker());
+                let saving = jobs::save(self.state.snapshot(), path, self.waker());
                 self.modal = Modal::Saving(saving, self.state.to_file(), then);
             }
             Err(text) => self.failed(Attempt::Save, text),

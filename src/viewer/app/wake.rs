@@ -18,6 +18,8 @@ pub(in crate::viewer) enum Wake {
     Look,
     /// A file dialog was answered.
     Answered(PathFor, Answer),
+    /// What is to be pasted, or why nothing is.
+    Pasted(Result<String, &'static str>),
     /// egui wants a frame at this time.
     RepaintAt(Instant),
     /// The desktop is dark, or light.

@@ -1,27 +1,41 @@
 //! How desktops recognise the program and its windows.
 
-use winit::window::{Icon, WindowAttributes};
+use winit::{
+    event_loop::ActiveEventLoop,
+    window::{Icon, WindowAttributes},
+};
 
 /// The program's icon as a PNG file: `assets/icon.svg`, 256 pixels wide.
 const ICON_PNG: &[u8] = include_bytes!("../../../assets/icon.png");
 
 /// Puts name and icon on a window. Wayland takes the icon from the desktop entry.
-pub(super) fn marked(attributes: WindowAttributes) -> WindowAttributes {
-    named(attributes.with_window_icon(icon()))
+pub(super) fn marked(
+    attributes: WindowAttributes,
+    event_loop: &ActiveEventLoop,
+) -> WindowAttributes {
+    named(attributes.with_window_icon(icon()), event_loop)
 }
 
 #[cfg(all(unix, not(target_os = "macos")))]
-fn named(attributes: WindowAttributes) -> WindowAttributes {
-    use winit::platform::{wayland, x11};
+fn named(attributes: WindowAttributes, event_loop: &ActiveEventLoop) -> WindowAttributes {
+    use winit::platform::{
+        startup_notify::{EventLoopExtStartupNotify, WindowAttributesExtStartupNotify},
+        wayland, x11,
+    };
     /// The name of the program's desktop entry.
     const ID: &str = "sightline";
     let attributes = x11::WindowAttributesExtX11::with_name(attributes, ID, ID);
-    wayland::WindowAttributesExtWayland::with_name(attributes, ID, ID)
+    let attributes = wayland::WindowAttributesExtWayland::with_name(attributes, ID, ID);
+    // With its token, the desktop that started the program knows that its window has come.
+    match event_loop.read_token_from_env() {
+        Some(token) => attributes.with_activation_token(token),
+        None => attributes,
+    }
 }
 
 /// Other systems go by the program's file.
 #[cfg(not(all(unix, not(target_os = "macos"))))]
-fn named(attributes: WindowAttributes) -> WindowAttributes {
+fn named(attributes: WindowAttributes, _: &ActiveEventLoop) -> WindowAttributes {
     attributes
 }
 

@@ -1,6 +1,8 @@
 //! The hosts of the program: a window, or pictures of one.
 
 mod clipboard;
+#[cfg(target_os = "linux")]
+mod display;
 mod mark;
 mod memory_picture;
 mod offscreen;
@@ -10,9 +12,9 @@ mod offscreen_files;
 mod reader;
 mod shell;
 mod views_picture;
-#[cfg(target_os = "linux")]
-mod wayland;
 mod window;
+#[cfg(target_os = "linux")]
+mod x11;
 
 pub use offscreen::Offscreen;
 pub use views_picture::picture_of_views;

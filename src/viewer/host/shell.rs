@@ -1,14 +1,18 @@
 //! The operating system's window, egui's side of it and the surface that it shows.
 
-use super::{clipboard::Clipboard, mark::marked};
+use super::{
+    clipboard::{Clipboard, without_clipboard},
+    mark::marked,
+};
 use crate::viewer::{
-    app::WindowPlace,
+    app::{Waker, WindowPlace},
     options::{Options, ViewerError},
     screen::WindowSurface,
 };
 use std::sync::Arc;
 use winit::{
     dpi::{LogicalSize, PhysicalPosition, PhysicalSize},
+    event::InnerSizeWriter,
     event_loop::ActiveEventLoop,
     window::{Fullscreen, Window, WindowAttributes},
 };
@@ -17,8 +21,10 @@ use winit::{
 pub(super) struct Shell {
     pub window: Arc<Window>,
     pub egui: egui_winit::State,
-    clipboard: Option<Clipboard>,
+    clipboard: Clipboard,
     pub surface: WindowSurface,
+    /// The size that the command line asks for, until the window is used.
+    pub size_px: Option<PhysicalSize<u32>>,
     /// What was asked of the system last.
     title: String,
     fills_screen: bool,
@@ -32,48 +38,56 @@ impl Shell {
         options: &Options,
         remembered: Option<WindowPlace>,
         context: egui::Context,
+        wake: &Waker,
     ) -> Result<Self, ViewerError> {
         let attributes = Window::default_attributes().with_title("Sightline");
-        let attributes = if let Some(size) = options.size {
-            attributes.with_inner_size(PhysicalSize::new(size.width(), size.height()))
+        let size_px = options.size;
+        let size_px = size_px.map(|size| PhysicalSize::new(size.width(), size.height()));
+        let attributes = if let Some(size_px) = size_px {
+            attributes.with_inner_size(size_px)
         } else {
             let screens = event_loop.available_monitors();
             let screens = screens.map(|screen| (screen.position(), screen.size()));
             restored(attributes, remembered, screens)
         };
         let attributes = attributes.with_visible(!cfg!(feature = "screen-readers"));
-        let window = event_loop.create_window(marked(attributes));
+        let window = event_loop.create_window(marked(attributes, event_loop));
         let window = Arc::new(window.map_err(|error| ViewerError::no_display(&error))?);
         let surface = WindowSurface::new(Arc::clone(&window), event_loop.owned_display_handle())?;
         #[expect(clippy::cast_possible_truncation, reason = "egui's type")]
         let scale = window.scale_factor() as f32;
-        let (id, theme) = (egui::ViewportId::ROOT, window.theme());
-        let mut egui = egui_winit::State::new(context, id, &*window, Some(scale), theme, None);
-        let clipboard = Clipboard::new(&window, &mut egui);
+        let egui = without_clipboard(context, scale, window.theme());
+        let display = event_loop.owned_display_handle();
         Ok(Self {
             window,
             egui,
-            clipboard,
+            clipboard: Clipboard::new(display, Arc::clone(wake)),
             surface,
+            size_px,
             title: String::new(),
             fills_screen: false,
         })
     }
 
+    /// The window is shown at another scale. Wayland tells the scale only once the window is open, and until then takes
+    /// the size that was asked for as that at scale 1.
+    pub fn keep_size(&mut self, writer: &mut InnerSizeWriter) {
+        if let Some(size_px) = self.size_px.take() {
+            // It fails where the system has decided.
+            let _ = writer.request_inner_size(size_px);
+        }
+    }
+
     /// The input since the last call.
     pub fn input(&mut self) -> egui::RawInput {
         let mut input = self.egui.take_egui_input(&self.window);
-        if let Some(clipboard) = &mut self.clipboard {
-            clipboard.paste(&mut input.events);
-        }
+        self.clipboard.paste(&mut input.events);
         input
     }
 
     /// Does what egui asks of the system.
     pub fn obey(&mut self, mut asked: egui::PlatformOutput) {
-        if let Some(clipboard) = &mut self.clipboard {
-            clipboard.copy(&mut asked.commands);
-        }
+        self.clipboard.copy(&mut asked.commands);
         self.egui.handle_platform_output(&self.window, asked);
     }
 

@@ -7,7 +7,7 @@ use crate::viewer::{
     app::{App, Host, Wake, Waker},
     jobs::ask_darkness,
     options::{Options, ViewerError},
-    ui::Command,
+    ui::{Attempt, Command},
 };
 use egui::Theme;
 use std::{
@@ -45,7 +45,10 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
         failed: None,
     };
     let ran = event_loop.run_app(&mut host);
-    ran.map_err(|error| ViewerError::no_display(&error))?;
+    ran.map_err(|reason| {
+        log::info!("{reason}");
+        ViewerError::DisplayGone(host.app.rescue())
+    })?;
     host.failed.map_or(Ok(()), Err)
 }
 
@@ -58,13 +61,7 @@ pub fn display() -> Result<(), ViewerError> {
 fn event_loop<T>() -> Result<EventLoop<T>, ViewerError> {
     let mut builder = EventLoop::with_user_event();
     #[cfg(target_os = "linux")]
-    if std::env::var_os("DISPLAY").is_some_and(|display| !display.is_empty())
-        && super::wayland::is_dead()
-    {
-        use winit::platform::x11::EventLoopBuilderExtX11 as _;
-        log::warn!("no compositor answers at WAYLAND_DISPLAY: the window opens on X11");
-        builder.with_x11();
-    }
+    super::display::choose(&mut builder)?;
     let built = builder.build();
     built.map_err(|error| ViewerError::no_display(&error))
 }
@@ -84,7 +81,7 @@ impl Program {
         let Some(shell) = &mut self.shell else { return };
         let asked = self.app.pass(shell.input());
         shell.obey(asked);
-        self.leave_if_done(event_loop);
+        self.end_pass(event_loop);
     }
 
     fn redraw(&mut self, event_loop: &ActiveEventLoop) {
@@ -93,10 +90,12 @@ impl Program {
         shell.obey(frame.platform);
         shell.set_title(self.app.title());
         shell.fill_screen(self.app.fills_screen);
-        self.leave_if_done(event_loop);
+        self.end_pass(event_loop);
     }
 
-    fn leave_if_done(&self, event_loop: &ActiveEventLoop) {
+    fn end_pass(&self, event_loop: &ActiveEventLoop) {
+        #[cfg(target_os = "linux")]
+        super::x11::keep_ready(&self.app);
         if self.app.quit {
             event_loop.exit();
         }
@@ -123,7 +122,9 @@ impl ApplicationHandler<Wake> for Program {
         }
         let app = &mut self.app;
         let (remembered, context) = (app.memory.window, app.context.clone());
-        match Shell::open(event_loop, &app.options, remembered, context) {
+        #[cfg(target_os = "linux")]
+        super::x11::save_when_gone(event_loop);
+        match Shell::open(event_loop, &app.options, remembered, context, &app.wake) {
             Ok(shell) => {
                 #[cfg(feature = "screen-readers")]
                 let shell = super::reader::show(shell, event_loop, &app.wake);
@@ -142,6 +143,18 @@ impl ApplicationHandler<Wake> for Program {
             Wake::Look => self.request_redraw(),
             Wake::Answered(what, answer) => {
                 self.app.answered(what, answer);
+                self.request_redraw();
+            }
+            Wake::Pasted(Ok(text)) => {
+                if let Some(shell) = &mut self.shell {
+                    let events = &mut shell.egui.egui_input_mut().events;
+                    events.push(egui::Event::Paste(text));
+                }
+                self.app.succeeded(Attempt::Paste);
+                self.request_redraw();
+            }
+            Wake::Pasted(Err(reason)) => {
+                self.app.failed(Attempt::Paste, reason.to_owned());
                 self.request_redraw();
             }
             Wake::Desktop { is_dark } => {
@@ -174,11 +187,14 @@ impl ApplicationHandler<Wake> for Program {
         }
     }
 
-    fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
+    fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, mut event: WindowEvent) {
         let Some(shell) = &mut self.shell else {
             return;
         };
-        match &event {
+        match &mut event {
+            WindowEvent::ScaleFactorChanged {
+                inner_size_writer, ..
+            } => shell.keep_size(inner_size_writer),
             WindowEvent::CloseRequested => {
                 self.app.run_after_typing(Command::Quit);
                 self.pass(event_loop);
@@ -205,6 +221,7 @@ impl ApplicationHandler<Wake> for Program {
         // pass, egui sees only the final state.
         let is_button = matches!(event, WindowEvent::MouseInput { .. });
         if is_button {
+            shell.size_px = None;
             self.pass(event_loop);
         }
         let Some(shell) = &mut self.shell else { return };

@@ -2,8 +2,8 @@
 
 use super::job::Job;
 use crate::{
-    camera::CameraChoice,
-    scene::{self, MeshFile, Scene},
+    scene::{self, MeshFile},
+    viewer::model::Snapshot,
 };
 use std::path::PathBuf;
 
@@ -13,11 +13,16 @@ pub(in crate::viewer) type Saving = Job<Result<(PathBuf, Vec<MeshFile>), String>
 
 /// Begins to save; calls `wake` when done.
 pub(in crate::viewer) fn save(
-    (scene, camera, meshes): (Scene, CameraChoice, Vec<MeshFile>),
+    snapshot: Snapshot,
     path: PathBuf,
     wake: impl FnOnce() + Send + 'static,
 ) -> Saving {
     let save = move |_: &_| {
+        let Snapshot {
+            scene,
+            camera,
+            meshes,
+        } = snapshot;
         let written = scene::save(&path, &scene, &camera, &meshes);
         Ok((path, written.map_err(|error| error.to_string())?))
     };

@@ -1,8 +1,27 @@
 //! What the scene's file holds: which edits it does not have yet, and where they are saved.
 
 use super::state::{Filed, Source, State};
-use crate::scene::{self, Scene};
+use crate::{
+    camera::CameraChoice,
+    geometry::Section,
+    scene::{self, MeshFile, Scene},
+};
 use std::{mem, path::PathBuf};
+
+/// A scene as it is written to a file.
+pub(in crate::viewer) struct Snapshot {
+    pub scene: Scene,
+    pub camera: CameraChoice,
+    pub meshes: Vec<MeshFile>,
+}
+
+/// A scene with its edits: two are equal when nothing was edited between them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::viewer) struct Version {
+    document: u64,
+    revisions: [u64; 2],
+    section: Option<Section>,
+}
 
 impl State {
     /// Whether the scene differs from its files in a model matrix, or has an object that is in none of them. What is
@@ -25,7 +44,31 @@ impl State {
 
     /// Whether there are unsaved edits, in the scene on show or in the one that was left for the gallery.
     pub fn unsaved(&self) -> bool {
-        self.has_edits() || self.outside().is_some_and(Self::has_edits)
+        self.unsaved_scenes().next().is_some()
+    }
+
+    /// Those of the two that have unsaved edits.
+    pub(in crate::viewer) fn unsaved_scenes(&self) -> impl Iterator<Item = &Self> {
+        let both = self.outside().into_iter().chain([self]);
+        both.filter(|state| state.has_edits())
+    }
+
+    /// This scene with its edits.
+    pub(in crate::viewer) fn version(&self) -> Version {
+        Version {
+            document: self.document,
+            revisions: [self.scene_revision, self.visibility_revision],
+            section: self.view.section,
+        }
+    }
+
+    /// The scene as it is now, to be written to a file.
+    pub(in crate::viewer) fn snapshot(&self) -> Snapshot {
+        Snapshot {
+            scene: self.scene.clone(),
+            camera: self.camera_choice(),
+            meshes: self.source.meshes.clone(),
+        }
     }
 
     /// After a change of what is hidden. What was hidden and is shown again is no edit.

@@ -37,7 +37,7 @@ pub use action::{Action, LensControls};
 pub(crate) use command_line::degrees;
 pub(super) use command_line::{pick_command, verify_command, view_command};
 pub use emptied::EmptiedBy;
-pub(super) use filed::shown_in;
+pub(super) use filed::{Snapshot, Version, shown_in};
 pub use hits::{DepthSteps, PickView, RayHits, triangle};
 pub use ids::HideAndShow;
 pub(crate) use ids::no_section;

@@ -27,8 +27,8 @@ impl WindowSurface {
             wgpu::InstanceDescriptor::new_with_display_handle_from_env(Box::new(display));
         let instance = wgpu::Instance::new(descriptor);
         let screen = create(&instance, &window)?;
-        let gpu = Gpu::for_surface(&instance, &screen)?;
-        let config = configuration(&gpu, &screen, &window)?;
+        let (gpu, format) = Gpu::for_surface(&instance, &screen)?;
+        let config = configuration(format, &window);
         let canvas = Canvas::new(gpu, config.format);
         let surface = Self {
             window,
@@ -88,9 +88,9 @@ impl Screen for WindowSurface {
             return Ok(false);
         }
         let screen = create(&self.instance, &self.window)?;
-        let gpu = Gpu::for_surface(&self.instance, &screen)?;
-        self.config = configuration(&gpu, &screen, &self.window)?;
-        self.canvas = Canvas::new(gpu, self.config.format);
+        let (gpu, format) = Gpu::for_surface(&self.instance, &screen)?;
+        self.config = configuration(format, &self.window);
+        self.canvas = Canvas::new(gpu, format);
         self.screen = screen;
         self.configure();
         Ok(true)
@@ -124,17 +124,9 @@ fn create(
 }
 
 /// How the surface shows frames: sRGB values as they are, with vsync.
-fn configuration(
-    gpu: &Gpu,
-    surface: &wgpu::Surface,
-    window: &Window,
-) -> Result<SurfaceConfiguration, GpuError> {
-    let can = surface.get_capabilities(&gpu.adapter);
-    let mut plain = [TextureFormat::Bgra8Unorm, TextureFormat::Rgba8Unorm].into_iter();
-    let format = plain.find(|format| can.formats.contains(format));
-    let format = format.ok_or_else(|| gpu.failed(&"the screen takes no 8-bit colours"))?;
+fn configuration(format: TextureFormat, window: &Window) -> SurfaceConfiguration {
     let size = window.inner_size();
-    Ok(SurfaceConfiguration {
+    SurfaceConfiguration {
         usage: TextureUsages::RENDER_ATTACHMENT,
         format,
         color_space: wgpu::SurfaceColorSpace::Auto,
@@ -144,7 +136,7 @@ fn configuration(
         desired_maximum_frame_latency: 1,
         alpha_mode: wgpu::CompositeAlphaMode::Auto,
         view_formats: Vec::new(),
-    })
+    }
 }
 
 #[cfg(all(test, target_os = "linux"))]

@@ -187,7 +187,7 @@ fn file() -> Menu {
             "Open\u{2026}",
             [(CTRL, Key::O)],
             Command::OpenDialog,
-            "OBJ and scene files; or drop them on the window",
+            "OBJ and scene files; they can be dropped on the window, too, but not on Wayland",
         )
         .icon("\u{1f4c2}"),
         item(

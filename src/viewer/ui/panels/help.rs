@@ -24,7 +24,10 @@ const MOUSE: &[(&str, &str)] = &[
         "turn the scene's camera, also from one of the four views",
     ),
     ("right, middle, Shift+left drag", "pan"),
-    ("wheel, pinch", "zoom at the cursor"),
+    (
+        "wheel",
+        "zoom at the cursor; so does a pinch on a touch screen, or on a Mac",
+    ),
     ("click", "pick; the same pixel again: the surface behind"),
     (
         "Ctrl+click, Shift+click",

@@ -97,7 +97,7 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
 /// Why the picture is empty, the name of a button that helps, and what that does.
 fn hint(state: &State) -> Option<(&'static str, &'static str, Vec<Command>)> {
     if state.scene().objects().is_empty() {
-        let text = "Drop an OBJ or scene file here";
+        let text = "Open an OBJ or scene file";
         return Some((text, "Open\u{2026} (Ctrl+O)", vec![Command::OpenDialog]));
     }
     if state.scene().visible_bounds().is_empty() {
