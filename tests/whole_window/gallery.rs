@@ -251,3 +251,33 @@ fn what_is_edited_in_the_gallery_is_asked_about_before_it_is_left() {
     let kept = scene::load(&[kept], &Progress::default()).expect("a scene");
     assert_eq!(kept.scene.hidden_count(), 1);
 }
+
+/// A scene of the gallery that is saved and read again is an exhibit no more. What was left before is still asked about.
+#[test]
+fn what_was_left_is_never_forgotten() {
+    let (mut window, folder) = edited_and_left();
+    let kept = folder.path().join("x.toml");
+    window.save_as(kept);
+    press_key(&mut window, Modifiers::NONE, Key::R);
+    assert!(window.state().showing().is_none());
+    assert!(nothing_lost::is_marked(&window), "row.toml has edits");
+    press_key(&mut window, Modifiers::NONE, Key::E);
+    assert!(window.state().showing().is_some() && nothing_lost::is_marked(&window));
+    window.close();
+    assert!(nothing_lost::is_asked(&window) && !window.has_quit());
+    assert_eq!(window.state().name(), "row.toml");
+}
+
+/// A view that was not touched shows all of its scene when it comes back, whatever size the window has by now.
+#[test]
+fn what_comes_back_is_framed_anew() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::E);
+    window.resize(px([900, 700], 1.0));
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(window.state().name(), "row.toml");
+    let came_back = window.state().view().camera;
+    let (mut opened, _folder) = row(1.0);
+    opened.resize(px([900, 700], 1.0));
+    assert_eq!(came_back, opened.state().view().camera);
+}

@@ -181,16 +181,23 @@ fn a_mesh_beside_the_scene_is_named_by_its_name_alone() {
     );
 }
 
-/// A dialog that is open while the window is closed answers the question whether to save, too.
+/// The dialog comes first. Esc gives it up, and what is chosen in it later is not written.
 #[test]
-fn a_question_goes_on_once_the_edits_are_saved() {
+fn a_dialog_that_is_given_up_saves_nothing() {
     let (mut window, folder) = row(1.0);
     edit(&mut window);
     press_key(&mut window, CTRL, Key::S);
     window.close();
+    assert!(!is_asked(&window) && !window.has_quit(), "the dialog first");
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(!window.has_dialog());
+    window.close();
     assert!(is_asked(&window) && !window.has_quit());
-    window.save_as(folder.path().join("kept.toml"));
-    assert!(!is_asked(&window) && window.has_quit());
+    let kept = folder.path().join("kept.toml");
+    window.save_as(kept.clone());
+    assert!(is_asked(&window) && !window.has_quit() && !kept.exists());
+    let mut told = window.messages();
+    assert!(told.any(|text| text.contains("no longer waited for")));
 }
 
 /// A second dialog's answer would be taken for the first one's.

@@ -155,3 +155,28 @@ fn moves_while_a_changed_file_is_read_are_kept() {
     let told = |text: &str| text.contains("has changed on the disk");
     assert!(window.messages().any(told));
 }
+
+/// Undo of added files while the first one is read again leads to other files than are being read.
+#[test]
+fn files_that_are_taken_back_while_another_is_read_stay_away() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = stalls::ground(folder.path(), SIDE);
+    let other = folder.path().join("other.toml");
+    fs::write(&other, ROW).expect("writable");
+    let mut window = open(vec![path.clone()], 1.0);
+    window.picture().expect("a picture");
+    window.send([Event::ModifiersChanged(Modifiers::SHIFT)]);
+    window.drop_file(other);
+    window.send([Event::ModifiersChanged(Modifiers::NONE)]);
+    assert_eq!(shown(&window).len(), 4);
+    let text = fs::read_to_string(&path).expect("a file");
+    fs::write(&path, text + "# changed\n").expect("writable");
+    wait_for_load(&mut window);
+    window
+        .draw([key_event(CTRL, Key::Z, true)])
+        .expect("a frame");
+    assert!(has_control(&window, "Cancel"), "it is still read");
+    assert_eq!(shown(&window).len(), 1);
+    window.send([]);
+    assert_eq!(shown(&window).len(), 1);
+}

@@ -38,9 +38,11 @@ impl App {
             Command::OpenDialog if self.host == Host::Picture => {}
             Command::OpenDialog if !self.is_free() => {}
             Command::OpenDialog => {
-                self.modal = Modal::Dialog(PathFor::Open, None);
+                let number = self.wait_for_dialog(PathFor::Open, None);
                 let wake = self.wake.clone();
-                jobs::open_dialog(move |answer| wake(Wake::Answered(PathFor::Open, answer)));
+                jobs::open_dialog(move |answer| {
+                    wake(Wake::Answered(number, PathFor::Open, answer));
+                });
             }
             Command::SaveDialog => self.ask_where_to_save(None),
             Command::Open(paths) => self.intend(Intent::Open(paths)),
@@ -126,6 +128,8 @@ impl App {
         let selects_none = self.state.selection().is_none();
         if matches!(self.modal, Modal::Question(_)) {
             self.reply(Reply::Stay);
+        } else if self.give_up_dialog() {
+            self.say("the file dialog is no longer waited for".into());
         } else if self.state.measuring().is_on {
             self.act(Action::Measure(MeasureAction::Toggle));
         } else if self.stop_loading() {
@@ -154,13 +158,17 @@ impl App {
         self.say(done.into());
     }
 
-    /// Takes the answer of a file dialog.
-    pub fn answered(&mut self, what: PathFor, answer: Answer) {
-        if what == PathFor::Open || matches!(answer, Answer::None) {
-            let asks =
-                |modal: &Modal| matches!(modal, Modal::Dialog(for_what, _) if *for_what == what);
-            drop(self.modal.take_if(asks));
-        }
+    /// Takes the answer of a file dialog. One that is no longer waited for changes nothing: it was about what was on show
+    /// then.
+    pub fn answered(&mut self, number: u64, what: PathFor, answer: Answer) {
+        let asks = |modal: &Modal| matches!(modal, Modal::Dialog(waiting, of, _) if (*waiting, *of) == (number, what));
+        let Modal::Dialog(.., then) = self.modal.take_if(asks) else {
+            if let Answer::Paths(_) = answer {
+                let text = "a file dialog was answered that was no longer waited for: ask again";
+                self.remind(text.into());
+            }
+            return;
+        };
         match (what, answer) {
             (_, Answer::None) => {}
             (PathFor::Open, Answer::Paths(paths)) => self.run_after_typing(Command::Open(paths)),
@@ -168,8 +176,12 @@ impl App {
                 Attempt::Open,
                 format!("{NO_DIALOG}: name files as arguments: sightline FILE; or drop files on the window, which Wayland does not pass on"),
             ),
-            (PathFor::Save, Answer::Paths(paths)) => paths.into_iter().for_each(|to| self.save(to)),
-            (PathFor::Save, Answer::NotShown) => self.save_without_dialog(),
+            (PathFor::Save, Answer::Paths(paths)) => {
+                if let Some(to) = paths.into_iter().next() {
+                    self.save(to, then);
+                }
+            }
+            (PathFor::Save, Answer::NotShown) => self.save_without_dialog(then),
         }
     }
 

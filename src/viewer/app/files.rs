@@ -84,6 +84,8 @@ impl App {
             return;
         };
         match result {
+            // Undo or redo has led to other files. Their change is still to be read.
+            Ok(_) if load.purpose.reads_again() && load.paths != self.state.source().paths => {}
             // What was moved while a changed file was read is not dropped.
             Ok(_) if load.purpose == Purpose::Follow && self.state.edited() => self.keep_edits(),
             Ok(loaded) => match self.show_scene(loaded, load) {
@@ -129,7 +131,7 @@ impl App {
             section.map_err(|error| format!("the section is left out: {}", no_section(&error)));
         unused.extend(section.err());
         let from = loaded.camera_from.take();
-        let enters_gallery = loaded.exhibit.is_some() && self.state.showing().is_none();
+        let enters_gallery = loaded.exhibit.is_some() && !self.state.is_in_gallery();
         let opened = self.state.open(loaded, load.paths.clone());
         opened.map_err(|error| match from {
             Some((file, line)) => format!("{}:{line}: {error}", file.display()),

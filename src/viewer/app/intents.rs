@@ -26,17 +26,20 @@ impl App {
         is_loading && action.rules().edits && !self.is_free()
     }
 
-    /// Carries out an intent, or asks first if it would drop edits or measures. To open other files ends a load or
-    /// the wait for files to open; to close the window ends these and the wait for a file to save to.
+    /// Carries out an intent, or asks first if it would drop edits or measures. To open other files or to close the
+    /// window ends a load, and the wait for files to open. The window closes after a save, or when asked to once more.
     pub(super) fn intend(&mut self, intent: Intent) {
         match (&mut self.modal, &intent) {
-            (Modal::Saving(.., then), Intent::Quit) => {
+            (Modal::Saving(.., then), Intent::Quit) if *then != Some(Intent::Quit) => {
                 *then = Some(intent);
-                return;
+                return self.say("the window closes once the scene is saved".into());
             }
-            (Modal::Loading(_), Intent::Open(_) | Intent::Quit)
-            | (Modal::Dialog(PathFor::Open, _), Intent::Open(_))
-            | (Modal::Dialog(..), Intent::Quit) => self.modal = Modal::None,
+            (
+                Modal::Loading(_) | Modal::Dialog(_, PathFor::Open, _),
+                Intent::Open(_) | Intent::Quit,
+            )
+            | (Modal::Saving(..), Intent::Quit) => self.modal = Modal::None,
+            (Modal::Dialog(..), Intent::Quit) if !self.state.unsaved() => self.modal = Modal::None,
             _ => {}
         }
         if !self.is_free() {
@@ -95,15 +98,37 @@ impl App {
         true
     }
 
+    /// Begins to wait for the answer of another file dialog. Returns its number.
+    pub(super) fn wait_for_dialog(&mut self, what: PathFor, then: Option<Intent>) -> u64 {
+        self.dialogs += 1;
+        self.modal = Modal::Dialog(self.dialogs, what, then);
+        self.dialogs
+    }
+
+    /// The number of the dialog that was opened last. Where nothing waits, opens one first.
+    pub fn last_dialog(&mut self, what: PathFor) -> u64 {
+        if matches!(self.modal, Modal::None) {
+            self.wait_for_dialog(what, None);
+        }
+        self.dialogs
+    }
+
+    /// Waits no longer for a file dialog. Returns whether it did.
+    pub(super) fn give_up_dialog(&mut self) -> bool {
+        let asks = |modal: &Modal| matches!(modal, Modal::Dialog(..));
+        matches!(self.modal.take_if(asks), Modal::Dialog(..))
+    }
+
     /// Whether a file dialog is open.
     pub fn has_dialog(&self) -> bool {
         matches!(self.modal, Modal::Dialog(..))
     }
 
-    /// What is being loaded, for the progress message.
+    /// What is being loaded or saved, for the progress message.
     pub(super) fn underway(&self) -> Option<Underway> {
         match &self.modal {
             Modal::Loading(load) => Some(("loading", Some(load.job.fraction()))),
+            Modal::Saving(..) => Some(("saving", None)),
             _ => None,
         }
     }

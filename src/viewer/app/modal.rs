@@ -16,8 +16,8 @@ pub(in crate::viewer) enum Modal {
     None,
     /// A load.
     Loading(Load),
-    /// The answer of a file dialog. What is to be done after a save.
-    Dialog(PathFor, Option<Intent>),
+    /// The answer of the file dialog with this number, and what is to be done after a save.
+    Dialog(u64, PathFor, Option<Intent>),
     /// A save of these edits, and what is to be done after it.
     Saving(Saving, Filed, Option<Intent>),
     /// The user's answer to the question whether this may drop edits or measures.
@@ -40,7 +40,8 @@ pub(in crate::viewer) enum Purpose {
     Open,
     /// To read the files on screen again: view, selection and visibility stay.
     Reload,
-    /// The same as [`Self::Reload`], because the files have changed. It gives way to all that the user does.
+    /// The same as [`Self::Reload`], because the files have changed. Edits go on meanwhile, and an object that is moved
+    /// is not read again. What opens, saves or closes ends it.
     Follow,
     /// To add to what is shown.
     Add,
@@ -69,8 +70,12 @@ impl Modal {
             Self::None | Self::Question(_) => None,
             Self::Loading(load) if load.purpose == Purpose::Follow => None,
             Self::Loading(_) => Some("files are being loaded: Esc cancels that"),
-            Self::Dialog(PathFor::Open, _) => Some("the dialog to open files is open already"),
-            Self::Dialog(PathFor::Save, _) => Some("the dialog to save is open already"),
+            Self::Dialog(_, PathFor::Open, _) => {
+                Some("the dialog to open files is open already: Esc waits for it no longer")
+            }
+            Self::Dialog(_, PathFor::Save, _) => {
+                Some("the dialog to save is open already: Esc waits for it no longer")
+            }
             Self::Saving(..) => Some("the scene is being saved"),
         }
     }

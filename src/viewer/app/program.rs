@@ -80,6 +80,8 @@ pub(in crate::viewer) struct App {
     pub state: State,
     /// The one thing that waits.
     pub(super) modal: Modal,
+    /// How many file dialogs were opened so far.
+    pub(super) dialogs: u64,
     /// Commands that wait for the next pass: first the number that is being typed is entered.
     pub(super) late: Vec<Command>,
     /// The build of trees for the scene on screen. Dropping it stops it.
@@ -150,6 +152,7 @@ impl App {
         ui::note_missing(&context, typefaces.missing.clone());
         let app = Self {
             modal: Modal::None,
+            dialogs: 0,
             late: Vec::new(),
             trees: None,
             first: true,

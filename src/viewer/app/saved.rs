@@ -29,31 +29,29 @@ impl App {
         if !self.is_free() {
             return;
         }
-        self.modal = Modal::Dialog(PathFor::Save, then);
+        if self.watches.now.as_mut().is_some_and(Watching::is_due) {
+            return self.read_first(then, "its files have changed on the disk");
+        }
+        let number = self.wait_for_dialog(PathFor::Save, then);
         if self.host == Host::Window {
             let wake = self.wake.clone();
             jobs::save_dialog(&self.state.file_to_save(), move |answer| {
-                wake(Wake::Answered(PathFor::Save, answer));
+                wake(Wake::Answered(number, PathFor::Save, answer));
             });
         }
     }
 
-    /// Writes the scene on show to a file, and does then what waits for that. A change of its files that was not read
-    /// yet is not overwritten.
-    pub(super) fn save(&mut self, path: PathBuf) {
-        let then = match mem::take(&mut self.modal) {
-            Modal::Dialog(_, then) => then,
-            Modal::Question(intent) => Some(intent),
-            Modal::None => None,
-            waits @ (Modal::Loading(_) | Modal::Saving(..)) => {
-                self.modal = waits;
-                let text = "nothing was saved, because files are being loaded: save again";
-                return self.failed(Attempt::Save, text.into());
-            }
-        };
+    /// A change of the files that was not read yet is not overwritten. What waits for the save is asked about again.
+    fn read_first(&mut self, then: Option<Intent>, why: &str) {
+        self.modal = then.map_or(Modal::None, Modal::Question);
+        let text = format!("{why}: nothing was saved, save again");
+        self.failed(Attempt::Save, text);
+    }
+
+    /// Writes the scene on show to a file, and does then what waits for that.
+    pub(super) fn save(&mut self, path: PathBuf, then: Option<Intent>) {
         if self.watches.now.as_mut().is_some_and(Watching::is_due) {
-            let text = "its files changed on the disk while you chose a name: nothing was saved, save again";
-            return self.failed(Attempt::Save, text.into());
+            return self.read_first(then, "its files changed on the disk while you chose a name");
         }
         match scene_file(path) {
             Ok(path) => {
@@ -66,22 +64,19 @@ impl App {
 
     /// Where no dialog can be shown, the scene is saved to the scene file that it is from, or else under a free name
     /// beside the screenshots.
-    pub(super) fn save_without_dialog(&mut self) {
+    pub(super) fn save_without_dialog(&mut self, then: Option<Intent>) {
         if let Some(own) = self.state.scene_file().cloned() {
-            return self.save(own);
+            return self.save(own, then);
         }
         match free_file(&self.screenshots.folder, "toml") {
             Ok(file) => {
-                self.remind(format!(
-                    "{NO_DIALOG}: the scene is saved as {}",
-                    file.display()
-                ));
-                self.save(file);
+                let text = format!("{NO_DIALOG}: the scene is saved as {}", file.display());
+                self.save(file, then);
+                if matches!(self.modal, Modal::Saving(..)) {
+                    self.remind(text);
+                }
             }
-            Err(text) => {
-                self.modal = Modal::None;
-                self.failed(Attempt::Save, text);
-            }
+            Err(text) => self.failed(Attempt::Save, text),
         }
     }
 

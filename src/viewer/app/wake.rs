@@ -16,8 +16,8 @@ pub(in crate::viewer) enum PathFor {
 pub(in crate::viewer) enum Wake {
     /// A job has a result.
     Look,
-    /// A file dialog was answered.
-    Answered(PathFor, Answer),
+    /// The file dialog with this number was answered.
+    Answered(u64, PathFor, Answer),
     /// What is to be pasted, or why nothing is.
     Pasted(Result<String, &'static str>),
     /// egui wants a frame at this time.

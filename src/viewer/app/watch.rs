@@ -9,6 +9,7 @@ use crate::{
     viewer::{
         jobs::{Stamps, Watching},
         model::Source,
+        ui::Filter,
     },
 };
 use std::{collections::BTreeSet, path::PathBuf};
@@ -33,8 +34,9 @@ impl App {
     /// is still to be read is kept.
     pub(super) fn watch(&mut self, read: Stamps) {
         let files = files_of(self.state.source());
-        let mut before = self.watches.now.take();
-        let is_due = before.as_mut().is_some_and(Watching::is_due);
+        let before = self.watches.now.take();
+        // A change that was not looked at yet is found again.
+        let is_due = before.as_ref().is_some_and(Watching::was_due);
         let known = before.as_ref().map(Watching::known).cloned();
         let known = known.unwrap_or_default().with(read);
         if !files.is_empty()
@@ -49,6 +51,10 @@ impl App {
     pub(super) fn leave_gallery(&mut self) {
         self.state.leave_gallery();
         self.watches.now = self.watches.outside.take();
+        // Messages and the search were about the scene of the gallery.
+        self.notices.clear();
+        self.told.clear();
+        self.filter = Filter::default();
         self.build_trees();
     }
 
@@ -73,6 +79,9 @@ impl App {
             let text = is_gone(file);
             self.notices.retain(|notice| notice.text != text);
         }
+        if !matches!(self.modal, Modal::None) {
+            return;
+        }
         let Some(watching) = &mut self.watches.now else {
             return;
         };
@@ -81,7 +90,7 @@ impl App {
             self.watches.gone.push(file.clone());
             self.remind(is_gone(file));
         }
-        if !is_due || !matches!(self.modal, Modal::None) {
+        if !is_due {
             return;
         }
         if self.state.edited() {

@@ -142,8 +142,8 @@ impl Offscreen {
         let wake = self.wakes.recv_timeout(Duration::from_millis(5));
         let has_come = wake.is_ok();
         // Only answers of dialogs are taken here: a test has a desktop of its own.
-        if let Ok(Wake::Answered(what, answer)) = wake {
-            self.app.answered(what, answer);
+        if let Ok(Wake::Answered(number, what, answer)) = wake {
+            self.app.answered(number, what, answer);
         }
         self.app.take_finished();
         has_come

@@ -141,8 +141,8 @@ impl ApplicationHandler<Wake> for Program {
     fn user_event(&mut self, event_loop: &ActiveEventLoop, wake: Wake) {
         match wake {
             Wake::Look => self.request_redraw(),
-            Wake::Answered(what, answer) => {
-                self.app.answered(what, answer);
+            Wake::Answered(number, what, answer) => {
+                self.app.answered(number, what, answer);
                 self.request_redraw();
             }
             Wake::Pasted(Ok(text)) => {

@@ -3,6 +3,7 @@
 use super::portal::{Question, ask};
 use crate::scene;
 use std::{
+    cell::Cell,
     panic::{self, AssertUnwindSafe},
     path::{Path, PathBuf},
     thread,
@@ -82,16 +83,19 @@ fn answer<T: Send + 'static, D: Future<Output = Option<T>>>(
     files: fn(T) -> Vec<rfd::FileHandle>,
 ) {
     thread::spawn(move || {
-        let dialog = dialog();
-        let asked = Instant::now();
+        let asked = Cell::new(Instant::now());
         // A dialog that fails counts as cancelled: the next one may then open.
-        let chosen = panic::catch_unwind(AssertUnwindSafe(|| pollster::block_on(dialog)));
+        let chosen = panic::catch_unwind(AssertUnwindSafe(|| {
+            let dialog = dialog();
+            asked.set(Instant::now());
+            pollster::block_on(dialog)
+        }));
         answered(match chosen {
             Ok(Some(chosen)) => {
                 let files = files(chosen).into_iter();
                 Answer::Paths(files.map(|file| file.path().to_path_buf()).collect())
             }
-            Ok(None) if asked.elapsed().as_secs_f64() < FASTEST_ANSWER_S => Answer::NotShown,
+            Ok(None) if asked.get().elapsed().as_secs_f64() < FASTEST_ANSWER_S => Answer::NotShown,
             Ok(None) | Err(_) => Answer::None,
         });
     });

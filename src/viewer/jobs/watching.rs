@@ -132,6 +132,11 @@ impl Watching {
         self.is_due
     }
 
+    /// The same, by what was looked at so far.
+    pub fn was_due(&self) -> bool {
+        self.is_due
+    }
+
     /// The files that are gone since this was asked last.
     pub fn take_gone(&mut self) -> Vec<PathBuf> {
         mem::take(&mut self.gone)

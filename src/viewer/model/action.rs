@@ -134,7 +134,7 @@ pub(in crate::viewer) struct Rules {
     pub goes_on: bool,
     /// While the mouse is in one of the four views it is for that view, and not for the camera's picture.
     pub in_view: bool,
-    /// It edits the scene, or takes an edit back. While files load, edits wait.
+    /// It edits the scene, or takes an edit back. While files load, edits wait, unless a changed file is followed.
     pub edits: bool,
 }
 

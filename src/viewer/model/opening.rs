@@ -99,15 +99,15 @@ impl State {
         let mut next = Box::new(next);
         next.source.paths = paths;
         next.document = self.document + 1;
-        let enters = next.showing.is_some() && self.showing.is_none();
-        let goes_round = next.showing.is_some() && self.showing.is_some();
+        let is_exhibit = next.showing.is_some();
+        let enters = is_exhibit && !self.is_in_gallery();
         // An empty scene is not kept.
         let is_kept = !self.scene.objects().is_empty();
         let mut before = self.exchange(next);
         if enters {
             self.outside = Some(before).filter(|_| is_kept);
         } else {
-            if goes_round {
+            if is_exhibit {
                 self.outside = before.outside.take();
             }
             // If the scene before was never drawn, the one before that is kept.
@@ -117,6 +117,11 @@ impl State {
         self.opened_at = Some(self.viewpoint());
         self.refresh_panes();
         Ok(())
+    }
+
+    /// Whether this is a scene of the gallery, or what was made of one.
+    pub fn is_in_gallery(&self) -> bool {
+        self.showing.is_some() || self.outside.is_some()
     }
 
     /// What was open before the gallery.
@@ -140,9 +145,9 @@ impl State {
         // The picture on screen is still of the scene before.
         other.seen = self.seen;
         other.measuring.is_on = self.measuring.is_on;
-        other.view.viewport = self.view.viewport;
         (other.cursor, other.lit, other.clicked_s) = (None, None, None);
         mem::swap(self, &mut *other);
+        self.resize(other.view.viewport);
         self.fit();
         self.refresh_panes();
         other
@@ -193,7 +198,8 @@ impl State {
 
     /// The scene cannot be drawn: goes back to what was shown before. Returns whether there was anything.
     pub(in crate::viewer) fn refused(&mut self) -> bool {
-        if let Some(before) = self.replaced.take() {
+        if let Some(mut before) = self.replaced.take() {
+            before.outside = before.outside.or_else(|| self.outside.take());
             self.exchange(before);
             return true;
         }

@@ -51,6 +51,10 @@ impl State {
         self.scene_revision += 1;
         self.visibility_revision += 1;
         (self.cursor, self.lit) = (None, None);
+        (self.cleared, self.clicked_s) = (None, None);
+        if let Some(showing) = &mut self.showing {
+            showing.compared = None;
+        }
         self.forget_points();
         self.fit();
         self.refresh_panes();

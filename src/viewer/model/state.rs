@@ -118,6 +118,7 @@ pub(in crate::viewer) struct Filed {
     pub(super) shown: Vec<bool>,
     /// Which objects were visible when it was opened, with flags perhaps, or saved, or read again. Others are an edit.
     pub(super) unedited: Vec<bool>,
+    /// The section as it was opened or saved.
     pub(super) section: Option<Section>,
 }
 

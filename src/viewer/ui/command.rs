@@ -142,7 +142,7 @@ impl Intent {
     }
 
     fn enters_gallery(&self, from: &State) -> bool {
-        matches!(self, Self::Open(paths) if is_exhibit(paths)) && from.showing().is_none()
+        matches!(self, Self::Open(paths) if is_exhibit(paths)) && !from.is_in_gallery()
     }
 }
 

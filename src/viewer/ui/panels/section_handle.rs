@@ -8,7 +8,6 @@ use crate::{
     viewer::ui::theme::rimmed,
 };
 use egui::{CursorIcon, Painter, Pos2, Role, WidgetInfo};
-use std::iter;
 
 /// Length of the arrow, as a share of the radius of what is visible.
 const LENGTH: f64 = 0.25;
@@ -38,18 +37,10 @@ pub(super) fn show(
     let Some(arrow) = Arrow::new(place, view, &section, &bounds) else {
         return;
     };
-    let along = arrow.head - arrow.foot;
-    let back = 2.0 * REACH / along.length();
-    let shares = iter::successors(Some(1.0), |share: &f32| Some(share - back));
-    let shares = shares.take_while(|share| *share > FREE);
-    let grips = shares.enumerate().map(|(count, share)| {
-        let taken = Rect::from_center_size(arrow.foot + share * along, vec2(2.0, 2.0) * REACH);
-        let id = ui.scope_id().with(("section handle", count));
-        ui.interact(taken.intersect(rect), id, Sense::DRAG)
-    });
-    let Some(response) = grips.reduce(|all, grip| all | grip) else {
-        return;
-    };
+    let at = arrow.nearest_to(ui.ctx().pointer_latest_pos());
+    let taken = Rect::from_center_size(at, vec2(2.0, 2.0) * REACH);
+    let id = ui.scope_id().with("section handle");
+    let response = ui.interact(taken.intersect(rect), id, Sense::DRAG);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "drag the section"));
     let is_lit = response.hovered() || response.dragged();
     arrow.draw(&painter, is_lit);
@@ -100,6 +91,13 @@ impl Arrow {
             head: foot + along * (SHORTEST / along.length()).max(1.0),
             per_world,
         })
+    }
+
+    /// The point of the arrow where the cursor can grab it.
+    fn nearest_to(&self, cursor: Option<Pos2>) -> Pos2 {
+        let along = self.head - self.foot;
+        let share = cursor.map(|at| (at - self.foot).dot(along) / along.length_sq());
+        self.foot + share.unwrap_or(1.0).clamp(FREE, 1.0) * along
     }
 
     fn draw(&self, painter: &Painter, is_lit: bool) {
