@@ -27,7 +27,8 @@ impl App {
     }
 
     /// Carries out an intent, or asks first if it would drop edits or measures. To open other files or to close the
-    /// window ends a load, and the wait for files to open. The window closes after a save, or when asked to once more.
+    /// window ends a load, and the wait for files to open. To close the window also ends the wait for a file to save to.
+    /// It closes after a save, or when asked to once more.
     pub(super) fn intend(&mut self, intent: Intent) {
         match (&mut self.modal, &intent) {
             (Modal::Saving(.., then), Intent::Quit) if *then != Some(Intent::Quit) => {
@@ -38,8 +39,7 @@ impl App {
                 Modal::Loading(_) | Modal::Dialog(_, PathFor::Open, _),
                 Intent::Open(_) | Intent::Quit,
             )
-            | (Modal::Saving(..), Intent::Quit) => self.modal = Modal::None,
-            (Modal::Dialog(..), Intent::Quit) if !self.state.unsaved() => self.modal = Modal::None,
+            | (Modal::Dialog(..) | Modal::Saving(..), Intent::Quit) => self.modal = Modal::None,
             _ => {}
         }
         if !self.is_free() {
