@@ -89,11 +89,14 @@ impl NdcSpace {
         Some((self.of.section).map_or(ray, |section| ray.cut_by(&section)))
     }
 
-    /// A vector along the normal, here, of a surface that has a normal at a point; both are in view space. Planes go by
-    /// the inverse transpose.
-    pub(crate) fn normal(&self, p_view: DVec3, normal_view: DVec3) -> DVec3 {
-        let plane = normal_view.extend(-normal_view.dot(p_view));
-        (self.matrix().inverse().transpose() * plane).truncate()
+    /// Gives a vector along the normal, here, of a surface that has a normal at a point; both are in view space. Planes
+    /// go by the inverse transpose.
+    pub(crate) fn normals(&self) -> impl Fn(DVec3, DVec3) -> DVec3 + use<> {
+        let planes = self.matrix().inverse().transpose();
+        move |p_view, normal_view| {
+            let plane = normal_view.extend(-normal_view.dot(p_view));
+            (planes * plane).truncate()
+        }
     }
 
     /// Where a point of view space is drawn.

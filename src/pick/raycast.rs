@@ -60,13 +60,13 @@ pub fn raycast_ndc_until(
 ) -> Option<Image<Pixel>> {
     let (rays, lens) = (&observer.rays(), observer.camera.lens());
     let (camera, beam) = (&ndc.of.camera, &Beam::whole(scene));
-    let back = ndc.back(&scene.visible_bounds());
+    let (back, normals) = (ndc.back(&scene.visible_bounds()), ndc.normals());
     let seen = |ray: &WorldRay| {
         let hit = nearest(beam, ray, observer.sides, None)?;
         let p_view = camera.to_view(ray.at(hit.hit.t));
         let depth = observer.camera.to_view(ndc.of_view(p_view)).z;
         let colour = colour(scene, &ndc.of, ray, &hit, |normal_world| {
-            let normal = ndc.normal(p_view, camera.rotation() * normal_world);
+            let normal = normals(p_view, camera.rotation() * normal_world);
             observer.camera.rotation() * normal
         });
         Some((id(scene, &hit), colour.0, depth))

@@ -29,16 +29,21 @@ fn shows_the_pasted_camera(screen: &Screen, viewer: &Viewer) -> bool {
     clicks.any(|command| value(&command, "--eye") == FROM[1])
 }
 
+/// Two windows. The first, whose camera is [`FROM`], has copied it; the second lies over it.
+fn one_that_copied_and_another(screen: &Screen, folder: &Path) -> [Viewer; 2] {
+    let from = open(screen, folder, &FROM);
+    screen.xdotool("key shift+c");
+    from.wait_for("the camera is copied");
+    [from, open(screen, folder, &[])]
+}
+
 const FROM: [&str; 4] = ["--eye", "5,4,3", "--target", "0,1,0"];
 
 #[test]
 fn a_camera_that_one_window_copies_another_pastes() {
     let folder = tempfile::tempdir().expect("a folder");
     let screen = Screen::new(1280, 720);
-    let from = open(&screen, folder.path(), &FROM);
-    screen.xdotool("key shift+c");
-    from.wait_for("the camera is copied");
-    let to = open(&screen, folder.path(), &[]);
+    let [_from, to] = one_that_copied_and_another(&screen, folder.path());
     screen.xdotool("key ctrl+v");
     assert!(shows_the_pasted_camera(&screen, &to));
 }
@@ -49,10 +54,7 @@ fn a_camera_that_one_window_copies_another_pastes() {
 fn an_owner_that_does_not_answer_stops_no_window() {
     let folder = tempfile::tempdir().expect("a folder");
     let screen = Screen::new(1280, 720);
-    let from = open(&screen, folder.path(), &FROM);
-    screen.xdotool("key shift+c");
-    from.wait_for("the camera is copied");
-    let to = open(&screen, folder.path(), &[]);
+    let [from, to] = one_that_copied_and_another(&screen, folder.path());
     let tell_owner = |signal: &str| {
         let id = from.process.id().to_string();
         let told = Command::new("kill").args([signal, &id]).status();

@@ -12,7 +12,8 @@ use crate::{
 use std::time::Instant;
 
 impl App {
-    /// Applies an action to the scene or the view. An edit waits for the end of a load. A click does not wait for trees: its ray tries every triangle.
+    /// Applies an action to the scene or the view. An edit waits for the end of a load. A click does not wait for trees:
+    /// its ray tries every triangle.
     pub fn act(&mut self, action: Action) {
         if self.waits(&action) {
             return;

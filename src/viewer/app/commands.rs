@@ -161,7 +161,10 @@ impl App {
     /// Takes the answer of a file dialog. One that is no longer waited for changes nothing: it was about what was on show
     /// then.
     pub fn answered(&mut self, number: u64, what: PathFor, answer: Answer) {
-        let asks = |modal: &Modal| matches!(modal, Modal::Dialog(waiting, of, _) if (*waiting, *of) == (number, what));
+        let asks = |modal: &Modal| match modal {
+            Modal::Dialog(waiting, of, _) => (*waiting, *of) == (number, what),
+            _ => false,
+        };
         let Modal::Dialog(.., then) = self.modal.take_if(asks) else {
             if let Answer::Paths(_) = answer {
                 let text = "a file dialog was answered that was no longer waited for: ask again";

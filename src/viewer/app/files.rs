@@ -131,17 +131,17 @@ impl App {
             section.map_err(|error| format!("the section is left out: {}", no_section(&error)));
         unused.extend(section.err());
         let from = loaded.camera_from.take();
-        let enters_gallery = loaded.exhibit.is_some() && !self.state.is_in_gallery();
+        let had_outside = self.state.outside().is_some();
         let opened = self.state.open(loaded, load.paths.clone());
         opened.map_err(|error| match from {
             Some((file, line)) => format!("{}:{line}: {error}", file.display()),
             None => error.to_string(),
         })?;
         self.state.file_shows(in_file);
-        if enters_gallery {
-            self.watches.outside = self.watches.now.take();
-        } else if self.state.outside().is_none() {
-            self.watches.outside = None;
+        match (had_outside, self.state.outside().is_some()) {
+            (false, true) => self.watches.outside = self.watches.now.take(),
+            (true, true) => {}
+            (_, false) => self.watches.outside = None,
         }
         self.watch_anew(load.stamps);
         if self.first {

@@ -115,8 +115,11 @@ impl App {
 
     /// Waits no longer for a file dialog. Returns whether it did.
     pub(super) fn give_up_dialog(&mut self) -> bool {
-        let asks = |modal: &Modal| matches!(modal, Modal::Dialog(..));
-        matches!(self.modal.take_if(asks), Modal::Dialog(..))
+        let waits = self.has_dialog();
+        if waits {
+            self.modal = Modal::None;
+        }
+        waits
     }
 
     /// Whether a file dialog is open.

@@ -1,6 +1,6 @@
 //! What the scene's file holds: which edits it does not have yet, and where they are saved.
 
-use super::state::{Filed, Source, State};
+use super::state::{Edits, Filed, Source, State};
 use crate::{
     camera::CameraChoice,
     geometry::Section,
@@ -18,9 +18,21 @@ pub(in crate::viewer) struct Snapshot {
 /// A scene with its edits: two are equal when nothing was edited between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::viewer) struct Version {
-    document: u64,
     revisions: [u64; 2],
     section: Option<Section>,
+}
+
+impl Filed {
+    /// A file that holds just this.
+    pub(super) fn of(scene: &Scene, section: Option<Section>, edits: Edits) -> Self {
+        let shown = shown_in(scene);
+        Self {
+            edits,
+            unedited: shown.clone(),
+            shown,
+            section,
+        }
+    }
 }
 
 impl State {
@@ -56,7 +68,6 @@ impl State {
     /// This scene with its edits.
     pub(in crate::viewer) fn version(&self) -> Version {
         Version {
-            document: self.document,
             revisions: [self.scene_revision, self.visibility_revision],
             section: self.view.section,
         }
@@ -84,12 +95,7 @@ impl State {
 
     /// What its file will hold once the scene is written to it as it is now.
     pub(in crate::viewer) fn to_file(&self) -> Filed {
-        Filed {
-            edits: self.edits,
-            shown: shown_in(&self.scene),
-            unedited: shown_in(&self.scene),
-            section: self.view.section,
-        }
+        Filed::of(&self.scene, self.view.section, self.edits)
     }
 
     /// That was written: from now on the scene belongs to these files.

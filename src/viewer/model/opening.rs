@@ -2,7 +2,6 @@
 
 use super::{
     action::LensControls,
-    filed::shown_in,
     measuring::Measuring,
     on_screen::Seen,
     ortho_height::OrthoHeight,
@@ -36,12 +35,7 @@ impl State {
         let controls = LensControls::of(&choice);
         Ok(Self {
             hides_others: false,
-            filed: Filed {
-                shown: shown_in(&loaded.scene),
-                unedited: shown_in(&loaded.scene),
-                section,
-                ..Filed::default()
-            },
+            filed: Filed::of(&loaded.scene, section, Edits::default()),
             scene: loaded.scene,
             scene_revision: 0,
             visibility_revision: 0,

@@ -111,7 +111,6 @@ pub(super) struct Edits {
 }
 
 /// What a scene's file holds. What differs from it is an edit.
-#[derive(Clone, Default)]
 pub(in crate::viewer) struct Filed {
     pub(super) edits: Edits,
     /// Which objects it shows, in order.
