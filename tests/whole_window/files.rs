@@ -206,3 +206,20 @@ fn a_red_message_goes_by_esc_or_by_the_next_success() {
             .all(|text| !text.contains("no such folder"))
     );
 }
+
+/// The command line's camera counts before the file's own.
+#[test]
+fn a_camera_by_flags_counts_before_the_file_s() {
+    let (path, _folder) = row_file();
+    let eye = DVec3::new(3.0, 4.0, 12.0);
+    let camera = CameraChoice {
+        eye: Some(eye),
+        ..CameraChoice::default()
+    };
+    let window = opened(Options {
+        paths: vec![path],
+        camera,
+        ..Options::default()
+    });
+    assert_eq!(window.state().view().camera.eye(), eye);
+}

@@ -231,6 +231,11 @@ fn a_scene_too_large_for_the_adapter_is_said_and_the_old_one_stays() {
         .count();
     assert!(lit > 5_000, "{lit}: scene and panels are drawn");
     assert!(window.is_at_rest());
+    // Its file is still watched.
+    std::fs::write(folder.path().join("row.toml"), "").expect("writable");
+    remembering::wait_until(&mut window, |window| {
+        window.state().scene().objects().is_empty()
+    });
 }
 
 /// The picture is wider than the texture limit that egui assumes by default.

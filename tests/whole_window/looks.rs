@@ -247,3 +247,12 @@ fn f11_fills_the_screen_and_comes_back() {
         assert_eq!(window.is_full_screen(), full);
     }
 }
+
+/// Height is along the axis that points up.
+#[test]
+fn the_size_is_width_height_and_depth() {
+    let (mut window, _folder) = row(1.0);
+    assert!(has_control(&window, "3 x 3 x 4.5"));
+    click_on(&mut window, "z points up");
+    assert!(has_control(&window, "3 x 4.5 x 3"));
+}

@@ -49,3 +49,20 @@ fn a_new_list_begins_at_its_top_and_the_selection_stays_in_view() {
     window.drop_file(balls(folder.path(), "other"));
     assert!(has_control(&window, "other000"));
 }
+
+/// What is searched for is about one scene: objects that are added are found, and another scene is listed whole.
+#[test]
+fn a_search_is_for_the_objects_on_show() {
+    let (mut window, folder) = row(1.0);
+    let other = balls(folder.path(), "ball");
+    type_into(&mut window, "search", "ball00");
+    assert!(!has_control(&window, "ball000"));
+    window.send([Event::ModifiersChanged(Modifiers::SHIFT)]);
+    window.drop_file(other.clone());
+    window.send([Event::ModifiersChanged(Modifiers::NONE)]);
+    assert!(has_control(&window, "ball000") && !has_control(&window, "ball010"));
+    window.drop_file(other);
+    click_on(&mut window, "Open, drop the edits");
+    assert_eq!(control(&window, "search").value, "");
+    assert!(has_control(&window, "ball010"));
+}

@@ -177,3 +177,62 @@ fn the_grid_stays_when_an_object_is_hidden_or_moved() {
     assert!(20 * moved < of_grid, "moved: {moved} of {of_grid}");
     assert!(window.state().scene().objects()[3].visible);
 }
+
+/// The box is about the object that is selected, whichever it is in the list.
+#[test]
+fn a_box_is_about_the_selected_object() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::Num3);
+    click_on(&mut window, "middle");
+    window.send([Event::PointerGone]);
+    let corner = DVec3::new(0.5, 0.5, 0.5);
+    let bare = window.picture().expect("a picture");
+    let bare = about(&window, &bare, corner);
+    press_key(&mut window, Modifiers::NONE, Key::X);
+    let boxed = window.picture().expect("a picture");
+    let boxed = about(&window, &boxed, corner);
+    assert!(turned(&bare, &boxed, look::BOXES.0), "{boxed:?}");
+}
+
+/// The camera has not moved yet, but its ray and its hits show at once.
+#[test]
+fn a_frozen_camera_shows_at_once() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    window.send([Event::PointerGone]);
+    let before = window.picture().expect("a picture");
+    press_key(&mut window, Modifiers::NONE, Key::T);
+    let frozen = window.picture().expect("a picture");
+    let around = Rect::from_center_size(MIDDLE, vec2(400.0, 400.0));
+    assert!(differing_in(&before, &frozen, around) > 50);
+    press_key(&mut window, Modifiers::NONE, Key::T);
+    let after = window.picture().expect("a picture");
+    assert_eq!(differing_in(&before, &after, around), 0);
+}
+
+#[test]
+fn no_box_is_about_a_hidden_object() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::Num3);
+    click_on(&mut window, "show middle");
+    window.send([Event::PointerGone]);
+    let bare = window.picture().expect("a picture");
+    press_key(&mut window, Modifiers::NONE, Key::X);
+    let boxed = window.picture().expect("a picture");
+    for (point, shows) in [([0.5, 0.5, 1.5], true), ([0.5, 0.5, 0.5], false)] {
+        let [before, now] = [&bare, &boxed].map(|picture| about(&window, picture, point.into()));
+        assert_eq!(turned(&before, &now, look::BOXES.0), shows, "{point:?}");
+    }
+}
+
+/// The grid is for the whole scene, hidden objects included, and so is the step that is named beside it.
+#[test]
+fn the_grid_s_step_stays_when_objects_are_hidden() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::Num9);
+    let before = control(&window, "grid step 1").rect;
+    for name in ["front", "middle", "back"] {
+        click_on(&mut window, &format!("show {name}"));
+    }
+    assert_eq!(control(&window, "grid step 1").rect, before);
+}

@@ -192,3 +192,32 @@ fn names_are_readable_in_scripts_that_only_the_system_has() {
     assert!(has_control(&window, name));
     assert!(window.can_write(name));
 }
+
+/// The list of recent scenes has the last ten, each once, also one that was only saved.
+#[test]
+fn the_last_ten_scenes_are_remembered_once_each() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let memory = folder.path().join("window.toml");
+    let path = |name: &str| folder.path().join(name).with_extension("toml");
+    let names: Vec<_> = (0..11).map(|i| format!("scene{i:02}")).collect();
+    for name in &names {
+        fs::write(path(name), ROW).expect("writable");
+    }
+    let mut window = remembering(&memory, vec![path(&names[0])]);
+    for name in names[1..].iter().chain(&names[9..]) {
+        window.drop_file(path(name));
+    }
+    window.save_as(path("saved"));
+    click_on(&mut window, "File");
+    let is_file = |name: &str| Path::new(name).extension() == Some("toml".as_ref());
+    let listed: Vec<_> = (window.controls().iter())
+        .filter(|control| control.role != Role::Label && is_file(&control.name))
+        .map(|control| control.name.as_str())
+        .collect();
+    let scenes = names[2..].iter().rev().map(|name| format!("{name}.toml"));
+    let expected: Vec<_> = ["saved.toml".to_owned()]
+        .into_iter()
+        .chain(scenes)
+        .collect();
+    assert_eq!(listed, expected);
+}

@@ -298,3 +298,17 @@ fn without_a_dialog_to_open_it_says_what_works() {
     assert_eq!(told.len(), 1, "{told:?}");
     assert!(told[0].contains("drop files") && told[0].contains("sightline FILE"));
 }
+
+/// A save that reads changed files first has not been made, so what waits for it is asked about again.
+#[test]
+fn what_waits_for_a_save_that_is_not_made_is_asked_about_again() {
+    let (mut window, folder) = row(1.0);
+    let path = folder.path().join("row.toml");
+    edit(&mut window);
+    window.close();
+    click_on(&mut window, "Save first\u{2026}");
+    fs::write(&path, format!("{ROW}\n# changed\n")).expect("writable");
+    std::thread::sleep(std::time::Duration::from_millis(800));
+    window.save_as(path);
+    assert!(nothing_lost::is_asked(&window) && !window.has_quit());
+}

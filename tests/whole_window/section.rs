@@ -254,3 +254,52 @@ fn one_that_names_no_face_is_said_in_the_window() {
     let window = Window::open(options, px(SIZE, 1.0), 1.0);
     says(&window, "the section is left out: ");
 }
+
+/// Two typed numbers are two steps, also in the same field.
+#[test]
+fn each_typed_number_is_a_step() {
+    let (mut window, _folder) = row(1.0);
+    type_section(&mut window, [0.0, 0.0, -1.0], 0.5);
+    let before = section(&window);
+    type_into(&mut window, "section c", "0.75");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_ne!(section(&window), before);
+    press_key(&mut window, CTRL, Key::Z);
+    assert_eq!(section(&window), before);
+}
+
+/// A plane is the same with a normal of another length: its arrow stands where it stood and drags it as far.
+#[test]
+fn the_arrow_is_the_same_for_a_longer_normal() {
+    let dragged = [1.0, 2.0].map(|length| {
+        let (mut window, _folder) = row(1.0);
+        press_key(&mut window, Modifiers::NONE, Key::Num3);
+        type_section(&mut window, [0.0, 0.0, length], length);
+        let at = control(&window, "drag the section").rect.center();
+        let to = at + egui::vec2(40.0, 0.0);
+        drag(&mut window, PointerButton::Primary, at, to);
+        let after = section(&window).expect("a section");
+        (at, after.offset() / length)
+    });
+    let [(at, offset), (longer_at, longer_offset)] = dragged;
+    assert!(at.distance(longer_at) < 0.1, "{at} {longer_at}");
+    assert!((offset - 1.0).abs() > 0.05, "it moved: {offset}");
+    assert!((offset - longer_offset).abs() < 1e-6, "{longer_offset}");
+}
+
+/// The slider leads from a section that cuts away all to one that cuts away nothing.
+#[test]
+fn it_slides_from_one_end_of_the_scene_to_the_other() {
+    let (mut window, _folder) = row(1.0);
+    type_section(&mut window, [0.0, 0.0, -1.0], 0.5);
+    scroll_to(&mut window, "section c, slid");
+    let slider = control(&window, "section c, slid").rect;
+    for (at, offset) in [
+        (slider.left_center() + egui::vec2(1.0, 0.0), -2.0),
+        (slider.right_center() - egui::vec2(1.0, 0.0), 2.5),
+    ] {
+        click(&mut window, at);
+        let now = section(&window).expect("a section").offset();
+        assert!((now - offset).abs() < 0.1, "{now}, not {offset}");
+    }
+}

@@ -173,3 +173,51 @@ fn what_is_under_the_cursor_is_named_there() {
     window.wait_s(1.0);
     assert!(!named(&window));
 }
+
+#[test]
+fn a_range_takes_the_place_of_what_was_selected_besides() {
+    let (mut window, _folder) = row(1.0);
+    click_on(&mut window, "front");
+    for (name, expected) in [
+        ("back", &["front", "middle", "back"][..]),
+        ("middle", &["front", "middle"]),
+    ] {
+        let at = row_of(&window, name);
+        click_with(&mut window, Modifiers::SHIFT, at);
+        assert_eq!(all(&window), expected);
+    }
+}
+
+/// As many as before, but not the same.
+#[test]
+fn the_outline_follows_what_is_selected_besides() {
+    let (mut window, _folder) = row(1.0);
+    let area = Rect::from_center_size(pos2(590.0, 360.0), egui::vec2(700.0, 600.0));
+    let toggle = |window: &mut Window, name: &str| {
+        let at = row_of(window, name);
+        click_with(window, CTRL, at);
+        window.send([Event::PointerGone]);
+    };
+    click_on(&mut window, "front");
+    toggle(&mut window, "back");
+    let back = window.picture().expect("a picture");
+    toggle(&mut window, "back");
+    toggle(&mut window, "middle");
+    let middle = window.picture().expect("a picture");
+    let differ = differing_in(&back, &middle, area);
+    assert!(differ > 5000, "{differ}");
+}
+
+/// The numbers of several objects follow the one that is moved.
+#[test]
+fn the_size_of_all_that_is_selected_follows_a_move() {
+    let (mut window, _folder) = row(1.0);
+    click_on(&mut window, "front");
+    let at = row_of(&window, "middle");
+    click_with(&mut window, CTRL, at);
+    assert!(has_control(&window, "1 x 1 x 3"));
+    click_on(&mut window, "Placement");
+    type_into(&mut window, "position x", "4");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    assert!(has_control(&window, "5 x 1 x 3"));
+}

@@ -175,3 +175,36 @@ fn a_field_that_is_left_untouched_keeps_its_digits() {
     press_key(&mut window, Modifiers::NONE, Key::Enter);
     assert_eq!(x(&window), -12.345_678);
 }
+
+/// The field shows a few digits. To enter it and to leave it changes none of the others.
+#[test]
+fn a_number_that_is_only_looked_at_keeps_all_digits() {
+    let (mut window, _folder) = typing("0.123456789012");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(x(&window), 0.123_456_789_012);
+    click_on(&mut window, "position x");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(x(&window), 0.123_456_789_012);
+}
+
+/// With Shift, a drag over a field changes its number ten times as much.
+#[test]
+fn a_drag_with_shift_goes_ten_times_as_far() {
+    let [plain, shifted] = [Modifiers::NONE, Modifiers::SHIFT].map(|held| {
+        let (mut window, _folder) = typing("0");
+        press_key(&mut window, Modifiers::NONE, Key::Enter);
+        let at = control(&window, "position x").rect.center();
+        window.send([Event::ModifiersChanged(held)]);
+        drag(
+            &mut window,
+            PointerButton::Primary,
+            at,
+            at + egui::vec2(20.0, 0.0),
+        );
+        x(&window)
+    });
+    assert!(
+        plain > 0.0 && (shifted / plain - 10.0).abs() < 0.1,
+        "{plain} {shifted}"
+    );
+}

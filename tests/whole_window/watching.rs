@@ -235,3 +235,66 @@ fn a_file_that_is_back_is_no_longer_said_to_be_gone() {
         wait_until(&mut window, |window| !is_said(window));
     }
 }
+
+/// A scene that is saved belongs to its new file, which others may change too.
+#[test]
+fn a_file_that_was_saved_is_watched() {
+    let (mut window, folder) = row(1.0);
+    let kept = folder.path().join("kept.toml");
+    window.save_as(kept.clone());
+    fs::write(&kept, more()).expect("writable");
+    wait_until(&mut window, |window| count(window) == 4);
+    assert_eq!(window.state().name(), "kept.toml");
+}
+
+#[test]
+fn why_a_change_was_not_read_is_said_until_the_file_is_whole_again() {
+    let (mut window, folder) = row(1.0);
+    let path = folder.path().join("row.toml");
+    fs::write(&path, "[[object]").expect("writable");
+    wait_until(&mut window, |window| window.messages().count() == 1);
+    fs::write(&path, ROW).expect("writable");
+    wait_until(&mut window, |window| window.messages().count() == 0);
+}
+
+/// A save over a file that could not be read makes it whole.
+#[test]
+fn a_save_mends_a_file_that_could_not_be_read() {
+    let (mut window, folder) = row(1.0);
+    let path = folder.path().join("row.toml");
+    fs::write(&path, "[[object]").expect("writable");
+    wait_until(&mut window, |window| window.messages().count() == 1);
+    window.save_as(path.clone());
+    let told: Vec<_> = window.messages().collect();
+    assert_eq!(told, [format!("saved {}", path.display())]);
+}
+
+/// What was said about a scene of the gallery is not about the one that comes back.
+#[test]
+fn messages_of_the_gallery_stay_there() {
+    let (mut window, folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::E);
+    window.drop_file(folder.path().join("missing.toml"));
+    assert_eq!(window.messages().count(), 1);
+    leave_the_gallery(&mut window);
+    assert_eq!(window.messages().count(), 0);
+}
+
+/// The demo is in no file, so objects that were added to it are gone once it is read again, and are no edit any more.
+#[test]
+fn the_demo_that_is_read_again_has_no_edits() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("row.toml");
+    fs::write(&path, ROW).expect("writable");
+    let mut window = open(Vec::new(), 1.0);
+    let demo = count(&window);
+    window.send([Event::ModifiersChanged(Modifiers::SHIFT)]);
+    window.drop_file(path.clone());
+    window.send([Event::ModifiersChanged(Modifiers::NONE)]);
+    assert_eq!(count(&window), demo + 3);
+    assert!(is_marked(&window));
+    press_key(&mut window, Modifiers::NONE, Key::R);
+    click_on(&mut window, "Reload, drop the edits");
+    assert_eq!(count(&window), demo);
+    assert!(!is_marked(&window));
+}

@@ -180,3 +180,35 @@ fn files_that_are_taken_back_while_another_is_read_stay_away() {
     window.send([]);
     assert_eq!(shown(&window).len(), 1);
 }
+
+/// A section that is pasted is an edit: the scene that it is for may be replaced.
+#[test]
+fn a_pasted_section_waits_while_files_load() {
+    let (mut window, folder) = row(1.0);
+    let path = stalls::ground(folder.path(), SIDE);
+    press_key(&mut window, Modifiers::NONE, Key::Z);
+    press_key(&mut window, Modifiers::SHIFT, Key::C);
+    let camera = window.copied().expect("a camera").to_owned();
+    press_key(&mut window, Modifiers::NONE, Key::Z);
+    window.picture().expect("a picture");
+    window.begin_to_drop(path);
+    window.draw([Event::Paste(camera)]).expect("a frame");
+    assert_eq!(window.state().name(), "row.toml", "the other still loads");
+    assert_eq!(window.state().view().section, None);
+    assert!(is_told_to_wait(&window));
+}
+
+#[test]
+fn a_change_is_not_read_again_once_that_was_cancelled() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = stalls::ground(folder.path(), SIDE);
+    let mut window = open(vec![path.clone()], 1.0);
+    window.picture().expect("a picture");
+    let before = window.state().scene().triangle_count();
+    let text = fs::read_to_string(&path).expect("a file");
+    fs::write(&path, text + "f 1 2 45\n").expect("writable");
+    wait_for_load(&mut window);
+    window.draw([press(Key::Escape)]).expect("a frame");
+    window.send([]);
+    assert_eq!(window.state().scene().triangle_count(), before);
+}

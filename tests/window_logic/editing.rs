@@ -3,7 +3,10 @@
 use super::*;
 use crate::inspect::STILL;
 use glam::{DMat3, DQuat};
-use sightline::geometry::Trs;
+use sightline::{
+    geometry::Trs,
+    viewer::model::{MeasureAction, What},
+};
 
 fn place(state: &mut State, object: usize, trs: Trs) {
     state.apply(Action::Place(object, trs.to_model()));
@@ -258,4 +261,25 @@ fn what_shows_as_in_the_file_is_no_edit() {
     state.apply(Action::Isolate);
     state.apply(Action::ShowAll);
     assert!(state.unsaved() && state.edited());
+}
+
+/// Points may have moved with the object that they were clicked on, and what was measured of them is of the past.
+#[test]
+fn a_move_marks_the_measures_before_it_and_forgets_the_points() {
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    state.apply(Action::Step { forward: true });
+    state.apply(Action::Measure(MeasureAction::Add(What::Distance)));
+    let outdated = |state: &State| {
+        let list = state.measuring().list.iter();
+        list.map(|entry| entry.outdated).collect::<Vec<_>>()
+    };
+    assert_eq!(outdated(&state), [false]);
+    let aside = Trs {
+        translation: DVec3::new(0.2, 0.0, 2.0),
+        ..STILL
+    };
+    place(&mut state, 0, aside);
+    assert_eq!(outdated(&state), [true]);
+    assert!(state.measuring().points.is_empty());
 }

@@ -346,3 +346,41 @@ fn a_frozen_camera_outlasts_the_four_views() {
     state.leave_gallery();
     assert_eq!(state.frozen().copied(), frozen);
 }
+
+/// The views are framed anew for another scene, wherever it lies.
+#[test]
+fn another_scene_is_in_all_four_views() {
+    let mut state = front_view();
+    state.apply(Action::Views(Views::Four));
+    for stage in STAGES {
+        within(&mut state, stage, Action::Turn(DVec2::new(20.0, 0.0)));
+    }
+    let next = Loaded {
+        scene: Scene::new(vec![at(Shape::Sphere, "far away", [1e6, 0.0, 0.0])]),
+        ..Loaded::default()
+    };
+    state.open(next, Vec::new()).expect("a scene");
+    for stage in [Stage::World, Stage::View] {
+        let seen = state.pane_view(stage).expect("a view");
+        let point = state.scene().bounds_of(0).center();
+        let at = seen.project(point).expect("in front");
+        assert!(seen.viewport.contains(at.px), "{stage:?}: {}", at.px);
+    }
+}
+
+/// A view that was moved stays where it is as the window gets another size.
+#[test]
+fn a_view_that_was_panned_is_not_framed_again() {
+    let mut state = front_view();
+    state.apply(Action::Views(Views::Four));
+    let size = |width| Viewport::new(width, 300).expect("a viewport");
+    for stage in STAGES {
+        within(&mut state, stage, Action::Resize(size(400)));
+        within(&mut state, stage, Action::Pan(DVec2::new(30.0, 20.0)));
+    }
+    let before = eyes(&state);
+    for stage in STAGES {
+        within(&mut state, stage, Action::Resize(size(200)));
+    }
+    assert_eq!(eyes(&state), before);
+}

@@ -119,3 +119,37 @@ fn the_height_of_an_orthographic_picture_is_set() {
     state.apply(Action::Undo);
     assert_eq!(height(&state), first);
 }
+
+/// An orthographic camera that is pasted says nothing of a field of view: the way back to perspective has the old one.
+#[test]
+fn a_pasted_orthographic_camera_keeps_the_field_of_view() {
+    let mut state = front_view();
+    let controls = LensControls {
+        fov_deg: 30.0,
+        ..state.controls()
+    };
+    state.apply(Action::Lens(controls));
+    state.apply(Action::Camera(CameraChoice {
+        ortho: Some(5.0),
+        ..CameraChoice::default()
+    }));
+    let expected = LensControls {
+        orthographic: true,
+        ..controls
+    };
+    assert_eq!(state.controls(), expected);
+}
+
+#[test]
+fn another_scene_keeps_the_depth_mapping() {
+    let mut state = front_view();
+    let standard = DepthMapping::Standard;
+    let controls = LensControls {
+        depth: standard,
+        ..state.controls()
+    };
+    state.apply(Action::Lens(controls));
+    state.open(row(), Vec::new()).expect("a scene");
+    assert_eq!(state.controls().depth, standard);
+    assert_eq!(state.view().camera.lens().depth, standard);
+}

@@ -327,3 +327,39 @@ fn a_frozen_camera_stays_and_its_frustum_is_not_clipped() {
     state.apply(Action::ToggleFreeze);
     assert_eq!(state.frozen(), None);
 }
+
+#[test]
+fn after_a_camera_is_pasted_dragging_turns_about_its_target() {
+    let mut state = front_view();
+    let target = DVec3::new(30.0, 0.0, 0.0);
+    state.apply(Action::Camera(CameraChoice {
+        eye: Some(DVec3::new(30.0, 0.0, 10.0)),
+        target: Some(target),
+        ..CameraChoice::default()
+    }));
+    // Nothing is there that could be the pivot.
+    state.apply(Action::BeginTurn(MIDDLE));
+    state.apply(Action::Turn(DVec2::new(40.0, 10.0)));
+    assert!(state.view().camera.target().distance(target) < 1e-9);
+}
+
+/// However the camera moves in the four views, near and far hold the frozen one again once the picture is back.
+#[test]
+fn back_from_the_four_views_a_frozen_camera_is_not_clipped() {
+    let look = Action::LookFrom(DVec3::ONE);
+    let mut state = front_view();
+    state.apply(Action::ToggleFreeze);
+    state.apply(look);
+    let expected = *state.view();
+    let mut state = front_view();
+    state.apply(Action::ToggleFreeze);
+    state.apply(Action::Views(Views::Four));
+    state.apply(look);
+    assert_ne!(
+        *state.view(),
+        expected,
+        "the four views show no frozen camera"
+    );
+    state.apply(Action::Views(Views::Picture));
+    assert_eq!(*state.view(), expected);
+}

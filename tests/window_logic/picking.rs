@@ -240,3 +240,13 @@ fn a_row_lights_its_object() {
     state.apply(Action::Light(None));
     assert_eq!(state.hover(), Some(0));
 }
+
+#[test]
+fn what_was_selected_first_is_taken_out_and_the_others_stay() {
+    let mut state = front_view();
+    state.apply(Action::Select(Some(2)));
+    for object in [1, 0, 2] {
+        state.apply(Action::ToggleSelected(object));
+    }
+    assert_eq!(state.all_selected().collect::<Vec<_>>(), [0, 1]);
+}

@@ -412,3 +412,14 @@ fn a_reload_of_the_same_leaves_the_history() {
     assert_eq!((hidden(&state), state.edited()), (vec!["middle"], false));
     assert!(state.unsaved());
 }
+
+/// An edit after a reload is as new as the one that the reload took away.
+#[test]
+fn an_edit_after_a_reload_is_one() {
+    let mut state = front_view();
+    state.apply(moved(0.2));
+    state.reload(row());
+    assert!(!state.has_edits());
+    state.apply(moved(0.3));
+    assert!(state.edited() && state.has_edits());
+}
