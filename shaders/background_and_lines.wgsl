@@ -2,12 +2,13 @@
 
 struct LineVertex {
     @location(0) position: vec4<f32>,
-    @location(1) colour: vec3<f32>,
+    // Times the opacity, which is the last number.
+    @location(1) colour: vec4<f32>,
 }
 
 struct Point {
     @builtin(position) clip: vec4<f32>,
-    @location(0) colour: vec3<f32>,
+    @location(0) colour: vec4<f32>,
 }
 
 @vertex
@@ -17,7 +18,7 @@ fn line_vertex(in: LineVertex) -> Point {
 
 @fragment
 fn line_colour(in: Point) -> @location(0) vec4<f32> {
-    return vec4<f32>(in.colour, 1.0);
+    return in.colour;
 }
 
 // Covers the target at the depth that the buffer is cleared to.

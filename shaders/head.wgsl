@@ -8,24 +8,27 @@ struct Frame {
     front_only: u32,
     section_corner_slack: f32,
     key_direction: vec3<f32>,
-    ambient: f32,
-    background_top: vec3<f32>,
-    key: f32,
-    background_bottom: vec3<f32>,
-    fill: f32,
-    section_per_px: vec2<f32>,
-    section_start: f32,
-    section_per_q: f32,
-    inside: vec3<f32>,
-    section_slack: f32,
-    near_per_px: vec2<f32>,
+    rim: f32,
+    fill_direction: vec3<f32>,
     near_start: f32,
+    key: vec3<f32>,
     near_per_q: f32,
+    fill: vec3<f32>,
+    section_start: f32,
+    sky: vec3<f32>,
+    section_per_q: f32,
+    ground: vec3<f32>,
+    section_slack: f32,
+    inside: vec3<f32>,
+    q_is_depth: u32,
+    background_top: vec3<f32>,
+    shows_inside: u32,
+    background_bottom: vec3<f32>,
+    padding: u32,
+    section_per_px: vec2<f32>,
+    near_per_px: vec2<f32>,
     ndc_clip: mat4x4<f32>,
     ndc_normal: mat4x4<f32>,
-    q_is_depth: u32,
-    shows_inside: u32,
-    padding: vec2<u32>,
 }
 
 struct ObjectState {
@@ -51,12 +54,15 @@ fn unit(v: vec3<f32>) -> vec3<f32> {
     return select(vec3<f32>(0.0), v / size, size > 0.0);
 }
 
-// The same as look::shade: a headlight that wraps around and a soft fill from above, for the normal of the seen side.
+// The same as look::shade: key, fill, sky and ground about the camera, for the normal of the seen side.
 fn shade(albedo: vec3<f32>, normal_view: vec3<f32>) -> vec3<f32> {
     let normal = unit(normal_view);
-    let wrapped = 0.5 + 0.5 * dot(normal, frame.key_direction);
-    let key = frame.key * wrapped * wrapped;
-    return albedo * (frame.ambient + key + frame.fill * (0.5 + 0.5 * normal.y));
+    let key = max(dot(normal, frame.key_direction), 0.0);
+    let fill = max(dot(normal, frame.fill_direction), 0.0);
+    let around = mix(frame.ground, frame.sky, 0.5 + 0.5 * normal.y);
+    let aside = 1.0 - max(-normal.z, 0.0);
+    let direct = frame.key * (key * key) + frame.fill * fill;
+    return albedo * (direct * (1.0 - frame.rim * aside * aside) + around);
 }
 
 struct ColourAndId {

@@ -46,8 +46,8 @@ pub const INSIDE: Srgb = Srgb([156, 126, 62]);
 /// Text of warnings, on dark panels and on light ones.
 pub const WARNING: [Srgb; 2] = [Srgb([200, 195, 10]), Srgb([120, 46, 0])];
 
-/// Lines of the floor's grid, and each tenth of them.
-pub const GRID: [Srgb; 2] = [Srgb([62, 68, 80]), Srgb([84, 92, 107])];
+/// The ground's grid. It is seen on dark and on light backgrounds, since it covers only a part of what is behind it.
+pub const GRID: Srgb = Srgb([128, 136, 150]);
 /// Pixels of a camera seen from outside.
 pub const CAMERA_PIXELS: Srgb = Srgb([74, 118, 118]);
 
@@ -58,20 +58,36 @@ pub const LIT: [f32; 2] = [0.15, 0.03];
 /// Half the width of the selection's outline, in pixels of the picture at scale factor 1.
 pub const OUTLINE_PX: u32 = 2;
 
-/// Towards the key light: a headlight above the viewer's left shoulder, so that form shows.
-pub const KEY_DIRECTION: Vec3 = Vec3::new(-0.408_248_3, 0.408_248_3, -0.816_496_6);
-/// Ambient light, the key light, and the fill from above.
-pub const LIGHT: [f32; 3] = [0.10, 0.80, 0.16];
+/// Towards the key light, above the viewer's left shoulder.
+pub const KEY_DIRECTION: Vec3 = Vec3::new(-0.381_068_5, 0.601_687_1, -0.701_968_3);
+/// Towards the fill light, low on the right.
+pub const FILL_DIRECTION: Vec3 = Vec3::new(0.903_394_1, -0.150_565_7, -0.401_508_5);
+/// Light of the key, of the fill, and from the sky and from the ground: linear red, green and blue.
+pub const KEY: Vec3 = Vec3::new(0.98, 0.95, 0.91);
+/// See [`KEY`].
+pub const FILL: Vec3 = Vec3::new(0.12, 0.14, 0.17);
+/// See [`KEY`].
+pub const SKY: Vec3 = Vec3::new(0.235, 0.245, 0.26);
+/// See [`KEY`].
+pub const GROUND: Vec3 = Vec3::new(0.18, 0.17, 0.165);
+/// How much of key and fill a surface lacks that is seen edge on.
+pub const RIM: f32 = 0.8;
 
-/// The light that a surface sends to the eye. It comes from a wrapped headlight, so that nothing is black, and from a
-/// soft fill above. `normal_view` is the normal of the visible side, in view space, of any length. `albedo` and result
-/// are linear. (Wrapped as by Mitchell, `McTaggart` & Green, Shading in Valve's Source Engine, 2006.)
+/// The light that a surface sends to the eye. `normal_view` is the normal of the visible side, in view space, of any
+/// length. `albedo` and result are linear.
+///
+/// The lights stand about the camera. A key light falls off with the square of the cosine, which tells small differences
+/// between normals apart; a fill from the other side keeps what it leaves from being flat; sky and ground tell what faces
+/// up from what faces down, and leave nothing black. Silhouettes and creases are dark, since key and fill dim as a surface
+/// turns from the eye.
 pub fn shade(albedo: [f32; 3], normal_view: Vec3) -> [f32; 3] {
     let normal = normal_view.normalize_or_zero();
-    let [ambient, key, fill] = LIGHT;
-    let wrapped = 0.5 + 0.5 * normal.dot(KEY_DIRECTION);
-    let light = ambient + key * wrapped * wrapped + fill * (0.5 + 0.5 * normal.y);
-    albedo.map(|channel| channel * light)
+    let key = normal.dot(KEY_DIRECTION).max(0.0);
+    let fill = normal.dot(FILL_DIRECTION).max(0.0);
+    let around = GROUND + (SKY - GROUND) * (0.5 + 0.5 * normal.y);
+    let aside = 1.0 - (-normal.z).max(0.0);
+    let light = (KEY * key * key + FILL * fill) * (1.0 - RIM * aside * aside) + around;
+    (Vec3::from(albedo) * light).to_array()
 }
 
 /// The background's linear colour, `down` = 0 at the top edge and 1 at the bottom edge of the picture.

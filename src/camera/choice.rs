@@ -1,12 +1,13 @@
 //! A camera that flags or a scene file give in part. Framing the scene fills in the rest.
 
 use super::{
-    Camera, CameraError, DepthMapping, Lens, Orbit, Projection, SectionChoice, UpAxis, Viewport,
-    fit_near_far, in_range, unit,
+    Camera, CameraError, DepthMapping, Frame, Framed, Lens, Orbit, Projection, SectionChoice,
+    UpAxis, Viewport, fit_near_far, in_range, unit,
 };
 use crate::geometry::Aabb;
 use glam::DVec3;
 use serde::{Deserialize, Deserializer, Serialize, de::Error};
+use std::cell::LazyCell;
 
 /// The parts of a camera that the user chose; `None` leaves a field to the next source. World space and units; angles
 /// in degrees.
@@ -82,11 +83,11 @@ impl CameraChoice {
         }
     }
 
-    /// The camera as chosen. Framing `bounds_world` decides the fields that are `None`.
+    /// The camera as chosen. Framing `framed` decides the fields that are `None`.
     ///
     /// # Errors
     /// When the choices make no camera; see [`CameraError`].
-    pub fn resolve(&self, bounds_world: &Aabb, viewport: Viewport) -> Result<Camera, CameraError> {
+    pub fn resolve(&self, framed: &impl Framed, viewport: Viewport) -> Result<Camera, CameraError> {
         let up_axis = self.up_axis.unwrap_or_default();
         let fov_y = self.fov.unwrap_or(Self::FOV).to_radians();
         let mut lens = Lens {
@@ -102,8 +103,22 @@ impl CameraChoice {
         lens.stored()?;
         let look = self.look.map(|look| in_range(look, "direction"));
         let look = look.transpose()?;
-        check_size(bounds_world)?;
-        let framing = Orbit::framing(bounds_world, up_axis, fov_y, viewport.aspect());
+        let bounds_world = framed.bounds();
+        check_size(&bounds_world)?;
+        let frame = Frame {
+            fov_y,
+            aspect: viewport.aspect(),
+            is_parallel: self.ortho.is_some(),
+            filled: Frame::FILLED,
+        };
+        let framing = LazyCell::new(|| {
+            let mut framing = Orbit::framing(framed, up_axis, &frame);
+            if let Some(look) = look.and_then(unit) {
+                framing.look_from(up_axis, up_axis.frame().transpose() * -look);
+                framing.frame(framed, &frame);
+            }
+            framing
+        });
         let camera = |up: DVec3| match (look, self.target) {
             (Some(look), _) => {
                 let along = unit(look).map_or(look, |unit| unit * framing.distance());
@@ -111,9 +126,14 @@ impl CameraChoice {
                 Camera::looking(eye, along, up, lens)
             }
             (None, target) => {
-                let target = target.unwrap_or(framing.target());
-                let from_target = framing.eye() - framing.target();
-                let eye = self.eye.unwrap_or(target + from_target);
+                // What is seen from a given eye is not centred where framing would stand.
+                let middle = || match self.eye {
+                    Some(_) if !bounds_world.is_empty() => bounds_world.center(),
+                    _ => framing.target(),
+                };
+                let target = target.unwrap_or_else(middle);
+                let from_target = || framing.eye() - framing.target();
+                let eye = self.eye.unwrap_or_else(|| target + from_target());
                 Camera::new(eye, target, up, lens)
             }
         };
@@ -126,7 +146,7 @@ impl CameraChoice {
             }
             camera => camera?,
         };
-        (lens.near, lens.far) = fit_near_far(&camera, bounds_world, self.near, self.far);
+        (lens.near, lens.far) = fit_near_far(&camera, &bounds_world, self.near, self.far);
         camera.with_lens(lens)
     }
 }

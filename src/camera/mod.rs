@@ -5,6 +5,7 @@
 
 mod choice;
 mod fit;
+mod framing;
 mod lens;
 mod ndc;
 mod orbit;
@@ -15,6 +16,7 @@ pub use choice::CameraChoice;
 pub(crate) use choice::{check_size, exactly, some_vector};
 pub use fit::fit_near_far;
 pub(crate) use fit::least_near;
+pub use framing::{Frame, Framed};
 pub use lens::{DepthMapping, Lens, Projection};
 pub use ndc::NdcSpace;
 pub use orbit::{Orbit, UpAxis};

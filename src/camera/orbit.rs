@@ -1,7 +1,7 @@
 //! Turning, panning and zooming the view with the mouse.
 
-use super::{Camera, CameraError, Lens, Viewport};
-use crate::geometry::{Aabb, sin_cos_quarters};
+use super::{Camera, CameraError, Frame, Framed, Lens, Viewport};
+use crate::geometry::sin_cos_quarters;
 use glam::{DMat3, DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -51,8 +51,6 @@ pub struct Orbit {
 impl Orbit {
     /// The direction from which new scenes are seen, in (right, up, towards the viewer).
     const FRAMING: DVec3 = DVec3::new(1.0, 0.8, 1.6);
-    /// The margin around a framed scene, as a factor.
-    const MARGIN: f64 = 1.08;
     /// The least and greatest zoom distance, in world units. Near, far and eye then stay within the range of
     /// numbers, unless the target is near its end.
     pub(super) const DISTANCES: (f64, f64) = (1e-27, 5e32);
@@ -82,9 +80,8 @@ impl Orbit {
             && camera.up().dot(upright) >= -8.0 * f64::EPSILON
     }
 
-    /// A view of all of `bounds_world`, from a little to the right and above. Empty bounds count as the box from -1 to
-    /// 1.
-    pub fn framing(bounds_world: &Aabb, up_axis: UpAxis, fov_y: f64, aspect: f64) -> Self {
+    /// A view of all of `framed`, from a little to the right and above.
+    pub fn framing(framed: &impl Framed, up_axis: UpAxis, frame: &Frame) -> Self {
         let (yaw, pitch) = Self::angles(Self::FRAMING);
         let mut orbit = Self {
             frame: up_axis.frame(),
@@ -93,39 +90,19 @@ impl Orbit {
             yaw,
             pitch,
         };
-        orbit.frame_bounds(bounds_world, fov_y, aspect);
+        orbit.frame(framed, frame);
         orbit
+    }
+
+    /// Moves target and distance so that `framed` fills the picture as seen from the present direction.
+    pub fn frame(&mut self, framed: &impl Framed, frame: &Frame) {
+        let (target, distance) = frame.place(framed, &self.axes());
+        self.center_on(target, distance);
     }
 
     /// Yaw and pitch for an eye in this direction, given in an upright frame.
     fn angles(DVec3 { x, y, z }: DVec3) -> (f64, f64) {
         (libm::atan2(x, z), libm::atan2(y, libm::hypot(x, z)))
-    }
-
-    /// Moves target and distance so that `bounds_world` just fills the picture as seen from the present direction;
-    /// the angles stay. Empty bounds count as the box from -1 to 1.
-    pub fn frame_bounds(&mut self, bounds_world: &Aabb, fov_y: f64, aspect: f64) {
-        let mut bounds = *bounds_world;
-        if bounds.is_empty() {
-            bounds = Aabb::around([DVec3::NEG_ONE, DVec3::ONE]);
-        }
-        let center = bounds.center();
-        // A single point has no size. Stay far enough away that the eye's rounded coordinates differ from the point's.
-        let least = if bounds.radius() > 0.0 {
-            0.0
-        } else {
-            1e-3 * center.length().max(1.0)
-        };
-        let top = libm::tan(0.5 * fov_y);
-        let to_view = self.axes().transpose();
-        // Each corner needs a distance that puts it within the picture and in front of the eye.
-        let distance = bounds.corners().into_iter().map(|corner| {
-            let seen = to_view * (corner - center);
-            let aside = (seen.x.abs() / (top * aspect)).max(seen.y.abs() / top);
-            seen.z + Self::MARGIN * aside.max(0.05 * seen.z.abs())
-        });
-        self.target = center;
-        self.set_distance(distance.fold(least, f64::max));
     }
 
     /// Looks from a direction given in the up axis's frame (right, up, towards the viewer), keeping target and

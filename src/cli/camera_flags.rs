@@ -132,7 +132,7 @@ impl ViewArgs {
                 format!("{}:{line}: {what}", file.display()),
             ))
         };
-        let camera = choice.resolve(&loaded.scene.visible_bounds(), self.size());
+        let camera = choice.resolve(&loaded.scene, self.size());
         let camera = camera.map_err(|error| {
             // Without a flag, the error can only come from the scene file.
             let is_in_file = flags == CameraChoice::default();

@@ -67,6 +67,11 @@ impl Aabb {
         !self.min.cmple(self.max).all()
     }
 
+    /// Whether all of another box is in it.
+    pub fn holds(&self, other: &Self) -> bool {
+        other.min.cmpge(self.min).all() && other.max.cmple(self.max).all()
+    }
+
     /// The middle. Meaningless when empty.
     pub fn center(&self) -> DVec3 {
         0.5 * (self.min + self.max)

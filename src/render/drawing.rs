@@ -110,14 +110,14 @@ impl Renderer {
                     if !is_last || !pass.has_colours() {
                         return;
                     }
+                    // After all surfaces, where none is.
+                    render_pass.set_pipeline(&pipeline(Drawn::Background));
+                    render_pass.draw(0..3, 0..1);
                     if !line_ends.is_empty() {
                         render_pass.set_pipeline(&pipeline(Drawn::Lines));
                         render_pass.set_vertex_buffer(0, line_buffer.slice(..));
                         render_pass.draw(line_ends.clone(), 0..1);
                     }
-                    // Last, where nothing else is.
-                    render_pass.set_pipeline(&pipeline(Drawn::Background));
-                    render_pass.draw(0..3, 0..1);
                     drop(render_pass);
                     if pass == Pass::Colour && !gpu.resolves() {
                         let resolve = self.resolve.get_or_init(|| Resolve::new(gpu));

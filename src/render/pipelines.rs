@@ -129,7 +129,8 @@ const LINE_VERTEX: wgpu::VertexBufferLayout = wgpu::VertexBufferLayout {
     step_mode: wgpu::VertexStepMode::Vertex,
     attributes: &[
         attribute(0, VertexFormat::Float32x4, offset_of!(LineVertex, position)),
-        attribute(1, VertexFormat::Float32x3, offset_of!(LineVertex, colour)),
+        // With the opacity.
+        attribute(1, VertexFormat::Float32x4, offset_of!(LineVertex, colour)),
     ],
 };
 
@@ -257,7 +258,9 @@ impl Pipelines {
         let write = |format, writes| {
             Some(wgpu::ColorTargetState {
                 format,
-                blend: None,
+                // Lines may fade into what is behind them.
+                blend: (drawn == Drawn::Lines && format == COLOUR)
+                    .then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
                 write_mask: if writes { all } else { none },
             })
         };

@@ -25,45 +25,51 @@ pub struct Frame {
     pub section_corner_slack: f32,
     /// Towards the key light, in view space.
     pub key_direction: [f32; 3],
-    /// Light from everywhere.
-    pub ambient: f32,
-    /// Linear colour of the background at the top edge.
-    pub background_top: [f32; 3],
-    /// Light from the key light.
-    pub key: f32,
-    /// Linear colour of the background at the bottom edge.
-    pub background_bottom: [f32; 3],
-    /// Light from above.
-    pub fill: f32,
-    /// How the value of the section's test changes per pixel right and down.
-    pub section_per_px: [f32; 2],
-    /// The test's value in the picture's middle, for q = 0.
+    /// How much of key and fill a surface lacks that is seen edge on.
+    pub rim: f32,
+    /// Towards the fill light, in view space.
+    pub fill_direction: [f32; 3],
+    /// See `near_per_px`.
+    pub near_start: f32,
+    /// Linear light from the key light.
+    pub key: [f32; 3],
+    /// See `near_per_px`.
+    pub near_per_q: f32,
+    /// Linear light from the fill light.
+    pub fill: [f32; 3],
+    /// The section test's value in the picture's middle, for q = 0.
     pub section_start: f32,
-    /// How the value changes per unit of q: the fragment's w in perspective, the stored depth in orthographic
-    /// projection.
+    /// Linear light on what faces up.
+    pub sky: [f32; 3],
+    /// How the section test's value changes per unit of q: the fragment's w in perspective, the stored depth in
+    /// orthographic projection.
     pub section_per_q: f32,
+    /// Linear light on what faces down.
+    pub ground: [f32; 3],
+    /// The section test's slack, relative to its terms: how far beyond the plane fragments are still drawn.
+    pub section_slack: f32,
     /// Linear colour of back faces where a section opens solids.
     pub inside: [f32; 3],
-    /// The test's slack, relative to its terms: how far beyond the plane fragments are still drawn.
-    pub section_slack: f32,
+    /// 1 where q is the stored depth.
+    pub q_is_depth: u32,
+    /// Linear colour of the background at the top edge.
+    pub background_top: [f32; 3],
+    /// 1 where back faces that a section or the near plane may open get the colour of a solid's inside.
+    pub shows_inside: u32,
+    /// Linear colour of the background at the bottom edge.
+    pub background_bottom: [f32; 3],
+    /// Padding.
+    pub padding: u32,
+    /// How the value of the section's test changes per pixel right and down.
+    pub section_per_px: [f32; 2],
     /// The same numbers as the section's, of the test for what lies behind the near plane of a camera whose NDC is
     /// drawn. Elsewhere the test always holds.
     pub near_per_px: [f32; 2],
-    /// See `near_per_px`.
-    pub near_start: f32,
-    /// See `near_per_px`.
-    pub near_per_q: f32,
     /// Columns of the matrix from that camera's view space to clip space; unused elsewhere.
     pub ndc_clip: [[f32; 4]; 4],
     /// Columns of the matrix from planes in that camera's view space to planes, and so normals, in view space; unused
     /// elsewhere.
     pub ndc_normal: [[f32; 4]; 4],
-    /// 1 where q is the stored depth.
-    pub q_is_depth: u32,
-    /// 1 where back faces that a section or the near plane may open get the colour of a solid's inside.
-    pub shows_inside: u32,
-    /// Padding.
-    pub padding: [u32; 2],
 }
 
 /// One model matrix under this frame's view, for the triangles of a batch: attributes of an instance.
@@ -131,8 +137,10 @@ pub struct Vertex {
 pub struct LineVertex {
     /// x, y, buffer depth and view depth, in view units.
     pub position: [f32; 4],
-    /// Linear colour.
+    /// Linear colour, times the opacity.
     pub colour: [f32; 3],
+    /// How much of what is behind it is covered.
+    pub opacity: f32,
 }
 
 /// A polynomial in a pixel offset (x right, y down): `linear . (1, x, y) + square . (x^2, x y, y^2)`.

@@ -27,7 +27,6 @@ pub fn frame(view: &View) -> shader_structs::Frame {
     let lens = view.camera.lens();
     let half = view.half_extent();
     let perspective = matches!(lens.projection, Projection::Perspective { .. });
-    let [ambient, key, fill] = look::LIGHT;
     let [background_top, background_bottom] = look::BACKGROUND.map(crate::colour::Srgb::to_linear);
     let section = ScreenSection::of(view);
     let corner_slack = section.map_or(0.0, |section| section.corner_slack());
@@ -44,11 +43,14 @@ pub fn frame(view: &View) -> shader_structs::Frame {
         front_only: u32::from(view.sides == Sides::Front),
         section_corner_slack: to_f32(corner_slack),
         key_direction: look::KEY_DIRECTION.to_array(),
-        ambient,
+        rim: look::RIM,
+        fill_direction: look::FILL_DIRECTION.to_array(),
+        key: look::KEY.to_array(),
+        fill: look::FILL.to_array(),
+        sky: look::SKY.to_array(),
+        ground: look::GROUND.to_array(),
         background_top,
-        key,
         background_bottom,
-        fill,
         section_per_px: [right, down],
         section_start,
         section_per_q,
@@ -61,7 +63,7 @@ pub fn frame(view: &View) -> shader_structs::Frame {
         ndc_normal: [[0.0; 4]; 4],
         q_is_depth: u32::from(!perspective),
         shows_inside: 1,
-        padding: [0; 2],
+        padding: 0,
     }
 }
 

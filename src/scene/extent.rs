@@ -1,9 +1,12 @@
-//! The bounding box of a mesh that is moved often. Only the blocks that reach beyond the box found so far have their
-//! triangles visited.
+//! How far objects reach: the bounding box of a mesh that is moved often, and what a picture of a scene frames. Only the
+//! blocks of a mesh that reach beyond the box found so far have their triangles visited.
 
-use super::{Object, Shape};
-use crate::geometry::{Aabb, BLOCK, Mesh, Placement, U};
-use glam::DVec3;
+use super::{Object, Scene, Shape};
+use crate::{
+    camera::Framed,
+    geometry::{Aabb, BLOCK, Mesh, Placement, U},
+};
+use glam::{DAffine3, DMat3, DVec3};
 use std::ops::Range;
 
 /// In objects with fewer triangles than this, every triangle is visited.
@@ -11,12 +14,59 @@ const FEW: usize = 8 * BLOCK;
 
 /// [`Object::bounds_world`], to the bit.
 pub(super) fn bounds_world(object: &Object) -> Aabb {
-    match (&object.shape, object.shape.triangles()) {
+    bounds_at(&object.shape, &object.placement)
+}
+
+/// The same for a shape that a placement puts somewhere.
+fn bounds_at(shape: &Shape, placement: &Placement) -> Aabb {
+    match (shape, shape.triangles()) {
         (Shape::Mesh { mesh, .. }, Some(triangles)) if triangles.len() >= FEW => {
-            bounds_and_work(mesh, &triangles, &object.placement).0
+            bounds_and_work(mesh, &triangles, placement).0
         }
-        _ => object.bounds_world(),
+        _ => shape.bounds_at(placement),
     }
+}
+
+/// A scene's visible objects.
+impl Framed for Scene {
+    fn bounds_through(&self, map: &DMat3) -> Aabb {
+        let all = self.objects().iter().enumerate();
+        let visible = all.filter(|(_, object)| object.visible);
+        through(self, visible.map(|(index, _)| index), map)
+    }
+
+    fn bounds(&self) -> Aabb {
+        self.visible_bounds()
+    }
+}
+
+/// Some objects of a scene, by their indices, hidden ones too.
+#[derive(Clone, Copy, Debug)]
+pub struct Among<'a>(pub &'a Scene, pub &'a [usize]);
+
+impl Framed for Among<'_> {
+    fn bounds_through(&self, map: &DMat3) -> Aabb {
+        through(self.0, self.1.iter().copied(), map)
+    }
+
+    fn bounds(&self) -> Aabb {
+        let boxes = self.1.iter().map(|object| self.0.bounds_of(*object));
+        boxes.fold(Aabb::EMPTY, Aabb::union)
+    }
+}
+
+/// The box about objects whose points are taken through a map.
+fn through(scene: &Scene, objects: impl Iterator<Item = usize>, map: &DMat3) -> Aabb {
+    objects.fold(Aabb::EMPTY, |found, index| {
+        let most = scene.bounds_of(index).bounds_through(map);
+        if found.holds(&most) {
+            return found;
+        }
+        let object = &scene.objects()[index];
+        let model = DAffine3::from_mat3(*map) * object.placement.model();
+        let mapped = Placement::new(model);
+        found.union(mapped.map_or(most, |placement| bounds_at(&object.shape, &placement)))
+    })
 }
 
 /// The box about some of a mesh's triangles, and the number of blocks whose triangles were visited.
@@ -52,8 +102,7 @@ fn bounds_and_work(mesh: &Mesh, triangles: &Range<u32>, placement: &Placement) -
         }
     }
     for (index, block) in around.iter().enumerate() {
-        let within = block.min.cmpge(found.min).all() && block.max.cmple(found.max).all();
-        if !within {
+        if !found.holds(block) {
             found = ask(index, found);
         }
     }

@@ -11,6 +11,7 @@ mod sums;
 mod tree;
 
 #[cfg(feature = "files")]
+pub use extent::Among;
 pub use files::{
     Cancelled, DescriptionError, Detail, FileError, FilesAgain, LoadError, Loaded, MeshFile,
     MeshFiles, ObjError, ObjFile, Problem, Progress, SaveError, Warning, description, gallery,

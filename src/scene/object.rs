@@ -136,10 +136,17 @@ impl Object {
 
     /// The smallest world-space box about it; empty for a mesh without triangles.
     pub fn bounds_world(&self) -> Aabb {
-        let to_world = |point| self.placement.point_to_world(point);
-        match &self.shape {
-            Shape::Sphere => {
-                let rows = self.placement.model().matrix3.transpose();
+        self.shape.bounds_at(&self.placement)
+    }
+}
+
+impl Shape {
+    /// The box about all of it where a placement puts it.
+    pub(super) fn bounds_at(&self, placement: &Placement) -> Aabb {
+        let to_world = |point| placement.point_to_world(point);
+        match self {
+            Self::Sphere => {
+                let rows = placement.model().matrix3.transpose();
                 let lengths = [rows.x_axis, rows.y_axis, rows.z_axis].map(DVec3::length);
                 let half = Sphere::RADIUS * DVec3::from_array(lengths);
                 let center = to_world(DVec3::ZERO);
@@ -148,13 +155,13 @@ impl Object {
                     max: center + half,
                 }
             }
-            Shape::Cube => Aabb::around(Cuboid::bounds().corners().map(to_world)),
-            Shape::Square => Aabb::around(Square::bounds().corners().map(to_world)),
-            Shape::Mesh { mesh, part } if self.placement == Placement::IDENTITY => {
+            Self::Cube => Aabb::around(Cuboid::bounds().corners().map(to_world)),
+            Self::Square => Aabb::around(Square::bounds().corners().map(to_world)),
+            Self::Mesh { mesh, part } if *placement == Placement::IDENTITY => {
                 mesh.part_bounds(*part)
             }
-            Shape::Mesh { mesh, .. } => Aabb::around(
-                (self.shape.triangles().into_iter().flatten())
+            Self::Mesh { mesh, .. } => Aabb::around(
+                (self.triangles().into_iter().flatten())
                     .flat_map(|triangle| mesh.corners(triangle).map(to_world)),
             ),
         }

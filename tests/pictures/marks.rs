@@ -98,6 +98,39 @@ fn several_objects_are_marked_as_each_alone_is() {
     assert!(differ * 10 > shown * 9, "{differ} of {shown}");
 }
 
+/// Half of a line's light, and half of what is behind it: an object or the background. It fades from end to end.
+#[test]
+fn a_line_may_fade_into_what_is_behind_it() {
+    let (gpu, scene, view) = (gpu(), shapes(DVec3::ZERO), overview([640, 400]));
+    let (from, to) = (dvec3(-2.5, 0.8, 2.0), dvec3(2.5, 0.8, 2.0));
+    let with = |opacity| {
+        let line = Line::new(from, to, Srgb([255, 0, 255]));
+        let lines = [Line { opacity, ..line }];
+        draw(&gpu, &scene, &view, &lines, &Marks::default(), 1).2
+    };
+    let [none, half, all, fading] = [[0.0; 2], [0.5; 2], [1.0; 2], [0.0, 1.0]].map(with);
+    let plain = draw(&gpu, &scene, &view, &[], &Marks::default(), 1).2;
+    let mut on_line = Vec::new();
+    for (x, y) in plain
+        .positions()
+        .filter(|at| all.at(at.0, at.1) != plain.at(at.0, at.1))
+    {
+        let linear = |picture: &Image<Rgb>| Srgb(picture.at(x, y)).to_linear();
+        let mixed = |opacity: f32| {
+            let (line, behind) = (linear(&all), linear(&plain));
+            Srgb::from_linear([0, 1, 2].map(|i| behind[i] + (line[i] - behind[i]) * opacity)).0
+        };
+        assert_eq!(none.at(x, y), plain.at(x, y));
+        assert!(!apart(half.at(x, y), mixed(0.5), 2), "{x}, {y}");
+        on_line.push((x, fading.at(x, y), mixed(1.0), plain.at(x, y)));
+    }
+    assert!(on_line.len() > 100, "{}", on_line.len());
+    on_line.sort_unstable();
+    let [(_, faint, ..), (_, strong, ..)] = [on_line[0], on_line[on_line.len() - 1]];
+    let [(.., at_first), (.., whole, _)] = [on_line[0], on_line[on_line.len() - 1]];
+    assert!(!apart(faint, at_first, 12) && !apart(strong, whole, 12));
+}
+
 #[test]
 fn lines_are_in_the_picture_and_not_in_the_ids() {
     let gpu = gpu();
@@ -108,16 +141,8 @@ fn lines_are_in_the_picture_and_not_in_the_ids() {
         .flat_map(|i| {
             let (a, y) = (f64::from(i) * 0.5, -0.99);
             [
-                Line {
-                    from: dvec3(a, y, -5.0),
-                    to: dvec3(a, y, 5.0),
-                    colour,
-                },
-                Line {
-                    from: dvec3(-5.0, y, a),
-                    to: dvec3(5.0, y, a),
-                    colour,
-                },
+                Line::new(dvec3(a, y, -5.0), dvec3(a, y, 5.0), colour),
+                Line::new(dvec3(-5.0, y, a), dvec3(5.0, y, a), colour),
             ]
         })
         .collect();

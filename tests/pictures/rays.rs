@@ -26,11 +26,8 @@ const LINE: Srgb = Srgb([255, 0, 255]);
 fn lines() -> Vec<Line> {
     let across = |i: i32| {
         let y = f64::from(i) * 0.1;
-        [(-4.0, 1.5), (1.5, -4.0), (-1.0, -1.0)].map(|(z, other)| Line {
-            from: dvec3(-3.0, y, z),
-            to: dvec3(3.0, y, other),
-            colour: LINE,
-        })
+        [(-4.0, 1.5), (1.5, -4.0), (-1.0, -1.0)]
+            .map(|(z, other)| Line::new(dvec3(-3.0, y, z), dvec3(3.0, y, other), LINE))
     };
     (-12..=12).flat_map(across).collect()
 }

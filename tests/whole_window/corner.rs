@@ -114,12 +114,12 @@ fn an_end_of_the_cross_is_lit_under_the_cursor() {
 #[test]
 fn the_grid_says_its_step() {
     let mut window = open(Vec::new(), 1.0);
-    assert!(has_control(&window, "grid step 1"));
+    assert!(has_control(&window, "grid step 1 unit"));
     // Hiding the largest object does not change it.
     click_on(&mut window, "Ground");
     assert_eq!(selected(&window), Some("Ground"));
     press_key(&mut window, Modifiers::SHIFT, Key::H);
-    assert!(has_control(&window, "grid step 1"));
+    assert!(has_control(&window, "grid step 1 unit"));
     press_key(&mut window, Modifiers::NONE, Key::G);
-    assert!(!has_control(&window, "grid step 1"));
+    assert!(!has_control(&window, "grid step 1 unit"));
 }

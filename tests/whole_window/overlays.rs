@@ -230,9 +230,9 @@ fn no_box_is_about_a_hidden_object() {
 fn the_grid_s_step_stays_when_objects_are_hidden() {
     let (mut window, _folder) = row(1.0);
     press_key(&mut window, Modifiers::NONE, Key::Num9);
-    let before = control(&window, "grid step 1").rect;
+    let before = control(&window, "grid step 1 unit").rect;
     for name in ["front", "middle", "back"] {
         click_on(&mut window, &format!("show {name}"));
     }
-    assert_eq!(control(&window, "grid step 1").rect, before);
+    assert_eq!(control(&window, "grid step 1 unit").rect, before);
 }

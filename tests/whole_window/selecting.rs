@@ -109,7 +109,7 @@ fn hide_isolate_and_frame_act_on_all() {
     click_on(&mut window, "front");
     press_key(&mut window, Modifiers::NONE, Key::F);
     let one = distance(&window);
-    assert!(both > 2.0 * one, "{both} {one}");
+    assert!(both > 1.8 * one, "{both} {one}");
     // The menu of the right button, on one of them.
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     select(&mut window);

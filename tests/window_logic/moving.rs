@@ -132,16 +132,22 @@ fn framing_shows_the_selection_or_all() {
     let mut state = front_view();
     state.apply(Action::Select(Some(1)));
     state.apply(Action::FrameSelection);
-    assert_eq!(state.view().camera.target(), DVec3::ZERO);
-    let seen = state.scene().bounds_of(1).corners().map(|corner| {
-        let ndc = state.view().project(corner).expect("in front").ndc;
-        ndc.x.abs().max(ndc.y.abs())
-    });
-    let widest = seen.into_iter().fold(0.0, f64::max);
+    assert!(state.view().camera.target().length() < 1e-12);
+    // What is seen of it alone, not its box, fills 85 % of the smaller side and lies in the middle.
+    let mut alone = state.scene().clone();
+    let others: Vec<usize> = (0..alone.objects().len()).filter(|of| *of != 1).collect();
+    alone.show(&others, false);
+    let ids = pick::ids(&alone, state.view());
+    let rows = ids.positions().filter(|(x, y)| ids.at(*x, *y).object == 2);
+    let rows: Vec<u32> = rows.map(|(_, y)| y).collect();
+    let (top, bottom) = (rows[0], rows[rows.len() - 1]);
+    let height = state.view().viewport.height();
     assert!(
-        (0.9..1.0).contains(&widest),
-        "it reaches {widest} of the way to the rim"
+        top.abs_diff(height - 1 - bottom) <= 1,
+        "{top} {bottom} of {height}"
     );
+    let filled = f64::from(bottom + 1 - top) / f64::from(height);
+    assert!((filled - 0.85).abs() < 0.006, "{filled} of the height");
     state.apply(Action::FrameAll);
     for corner in state.scene().visible_bounds().corners() {
         let px = shown(&state, corner);

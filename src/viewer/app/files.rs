@@ -205,7 +205,7 @@ impl App {
         let hidden = self.options.visibility.apply(&mut loaded.scene);
         let camera = self.options.camera.or(loaded.camera);
         let viewport = self.state.view().viewport;
-        let valid = camera.resolve(&loaded.scene.visible_bounds(), viewport);
+        let valid = camera.resolve(&loaded.scene, viewport);
         let valid = valid.map(|_| loaded.camera = camera);
         let valid = valid.map_err(|error| format!("the camera flags are not used: {error}"));
         [hidden, valid]

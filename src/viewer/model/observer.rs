@@ -1,7 +1,10 @@
 //! The observer of one of the four views: looks at a stage from outside, and turns, pans and zooms in that view alone.
 
 use crate::{
-    camera::{Camera, DepthMapping, Lens, Orbit, Projection, UpAxis, View, Viewport, fit_near_far},
+    camera::{
+        Camera, DepthMapping, Frame, Framed, Lens, Orbit, Projection, UpAxis, View, Viewport,
+        fit_near_far,
+    },
     geometry::{Aabb, Sides},
 };
 use glam::{DAffine3, DVec2, DVec3};
@@ -12,8 +15,6 @@ const FOV_Y: f64 = 0.6;
 pub(super) const TURN_PER_PX: f64 = 0.008;
 /// The share of a view that framed points fill: labels need the rest.
 const FILLED: f64 = 0.8;
-/// Framing comes close to that share in this many steps.
-const STEPS: u32 = 5;
 /// The points that a view frames.
 pub(super) type Points = [DVec3; 17];
 
@@ -33,7 +34,7 @@ pub(super) struct Observer {
 impl Observer {
     /// Looks at points from a direction, given in the up axis's frame: right, up, towards the viewer.
     pub fn new(up_axis: UpAxis, from: DVec3, points: &Points, viewport: Viewport) -> Self {
-        let mut orbit = Orbit::framing(&Aabb::around(*points), up_axis, FOV_Y, viewport.aspect());
+        let mut orbit = Orbit::framing(points, up_axis, &frame(viewport));
         orbit.look_from(up_axis, from);
         let mut observer = Self {
             orbit,
@@ -49,22 +50,8 @@ impl Observer {
 
     /// Shows all of these points from the present direction, as large as they fit.
     pub fn frame(&mut self, points: &Points) {
-        let bounds = Aabb::around(*points);
-        (self.orbit).frame_bounds(&bounds, FOV_Y, self.viewport.aspect());
-        for _ in 0..STEPS {
-            let Some(camera) = self.camera() else { break };
-            let seen = (points.iter()).filter_map(|at| camera.project(self.viewport, *at));
-            let seen = Aabb::around(seen.map(|seen| seen.ndc.with_z(0.0)));
-            let size = (seen.max - seen.min).max_element();
-            if !(size > 0.0 && size.is_finite()) {
-                break;
-            }
-            let off_px = self.viewport.ndc_to_px(seen.center().truncate());
-            let by_px = 0.5 * self.viewport.size_px() - off_px;
-            (self.orbit).pan(by_px, self.orbit.distance(), &LENS, self.viewport);
-            self.orbit.zoom(self.orbit.target(), 2.0 * FILLED / size);
-        }
-        self.pivot = bounds.center();
+        self.orbit.frame(points, &frame(self.viewport));
+        self.pivot = points.bounds().center();
         self.pan_depth = self.orbit.distance();
         self.framed = Some(*points);
     }
@@ -142,6 +129,15 @@ impl Observer {
             sides,
             section: None,
         })
+    }
+}
+
+fn frame(viewport: Viewport) -> Frame {
+    Frame {
+        fov_y: FOV_Y,
+        aspect: viewport.aspect(),
+        is_parallel: false,
+        filled: FILLED,
     }
 }
 

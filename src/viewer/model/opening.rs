@@ -27,7 +27,7 @@ impl State {
         sides: Sides,
     ) -> Result<Self, CameraError> {
         let choice = choice.or(loaded.camera);
-        let camera = choice.resolve(&loaded.scene.visible_bounds(), viewport)?;
+        let camera = choice.resolve(&loaded.scene, viewport)?;
         let section = loaded.scene.section(choice.section.unwrap_or_default());
         let section = section.ok().flatten();
         let up_axis = choice.up_axis.unwrap_or_default();
@@ -174,9 +174,8 @@ impl State {
 
     /// Moves the view to where the scene would open in a picture of this size, with what is visible now.
     pub(super) fn view_as_opened(&mut self) {
-        let bounds = self.scene.visible_bounds();
         // The choices made a valid camera before; other bounds or another viewport cannot change that.
-        if let Ok(camera) = self.opened_with.resolve(&bounds, self.view.viewport) {
+        if let Ok(camera) = self.opened_with.resolve(&self.scene, self.view.viewport) {
             self.controls = LensControls::of(&self.opened_with);
             self.orbit = Orbit::of_camera(&camera, self.up_axis);
             self.ortho = OrthoHeight::chosen(&self.opened_with, &self.orbit);

@@ -66,8 +66,8 @@ impl State {
             Action::Hover(px) => self.cursor = px.map(|px| self.cursor_at(px)),
             Action::Light(object) => (self.lit, self.row) = (object, None),
             Action::LightRow(row) => self.row = Some(row),
-            Action::FrameAll => self.frame(self.shown_bounds()),
-            Action::FrameSelection => self.frame(self.bounds_of_selection()),
+            Action::FrameAll => self.frame_all(),
+            Action::FrameSelection => self.frame_selection(),
             Action::LookFrom(direction) => {
                 self.orbit.look_from(self.up_axis, direction);
                 self.moved();

@@ -8,12 +8,12 @@ use super::{
 };
 use crate::{
     camera::{
-        Camera, CameraChoice, CameraError, Lens, Orbit, Projection, SectionChoice, View,
-        check_size, fit_near_far, least_near,
+        Camera, CameraChoice, CameraError, Frame, Framed, Lens, Orbit, Projection, SectionChoice,
+        View, check_size, fit_near_far, least_near,
     },
     geometry::{Aabb, Placement, PlacementError},
     pick,
-    scene::{Object, Shape},
+    scene::{Among, Object, Shape},
 };
 use glam::{DVec2, DVec3};
 
@@ -85,7 +85,7 @@ impl State {
                 Camera::new(*eye, *target, *up, *self.view.camera.lens())?;
             }
             Action::Camera(choice) => {
-                choice.resolve(&self.scene.visible_bounds(), self.view.viewport)?;
+                choice.resolve(&self.scene, self.view.viewport)?;
             }
             Action::Place(object, model) => {
                 self.check_place(*object, Placement::new(*model)?)?;
@@ -188,8 +188,7 @@ impl State {
 
     /// Takes over a camera, to the bit; does nothing when it is invalid.
     pub(super) fn set_camera(&mut self, choice: CameraChoice) {
-        let bounds = self.scene.visible_bounds();
-        let Ok(camera) = choice.resolve(&bounds, self.view.viewport) else {
+        let Ok(camera) = choice.resolve(&self.scene, self.view.viewport) else {
             return;
         };
         self.up_axis = choice.up_axis.unwrap_or(self.up_axis);
@@ -257,7 +256,7 @@ impl State {
         let ray = self.view.ray(px);
         let hit = pick::closest(&self.scene, ray, self.view.sides);
         let Some(point_world) = hit.map(|hit| ray.at(hit.hit.t)) else {
-            return self.frame(self.shown_bounds());
+            return self.frame_all();
         };
         self.pivot_world = point_world;
         let camera = &self.view.camera;
@@ -308,12 +307,41 @@ impl State {
         }
     }
 
-    pub(super) fn frame(&mut self, bounds_world: Aabb) {
-        let fov_y = self.controls.fov_deg.to_radians();
-        self.orbit
-            .frame_bounds(&bounds_world, fov_y, self.view.viewport.aspect());
+    /// Frames all that shows: visible objects and a frozen camera's frustum.
+    pub(super) fn frame_all(&mut self) {
+        let scene = self.scene.clone();
+        match self.frozen() {
+            Some(frozen) => self.frame(&(scene, with_frustum(Aabb::EMPTY, frozen.view))),
+            None => self.frame(&scene),
+        }
+    }
+
+    /// Frames all that is selected, or else all that is visible.
+    pub(super) fn frame_selection(&mut self) {
+        let (scene, selected) = (self.scene.clone(), self.all_selected().collect::<Vec<_>>());
+        if selected.is_empty() {
+            self.frame(&scene);
+        } else {
+            self.frame(&Among(&scene, &selected));
+        }
+    }
+
+    fn frame(&mut self, framed: &impl Framed) {
+        let projection = self.view.camera.lens().projection;
+        let frame = Frame {
+            fov_y: self.controls.fov_deg.to_radians(),
+            aspect: self.view.viewport.aspect(),
+            is_parallel: matches!(projection, Projection::Orthographic { .. }),
+            filled: Frame::FILLED,
+        };
+        self.orbit.frame(framed, &frame);
+        let bounds_world = framed.bounds();
         self.ortho = OrthoHeight::of_perspective(self.controls.fov_deg);
-        self.pivot_world = self.orbit.target();
+        self.pivot_world = if bounds_world.is_empty() {
+            self.orbit.target()
+        } else {
+            bounds_world.center()
+        };
         self.moved();
         self.free_planes_for(&bounds_world);
     }

@@ -1,8 +1,8 @@
-//! Lines around the scene: a floor grid with the world's axes, and the box of NDC.
+//! Lines around the scene: the ground, a grid under it, and the box of NDC.
 
 use super::{box_edges::edges, frozen::pixel_grid};
 use crate::{
-    camera::{NdcSpace, UpAxis, View, Viewport},
+    camera::{Framed, NdcSpace, Projection, UpAxis, View, Viewport},
     colour::Srgb,
     geometry::Aabb,
     look,
@@ -11,11 +11,16 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// Lines to each side of the middle, at the most.
-const LINES: f64 = 40.0;
-/// The middle and the border of the grid are at multiples of this many steps, so that they stay when something small
-/// moves.
-const BLOCK: f64 = 10.0;
+/// How far the grid reaches from the middle of the scene, in radii of the scene; it fades out from one to the other.
+const FADES: [f64; 2] = [1.0, 2.4];
+/// The parts of a line that fade each by themselves, from one end of the grid to the other.
+const PARTS: i32 = 16;
+/// How much a line of the grid covers where it has not faded, and each tenth of them.
+const OPACITY: [f64; 2] = [0.28, 0.5];
+/// The same of the lines through the origin's foot.
+const AXIS_OPACITY: f64 = 0.9;
+/// How far the grid lies under the lowest point, in radii of the scene: a floor of the scene there hides it.
+const BELOW: f64 = 6e-3;
 
 /// The step of the grid in world units: the power of ten that shows about ten lines across the whole scene, hidden
 /// objects included. `None` while there is no grid, or none of it is seen.
@@ -24,7 +29,7 @@ pub(in crate::viewer) fn grid_step(state: &State) -> Option<f64> {
     if !state.grid() {
         return None;
     }
-    let lines = floor(&bounds, state.up_axis(), view.camera.eye());
+    let lines = ground(&bounds, state.up_axis(), view);
     step(bounds.radius()).filter(|_| lines.iter().any(|line| is_in_picture(view, line)))
 }
 
@@ -62,11 +67,10 @@ fn step(radius: f64) -> Option<f64> {
     step.is_normal().then_some(step)
 }
 
-/// A square grid through the origin around all of `bounds_world`, with the two world axes in its plane. Seen from
-/// `eye`, it lies a little behind that plane, so that a floor of the scene there does not z-fight with it. If the
-/// bounds are too far from the origin for [`LINES`], it lies near the bounds instead, at multiples of its step. Seen
-/// edge on, it is left out.
-pub(super) fn floor(bounds_world: &Aabb, up_axis: UpAxis, eye: DVec3) -> Vec<Line> {
+/// A round grid under all of `bounds_world`, at multiples of its step, that fades towards its border. Two lines have the
+/// colours of the world's axes; they cross at the origin's foot. Whatever looks down on the ground sees the scene before
+/// it; from below, and edge on, it is left out. So it never covers an object.
+pub(super) fn ground(bounds_world: &Aabb, up_axis: UpAxis, view: &View) -> Vec<Line> {
     let frame = up_axis.frame();
     let [right, up, front] = [frame.x_axis, frame.y_axis, frame.z_axis];
     let bounds = if bounds_world.is_empty() {
@@ -74,43 +78,62 @@ pub(super) fn floor(bounds_world: &Aabb, up_axis: UpAxis, eye: DVec3) -> Vec<Lin
     } else {
         *bounds_world
     };
-    let radius = bounds.radius();
+    let radius = if bounds.radius() > 0.0 {
+        bounds.radius()
+    } else {
+        1.0
+    };
     let Some(step) = step(radius) else {
         return Vec::new();
     };
-    // In steps.
-    let reach = 1.6 * radius / step;
-    let in_blocks = |steps: f64| (steps / BLOCK).round() * BLOCK;
-    let centre = [right, up, front].map(|axis| bounds.center().dot(axis) / step);
-    let is_near = centre.iter().all(|along| along.abs() + reach <= LINES);
-    let middle = centre.map(|along| if is_near { 0.0 } else { in_blocks(along) });
-    let off = |axis: usize| (centre[axis] - middle[axis]).abs() + reach;
-    let half = ((off(0).max(off(2)) / BLOCK).ceil() * BLOCK).min(LINES);
-    let [middle_right, level, middle_front] = middle;
-    let height = level * step;
-    let above = eye.dot(up) - height;
-    if above.abs() < 0.01 * eye.distance(bounds.center()) {
+    let level = bounds.bounds_through(&frame.transpose()).min.y - BELOW * radius;
+    let (eye, forward) = (view.camera.eye(), view.camera.forward());
+    let is_parallel = matches!(
+        view.camera.lens().projection,
+        Projection::Orthographic { .. }
+    );
+    // How steeply the middle of the scene is looked down on.
+    let steepness = if is_parallel {
+        -forward.dot(up)
+    } else {
+        (eye.dot(up) - level) / eye.distance(bounds.center())
+    };
+    if steepness < 0.01 {
         return Vec::new();
     }
-    let behind = 6e-3 * radius * above.signum();
-    #[expect(clippy::cast_possible_truncation, reason = "at most LINES")]
-    let lines = half as i32;
+    let middle = [right, front].map(|axis| bounds.center().dot(axis));
+    let fade = |along: [f64; 2]| {
+        let off = libm::hypot(along[0] - middle[0], along[1] - middle[1]) / radius;
+        ((FADES[1] - off) / (FADES[1] - FADES[0])).clamp(0.0, 1.0)
+    };
     let mut all = Vec::new();
-    for i in -lines..=lines {
-        for (across, run, middle, run_middle) in [
-            (right, front, middle_right, middle_front),
-            (front, right, middle_front, middle_right),
-        ] {
-            let index = middle + f64::from(i);
-            let colour = if index == 0.0 && level == 0.0 {
-                axis_colour(run)
+    // Lines across one axis run along the other.
+    for (across, run) in [(0, 1), (1, 0)] {
+        let reach = FADES[1] * radius;
+        let first = ((middle[across] - reach) / step).ceil();
+        #[expect(clippy::cast_possible_truncation, reason = "about fifty")]
+        let count = ((middle[across] + reach) / step - first).floor() as i32;
+        for index in (0..=count).map(|i| first + f64::from(i)) {
+            let (colour, most) = if index == 0.0 {
+                (axis_colour([right, front][run]), AXIS_OPACITY)
             } else {
-                look::GRID[usize::from(index % 10.0 == 0.0)]
+                (look::GRID, OPACITY[usize::from(index % 10.0 == 0.0)])
             };
-            let middle =
-                across * (index * step) + run * (run_middle * step) + up * (height - behind);
-            let arm = run * (half * step);
-            all.push(Line::new(middle - arm, middle + arm, colour));
+            let end = |part: i32| {
+                let mut along = [index * step; 2];
+                along[run] = middle[run] + reach * (f64::from(2 * part) / f64::from(PARTS) - 1.0);
+                let at = right * along[0] + front * along[1] + up * level;
+                #[expect(clippy::cast_possible_truncation, reason = "of a colour")]
+                let opacity = (most * fade(along)) as f32;
+                (at, opacity)
+            };
+            for ((from, at_from), (to, at_to)) in (0..PARTS).map(|i| (end(i), end(i + 1))) {
+                if at_from + at_to > 0.0 {
+                    let opacity = [at_from, at_to];
+                    let line = Line::new(from, to, colour);
+                    all.push(Line { opacity, ..line });
+                }
+            }
         }
     }
     all
@@ -132,54 +155,107 @@ pub(super) fn ndc(viewport: Viewport) -> Vec<Line> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::camera::{DepthMapping, Frame, Lens, Orbit};
 
     fn about(center: DVec3, half: f64) -> Aabb {
         Aabb::around([center - half, center + half])
     }
 
-    /// The lines that have an axis's colour, and the least and the greatest coordinates of all lines.
-    fn grid(bounds: &Aabb, up_axis: UpAxis) -> (Vec<Line>, Aabb) {
-        let lines = floor(bounds, up_axis, DVec3::splat(1e9));
-        let ends = lines.iter().flat_map(|line| [line.from, line.to]);
-        let extent = Aabb::around(ends);
-        let is_axis = |line: &Line| look::AXES.contains(&line.colour);
-        (lines.into_iter().filter(is_axis).collect(), extent)
+    /// A view of a box, from this direction in the up axis's frame.
+    fn view(bounds: &Aabb, up_axis: UpAxis, from: DVec3) -> View {
+        let viewport = Viewport::new(640, 480).expect("a size");
+        let frame = Frame {
+            fov_y: 0.8,
+            aspect: viewport.aspect(),
+            is_parallel: false,
+            filled: Frame::FILLED,
+        };
+        let mut orbit = Orbit::framing(bounds, up_axis, &frame);
+        orbit.look_from(up_axis, from);
+        let lens = Lens {
+            projection: Projection::Perspective { fov_y: 0.8 },
+            near: 1e-3,
+            far: 1e9,
+            depth: DepthMapping::Reversed,
+        };
+        let camera = orbit.camera(lens).expect("a camera");
+        View::new(camera, viewport)
+    }
+
+    const ABOVE: DVec3 = DVec3::new(1.0, 0.8, 1.6);
+
+    /// The lines of a grid seen from above.
+    fn grid(bounds: &Aabb, up_axis: UpAxis) -> Vec<Line> {
+        ground(bounds, up_axis, &view(bounds, up_axis, ABOVE))
     }
 
     #[test]
-    fn the_grid_stands_at_the_origin_and_stays_there() {
+    fn the_ground_lies_under_the_lowest_point_and_its_axes_cross_at_the_origins_foot() {
         for up_axis in [UpAxis::Y, UpAxis::Z] {
-            let at_first = about(DVec3::new(1.0, 2.0, -0.5), 2.0);
-            let (axes, extent) = grid(&at_first, up_axis);
-            assert_eq!(axes.len(), 2);
-            // Through the origin, apart from the small offset that keeps the grid behind floors.
-            for line in axes {
-                let nearest = 0.5 * (line.from + line.to);
-                assert!(nearest.length() < 0.03, "{nearest}");
+            let (up, bounds) = (up_axis.up(), about(DVec3::new(1.0, 2.0, -0.5), 2.0));
+            let lowest = bounds.min.dot(up);
+            let lines = grid(&bounds, up_axis);
+            assert!(lines.len() > 300);
+            for line in &lines {
+                let heights = [line.from, line.to].map(|at| at.dot(up));
+                for height in heights {
+                    assert!(height < lowest && height > lowest - 0.05, "{height}");
+                }
             }
-            assert!(extent.center().length() < 0.03);
-            // If the scene grows or shrinks a little, the grid stays where it was.
-            for (center, half) in [(DVec3::new(0.7, 2.2, 0.0), 1.8), (DVec3::ONE, 2.2)] {
-                let (_, moved) = grid(&about(center, half), up_axis);
-                assert!((moved.max - extent.max).abs().max_element() < 0.03);
+            let on_axes = |line: &&Line| look::AXES.contains(&line.colour);
+            for line in lines.iter().filter(on_axes) {
+                let along = (line.to - line.from).normalize();
+                let off = line.from - along * line.from.dot(along);
+                assert!((off - up * off.dot(up)).length() < 1e-12, "{off}");
+                assert_eq!(line.colour, axis_colour(along));
             }
+            assert!(lines.iter().filter(on_axes).count() > 20);
         }
     }
 
     #[test]
-    fn far_from_the_origin_the_grid_is_about_the_scene_and_shows_no_axes() {
-        let (axes, extent) = grid(&about(DVec3::new(5e5, 200.0, -4e6), 300.0), UpAxis::Y);
-        assert!(axes.is_empty());
-        assert!((extent.center() - DVec3::new(5e5, 0.0, -4e6)).length() < 1500.0);
-        assert!(extent.center().x % 100.0 < 1e-6);
+    fn it_fades_with_distance_from_the_scene_and_ends_where_nothing_of_it_is_left() {
+        let bounds = about(DVec3::new(3.0, 0.0, 5.0), 1.0);
+        let (middle, radius) = (bounds.center().with_y(0.0), bounds.radius());
+        let lines = grid(&bounds, UpAxis::Y);
+        let mut farthest: f64 = 0.0;
+        for line in &lines {
+            for (at, opacity) in [(line.from, line.opacity[0]), (line.to, line.opacity[1])] {
+                let off = at.with_y(0.0).distance(middle) / radius;
+                farthest = farthest.max(off);
+                assert_eq!(opacity > 0.0, off < FADES[1], "{off}: {opacity}");
+                assert!(off > FADES[0] || opacity > 0.2, "{off}: {opacity}");
+            }
+        }
+        assert!(
+            farthest > FADES[1] && farthest < FADES[1] + 0.4,
+            "{farthest}"
+        );
     }
 
     #[test]
-    fn nothing_is_seen_of_a_grid_edge_on() {
+    fn far_from_the_origin_the_grid_is_about_the_scene_and_shows_no_axes() {
+        let bounds = about(DVec3::new(5e5, 200.0, -4e6), 300.0);
+        let lines = grid(&bounds, UpAxis::Y);
+        assert!(lines.iter().all(|line| line.colour == look::GRID));
+        let extent = Aabb::around(lines.iter().flat_map(|line| [line.from, line.to]));
+        assert!((extent.center() - DVec3::new(5e5, extent.min.y, -4e6)).length() < 200.0);
+        let across = lines
+            .iter()
+            .filter(|line| line.from.x.total_cmp(&line.to.x).is_eq());
+        assert!(across.map(|line| line.from.x % 100.0).all(|off| off == 0.0));
+    }
+
+    #[test]
+    fn nothing_is_seen_of_the_ground_from_below_and_edge_on() {
         let bounds = about(DVec3::ZERO, 1.0);
-        let from = |eye| floor(&bounds, UpAxis::Y, eye).len();
-        assert_eq!(from(DVec3::new(0.0, 0.01, 9.0)), 0);
-        assert!(from(DVec3::new(0.0, 0.5, 9.0)) > 20);
+        let from = |to_eye| {
+            let view = view(&bounds, UpAxis::Y, to_eye);
+            ground(&bounds, UpAxis::Y, &view).len()
+        };
+        assert!(from(ABOVE) > 100);
+        assert_eq!(from(DVec3::new(1.0, -0.8, 1.6)), 0);
+        assert_eq!(from(DVec3::NEG_Y), 0);
     }
 
     #[test]

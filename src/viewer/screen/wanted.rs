@@ -55,16 +55,17 @@ impl Drawn {
 /// The lines that are drawn with a scene.
 pub(super) fn lines(subject: &Subject) -> Vec<Line> {
     let Subject { scene, view, .. } = *subject;
-    let floor = |up_axis| grid::floor(&scene.bounds(), up_axis, view.camera.eye());
-    let floor = subject.grid.map(floor);
+    let ground = |up_axis| grid::ground(&scene.bounds(), up_axis, &view);
+    let ground = subject.grid.map(ground);
     let frozen = subject.frozen.map(|frozen| frozen::lines(&frozen, scene));
     let lesson = match subject.lesson {
         Some(Lesson::Camera(camera)) => frozen::camera(&camera),
         Some(Lesson::Ndc(ndc)) => grid::ndc(ndc.of.viewport),
         Some(Lesson::Object) | None => Vec::new(),
     };
-    let all = floor.into_iter().chain(frozen);
-    all.chain([lesson, overlay_lines::lines(subject)])
-        .flatten()
-        .collect()
+    // The ground last: it fades into what is behind it.
+    let all = frozen
+        .into_iter()
+        .chain([lesson, overlay_lines::lines(subject)]);
+    all.chain(ground).flatten().collect()
 }

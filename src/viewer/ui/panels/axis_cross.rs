@@ -44,14 +44,21 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, state: &State, commands: &mut Vec<Co
         let room = Rect::from_min_size(at, vec2(STEP_WIDTH, 18.0));
         let inside = UiBuilder::new().max_rect(room);
         let inside = inside.layout(Layout::left_to_right(Align::Center));
-        let text = RichText::new(format!("grid step {}", short(step)));
+        let unit = if step.to_bits() == 1_f64.to_bits() {
+            "unit"
+        } else {
+            "units"
+        };
+        let text = RichText::new(format!("grid step {} {unit}", short(step)));
         let text = Label::new(text.color(Color32::from_gray(200))).selectable(false);
         // Readable over light surfaces, too.
         let plate = Frame::new().fill(Color32::from_black_alpha(90));
         let plate = plate.corner_radius(3.0).inner_margin(vec2(4.0, 1.0));
         ui.scope_builder(inside, |ui| plate.show(ui, |ui| ui.add(text)).inner)
             .inner
-            .on_hover_text("from one line of the grid to the next, in world units (G hides it)");
+            .on_hover_text(
+                "from one line of the ground's grid to the next, in the world's units (G hides it)",
+            );
     }
 }
 
