@@ -75,6 +75,27 @@ fn on_nothing_it_is_about_the_view() {
     assert!(!has_control(&window, "Pick this point"));
 }
 
+/// The arrows walk through an open menu, not through the objects, and Enter on a line closes it.
+#[test]
+fn keys_are_an_open_menu_s() {
+    let (mut window, _folder) = row(1.0);
+    let key = |window: &mut Window, key| press_key(window, Modifiers::NONE, key);
+    click(&mut window, MIDDLE);
+    let (view, pick) = (*window.state().view(), picked_px(&window));
+    click_on(&mut window, "View");
+    key(&mut window, Key::ArrowDown);
+    assert_eq!(selected(&window), Some("front"));
+    assert_eq!(picked_px(&window), pick);
+    assert!(has_control(&window, "Front"));
+    key(&mut window, Key::Enter);
+    assert!(!has_control(&window, "Front"), "it is closed");
+    assert_eq!(selected(&window), Some("front"));
+    assert_ne!(*window.state().view(), view, "its first line was done");
+    // Without a menu the arrows walk through the objects.
+    key(&mut window, Key::ArrowDown);
+    assert_eq!(selected(&window), Some("middle"));
+}
+
 /// Once the menu is closed, Esc does what it does without one.
 #[test]
 fn esc_closes_a_menu_and_nothing_else() {

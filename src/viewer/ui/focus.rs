@@ -1,7 +1,7 @@
 //! Where keys go. A text that is being edited takes all keys. Another focused control takes the keys that operate it.
 //! The rest are shortcuts.
 
-use egui::{Context, Id};
+use egui::{Context, Id, Popup};
 use std::mem;
 
 /// Takes the focus from the text that is being edited: its field then does what Enter does.
@@ -20,7 +20,7 @@ pub(in crate::viewer) fn leave_text(ctx: &Context) {
 pub(super) struct Focus {
     /// A text was being edited.
     pub types: bool,
-    /// Any control had the focus.
+    /// Any control had the focus, or a menu was open: its first arrow key gives one of its lines the focus.
     pub any: bool,
 }
 
@@ -29,7 +29,7 @@ impl Focus {
     pub fn of_pass(ctx: &Context) -> Self {
         let now = Self {
             types: ctx.text_edit_focused(),
-            any: ctx.memory(|memory| memory.focused().is_some()),
+            any: ctx.memory(|memory| memory.focused().is_some()) || Popup::is_any_open(ctx),
         };
         let id = Id::unique("focus before");
         let before: Self = ctx.data_mut(|data| mem::replace(data.get_temp_mut_or_default(id), now));

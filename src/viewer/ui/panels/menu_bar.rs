@@ -96,6 +96,10 @@ fn items(ui: &mut Ui, menu: &Menu, shown: &Shown, commands: &mut Vec<Command>) {
             let line = Button::selectable(is_on, item.name).shortcut_text(item.first_keys());
             let line = ui.add_enabled((item.is_of_use)(shown), line);
             let line = line.named(item.name);
+            if line.clicked() {
+                // By a key too, where egui leaves the menu open.
+                ui.close();
+            }
             line.asks(item.tells(shown), item.command.clone(), commands);
         }
     }

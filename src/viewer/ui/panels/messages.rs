@@ -40,11 +40,11 @@ pub(super) fn show(
                 }
             });
         });
-    } else if let Some((text, button, asked)) = hint(shown.state) {
+    } else if let Some((text, [button, does], asked)) = hint(shown.state) {
         plate(&ctx, "hint", rect.center(), Align2::CENTER_CENTER, |ui| {
             ui.vertical_centered(|ui| {
                 ui.label(text).hint("why the picture is empty");
-                let button = ui.button(button).hint("a way to see something");
+                let button = ui.button(button).hint(does);
                 if button.clicked() {
                     commands.extend(asked);
                 }
@@ -94,15 +94,17 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
     }
 }
 
-/// Why the picture is empty, the name of a button that helps, and what that does.
-fn hint(state: &State) -> Option<(&'static str, &'static str, Vec<Command>)> {
+/// Why the picture is empty, the name and the hint of a button that helps, and what that does.
+fn hint(state: &State) -> Option<(&'static str, [&'static str; 2], Vec<Command>)> {
     if state.scene().objects().is_empty() {
         let text = "Open an OBJ or scene file";
-        return Some((text, "Open\u{2026} (Ctrl+O)", vec![Command::OpenDialog]));
+        let open = ["Open\u{2026} (Ctrl+O)", "choose files to show"];
+        return Some((text, open, vec![Command::OpenDialog]));
     }
     if state.scene().visible_bounds().is_empty() {
         let show = vec![Action::ShowAll.into()];
-        return Some(("Everything is hidden", "Show all (U)", show));
+        let button = ["Show all (U)", "show every object again"];
+        return Some(("Everything is hidden", button, show));
     }
     // The four views show what the camera does not see.
     if !state.stages().is_empty() {
@@ -112,9 +114,21 @@ fn hint(state: &State) -> Option<(&'static str, &'static str, Vec<Command>)> {
     let by_section = "Nothing in view: the section cuts everything away";
     let by_planes = "Nothing in view: no object is between near and far";
     let (text, button) = match by {
-        EmptiedBy::Section => (by_section, "Section off (Z)"),
-        EmptiedBy::Planes => (by_planes, "Fit near and far"),
-        EmptiedBy::Pose => ("Nothing in view", "Frame all (A)"),
+        EmptiedBy::Section => {
+            let button = ["Section off (Z)", "show what the section cuts away, too"];
+            (by_section, button)
+        }
+        EmptiedBy::Planes => {
+            let button = [
+                "Fit near and far",
+                "move the planes so that they hold all that shows",
+            ];
+            (by_planes, button)
+        }
+        EmptiedBy::Pose => {
+            let button = ["Frame all (A)", "move the camera so that all shows"];
+            ("Nothing in view", button)
+        }
     };
     let actions = actions.into_iter().chain([Action::Release]);
     Some((text, button, actions.map(Command::Act).collect()))

@@ -112,7 +112,8 @@ fn shape(state: &State, selection: Option<&Selection>, sums: &Sums) -> String {
     let scene = state.scene();
     let Some(Selection { object, others, .. }) = selection else {
         let (objects, triangles) = (scene.objects().len(), scene.triangle_count());
-        return format!("{objects} objects, {triangles} triangles");
+        let plural = if objects == 1 { "" } else { "s" };
+        return format!("{objects} object{plural}, {triangles} triangles");
     };
     if !others.is_empty() {
         return format!("together {} triangles", sums.triangles);
