@@ -20,7 +20,7 @@ const OPACITY: [f64; 2] = [0.28, 0.5];
 /// The same of the lines through the origin's foot.
 const AXIS_OPACITY: f64 = 0.9;
 /// How far the grid lies under the lowest point, in radii of the scene: a floor of the scene there hides it.
-const BELOW: f64 = 6e-3;
+const BELOW: f64 = 5e-3;
 
 /// The step of the grid in world units: the power of ten that shows about ten lines across the whole scene, hidden
 /// objects included. `None` while there is no grid, or none of it is seen.
