@@ -10,8 +10,8 @@ mod section;
 mod sums;
 mod tree;
 
-#[cfg(feature = "files")]
 pub use extent::Among;
+#[cfg(feature = "files")]
 pub use files::{
     Cancelled, DescriptionError, Detail, FileError, FilesAgain, LoadError, Loaded, MeshFile,
     MeshFiles, ObjError, ObjFile, Problem, Progress, SaveError, Warning, description, gallery,
