@@ -76,10 +76,10 @@ pub const RIM: f32 = 0.8;
 /// The light that a surface sends to the eye. `normal_view` is the normal of the visible side, in view space, of any
 /// length. `albedo` and result are linear.
 ///
-/// The lights stand about the camera. A key light falls off with the square of the cosine, which tells small differences
-/// between normals apart; a fill from the other side keeps what it leaves from being flat; sky and ground tell what faces
-/// up from what faces down, and leave nothing black. Silhouettes and creases are dark, since key and fill dim as a surface
-/// turns from the eye.
+/// The lights stand about the camera. A key light falls off with the square of the cosine, which tells small
+/// differences between normals apart; a fill from the other side keeps what it leaves from being flat; sky and ground
+/// tell what faces up from what faces down, and leave nothing black. Silhouettes and creases are dark, since key and
+/// fill dim as a surface turns from the eye.
 pub fn shade(albedo: [f32; 3], normal_view: Vec3) -> [f32; 3] {
     let normal = normal_view.normalize_or_zero();
     let key = normal.dot(KEY_DIRECTION).max(0.0);

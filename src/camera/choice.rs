@@ -1,7 +1,7 @@
 //! A camera that flags or a scene file give in part. Framing the scene fills in the rest.
 
 use super::{
-    Camera, CameraError, DepthMapping, Frame, Framed, Lens, Orbit, Projection, SectionChoice,
+    Camera, CameraError, DepthMapping, Framed, Framing, Lens, Orbit, Projection, SectionChoice,
     UpAxis, Viewport, fit_near_far, in_range, unit,
 };
 use crate::geometry::Aabb;
@@ -105,34 +105,34 @@ impl CameraChoice {
         let look = look.transpose()?;
         let bounds_world = framed.bounds();
         check_size(&bounds_world)?;
-        let frame = Frame {
+        let framing = Framing {
             fov_y,
             aspect: viewport.aspect(),
             is_parallel: self.ortho.is_some(),
-            filled: Frame::FILLED,
+            filled: Framing::FILLED,
         };
-        let framing = LazyCell::new(|| {
-            let mut framing = Orbit::framing(framed, up_axis, &frame);
-            if let Some(look) = look.and_then(unit) {
-                framing.look_from(up_axis, up_axis.frame().transpose() * -look);
-                framing.frame(framed, &frame);
-            }
-            framing
+        // Where the camera itself stands, what is framed is not asked.
+        let orbit = LazyCell::new(|| {
+            let looked_along = look.and_then(unit);
+            let to_eye = looked_along.map(|look| up_axis.frame().transpose() * -look);
+            let mut orbit = Orbit::new(up_axis, to_eye.unwrap_or(Orbit::FROM));
+            orbit.frame(framed, &framing);
+            orbit
         });
         let camera = |up: DVec3| match (look, self.target) {
             (Some(look), _) => {
-                let along = unit(look).map_or(look, |unit| unit * framing.distance());
-                let eye = self.eye.unwrap_or(framing.target() - along);
+                let along = unit(look).map_or(look, |unit| unit * orbit.distance());
+                let eye = self.eye.unwrap_or_else(|| orbit.target() - along);
                 Camera::looking(eye, along, up, lens)
             }
             (None, target) => {
                 // What is seen from a given eye is not centred where framing would stand.
                 let middle = || match self.eye {
                     Some(_) if !bounds_world.is_empty() => bounds_world.center(),
-                    _ => framing.target(),
+                    _ => orbit.target(),
                 };
                 let target = target.unwrap_or_else(middle);
-                let from_target = || framing.eye() - framing.target();
+                let from_target = || orbit.eye() - orbit.target();
                 let eye = self.eye.unwrap_or_else(|| target + from_target());
                 Camera::new(eye, target, up, lens)
             }

@@ -42,21 +42,15 @@ impl<A: Framed, B: Framed> Framed for (A, B) {
     fn bounds_through(&self, map: &DMat3) -> Aabb {
         (self.0.bounds_through(map)).union(self.1.bounds_through(map))
     }
-}
-
-impl<F: Framed> Framed for &F {
-    fn bounds_through(&self, map: &DMat3) -> Aabb {
-        F::bounds_through(self, map)
-    }
 
     fn bounds(&self) -> Aabb {
-        F::bounds(self)
+        self.0.bounds().union(self.1.bounds())
     }
 }
 
 /// How much of the picture is to be filled, and by which projection it is seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame {
+pub struct Framing {
     /// Vertical field of view in radians; of the perspective picture that shows as much of the target's plane, if it is
     /// orthographic.
     pub fov_y: f64,
@@ -68,8 +62,8 @@ pub struct Frame {
     pub filled: f64,
 }
 
-impl Frame {
-    /// [`Frame::filled`] of a picture without labels.
+impl Framing {
+    /// [`Framing::filled`] of a picture without labels.
     pub const FILLED: f64 = 0.85;
     /// How far before what is framed the eye stands at least, as a share of half its depth.
     const BEFORE: f64 = 0.05;
@@ -78,13 +72,14 @@ impl Frame {
     /// right, up and towards the viewer. Empty counts as the box from -1 to 1.
     ///
     /// A point p is left of the picture's right border, seen from e, where (r + s b) . p <= (r + s b) . e; r points
-    /// right, b towards the viewer, and s is the border's slope. So the points that reach farthest along that direction
-    /// and along its mirror image decide where e stands between right and left, and how far back. Up and down are alike.
+    /// right, b towards the viewer, and s is the border's slope. So the points that reach farthest along that
+    /// direction and along its mirror image decide where e stands between right and left, and how far back. Up and down
+    /// are alike.
     pub(super) fn place(&self, framed: &impl Framed, axes: &DMat3) -> (DVec3, f64) {
         let top = self.filled * libm::tan(0.5 * self.fov_y);
         let slopes = [top * self.aspect, top];
         let mut leaning = if self.is_parallel { [0.0; 2] } else { slopes };
-        let mut seen = Seen::of(framed, axes, leaning);
+        let mut seen = Reach::of(framed, axes, leaning);
         let middle = 0.5 * (seen.depths[0] + seen.depths[1]);
         let back = (seen.half[0] / slopes[0]).max(seen.half[1] / slopes[1]);
         let distance = if self.is_parallel {
@@ -98,7 +93,7 @@ impl Frame {
             // From there the wider direction has room. Its own slopes, at which it would be full, centre it.
             for _ in 0..CENTRED {
                 leaning = [0, 1].map(|i| (seen.half[i] - leaning[i] * middle) / distance);
-                seen = Seen::of(framed, axes, leaning);
+                seen = Reach::of(framed, axes, leaning);
             }
         }
         let target = *axes * DVec3::new(seen.aside[0], seen.aside[1], middle);
@@ -109,7 +104,7 @@ impl Frame {
 }
 
 /// How far the points that are framed reach along directions that lean towards the viewer.
-struct Seen {
+struct Reach {
     /// Where the eye stands, right and up, for each pair of mirrored directions to reach equally far.
     aside: [f64; 2],
     /// How far they reach then.
@@ -119,16 +114,15 @@ struct Seen {
     is_point: bool,
 }
 
-impl Seen {
+impl Reach {
     fn of(framed: &impl Framed, axes: &DMat3, leaning: [f64; 2]) -> Self {
-        let whole = Aabb::around([DVec3::NEG_ONE, DVec3::ONE]);
         let [plus, minus] = [1.0, -1.0].map(|sign| {
             let [along, above] = leaning.map(|slope| sign * slope * axes.z_axis);
             let map = DMat3::from_cols(axes.x_axis + along, axes.y_axis + above, axes.z_axis);
             let map = map.transpose();
             let bounds = framed.bounds_through(&map);
             if bounds.is_empty() {
-                whole.bounds_through(&map)
+                Aabb::EMPTY.or_unit().bounds_through(&map)
             } else {
                 bounds
             }

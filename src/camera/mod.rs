@@ -16,7 +16,7 @@ pub use choice::CameraChoice;
 pub(crate) use choice::{check_size, exactly, some_vector};
 pub use fit::fit_near_far;
 pub(crate) use fit::least_near;
-pub use framing::{Frame, Framed};
+pub use framing::{Framed, Framing};
 pub use lens::{DepthMapping, Lens, Projection};
 pub use ndc::NdcSpace;
 pub use orbit::{Orbit, UpAxis};

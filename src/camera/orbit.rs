@@ -1,6 +1,6 @@
 //! Turning, panning and zooming the view with the mouse.
 
-use super::{Camera, CameraError, Frame, Framed, Lens, Viewport};
+use super::{Camera, CameraError, Framed, Framing, Lens, Viewport};
 use crate::geometry::sin_cos_quarters;
 use glam::{DMat3, DVec2, DVec3};
 use serde::{Deserialize, Serialize};
@@ -50,7 +50,7 @@ pub struct Orbit {
 
 impl Orbit {
     /// The direction from which new scenes are seen, in (right, up, towards the viewer).
-    const FRAMING: DVec3 = DVec3::new(1.0, 0.8, 1.6);
+    pub const FROM: DVec3 = DVec3::new(1.0, 0.8, 1.6);
     /// The least and greatest zoom distance, in world units. Near, far and eye then stay within the range of
     /// numbers, unless the target is near its end.
     pub(super) const DISTANCES: (f64, f64) = (1e-27, 5e32);
@@ -80,23 +80,21 @@ impl Orbit {
             && camera.up().dot(upright) >= -8.0 * f64::EPSILON
     }
 
-    /// A view of all of `framed`, from a little to the right and above.
-    pub fn framing(framed: &impl Framed, up_axis: UpAxis, frame: &Frame) -> Self {
-        let (yaw, pitch) = Self::angles(Self::FRAMING);
-        let mut orbit = Self {
+    /// A view of the origin from a distance of 1, from a direction that is given in the up axis's frame.
+    pub fn new(up_axis: UpAxis, to_eye: DVec3) -> Self {
+        let (yaw, pitch) = Self::angles(to_eye);
+        Self {
             frame: up_axis.frame(),
             target: DVec3::ZERO,
             distance: 1.0,
             yaw,
             pitch,
-        };
-        orbit.frame(framed, frame);
-        orbit
+        }
     }
 
     /// Moves target and distance so that `framed` fills the picture as seen from the present direction.
-    pub fn frame(&mut self, framed: &impl Framed, frame: &Frame) {
-        let (target, distance) = frame.place(framed, &self.axes());
+    pub fn frame(&mut self, framed: &impl Framed, framing: &Framing) {
+        let (target, distance) = framing.place(framed, &self.axes());
         self.center_on(target, distance);
     }
 

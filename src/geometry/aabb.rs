@@ -67,6 +67,15 @@ impl Aabb {
         !self.min.cmple(self.max).all()
     }
 
+    /// The same box, or that from -1 to 1 on each axis if it holds nothing: what stands for an empty scene.
+    pub(crate) fn or_unit(self) -> Self {
+        if self.is_empty() {
+            Self::of_half_size(DVec3::ONE)
+        } else {
+            self
+        }
+    }
+
     /// Whether all of another box is in it.
     pub fn holds(&self, other: &Self) -> bool {
         other.min.cmpge(self.min).all() && other.max.cmple(self.max).all()

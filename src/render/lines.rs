@@ -48,7 +48,7 @@ pub(super) fn vertices(view: &View, lines: &[Line]) -> Vec<LineVertex> {
             let with_buffer_depth = at.truncate().extend(at.z - origin);
             (unit * with_buffer_depth.extend(at.z)).as_vec4().to_array()
         },
-        colour: (colour.to_linear().map(|channel| channel * opacity)),
+        colour: colour.to_linear().map(|channel| channel * opacity),
         opacity,
     })
     .collect()

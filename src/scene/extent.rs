@@ -1,5 +1,5 @@
-//! How far objects reach: the bounding box of a mesh that is moved often, and what a picture of a scene frames. Only the
-//! blocks of a mesh that reach beyond the box found so far have their triangles visited.
+//! How far objects reach: the bounding box of a mesh that is moved often, and what a picture of a scene frames. Only
+//! the blocks of a mesh that reach beyond the box found so far have their triangles visited.
 
 use super::{Object, Scene, Shape};
 use crate::{
@@ -50,8 +50,7 @@ impl Framed for Among<'_> {
     }
 
     fn bounds(&self) -> Aabb {
-        let boxes = self.1.iter().map(|object| self.0.bounds_of(*object));
-        boxes.fold(Aabb::EMPTY, Aabb::union)
+        self.0.bounds_among(self.1.iter().copied())
     }
 }
 

@@ -121,8 +121,16 @@ impl Scene {
 
     /// The world-space box about a run of objects.
     pub(crate) fn bounds_of_batch(&self, batch: &Range<usize>) -> Aabb {
-        let bounds = self.bounds[batch.clone()].iter();
-        bounds.fold(Aabb::EMPTY, |all, bounds| all.union(*bounds))
+        self.bounds_among(batch.clone())
+    }
+
+    /// The world-space box about some objects, hidden ones too.
+    ///
+    /// # Panics
+    /// When there is no object of such an index.
+    pub fn bounds_among(&self, objects: impl Iterator<Item = usize>) -> Aabb {
+        let boxes = objects.map(|object| self.bounds[object]);
+        boxes.fold(Aabb::EMPTY, Aabb::union)
     }
 
     /// The world-space box about all objects, hidden ones too; empty when there are none.

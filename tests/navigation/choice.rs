@@ -6,11 +6,11 @@ use crate::{
     common::{Random, assert_near, orthographic, perspective},
     unit_box, viewport,
 };
-use glam::{DVec3, dvec2, dvec3};
+use glam::{DVec3, dvec3};
 use sightline::{
     camera::{
-        Camera, CameraChoice, CameraError, DepthMapping, Frame, Lens, Projection, SectionChoice,
-        UpAxis, fit_near_far,
+        Camera, CameraChoice, CameraError, DepthMapping, Framing, Lens, Projection, SectionChoice,
+        UpAxis, Viewport, fit_near_far,
     },
     geometry::Aabb,
 };
@@ -172,6 +172,17 @@ fn flags_beat_the_scene_and_the_scene_beats_framing() {
     assert_eq!(rest.or(one), expected);
 }
 
+/// The box fills what a picture is to fill, as far from the left as from the right, or from the top as from the bottom.
+#[track_caller]
+fn assert_framed(camera: &Camera, bounds: &Aabb, size: Viewport) {
+    let corners = bounds.corners().into_iter();
+    let seen = corners.map(|corner| camera.project(size, corner).unwrap().ndc.with_z(0.0));
+    let seen = Aabb::around(seen);
+    let largest = seen.max.max(-seen.min).max_element();
+    assert!((largest - Framing::FILLED).abs() < 1e-12, "{seen:?}");
+    assert!(seen.center().abs().min_element() < 1e-12, "{seen:?}");
+}
+
 #[test]
 fn what_is_chosen_is_what_the_camera_has() {
     let size = viewport(1280, 720);
@@ -183,16 +194,7 @@ fn what_is_chosen_is_what_the_camera_has() {
     let none = CameraChoice::default();
 
     let framed = resolve(none);
-    // As far from the left as from the right, or from the top as from the bottom.
-    let is_framed = |camera: &Camera| {
-        let corners = bounds.corners().into_iter();
-        let seen = corners.map(|corner| camera.project(size, corner).unwrap().ndc.with_z(0.0));
-        let seen = Aabb::around(seen);
-        let largest = seen.max.max(-seen.min).max_element();
-        assert!((largest - Frame::FILLED).abs() < 1e-12, "{seen:?}");
-        assert!(seen.center().abs().min_element() < 1e-12, "{seen:?}");
-    };
-    is_framed(&framed);
+    assert_framed(&framed, &bounds, size);
     assert_eq!(
         framed.lens().projection,
         Projection::Perspective {
@@ -237,7 +239,7 @@ fn what_is_chosen_is_what_the_camera_has() {
             look: Some(look),
             ..none
         });
-        is_framed(&around);
+        assert_framed(&around, &bounds, size);
     }
 
     let planes = resolve(CameraChoice {
@@ -270,9 +272,15 @@ fn an_empty_scene_has_a_camera_too() {
             ortho,
             ..CameraChoice::default()
         };
-        let camera = choice.resolve(&Aabb::EMPTY, viewport(64, 48)).unwrap();
-        let origin = camera.project(viewport(64, 48), DVec3::ZERO).unwrap();
-        assert!(origin.px.distance(dvec2(32.0, 24.0)) < 5.0, "{origin:?}");
+        let size = viewport(64, 48);
+        let camera = choice.resolve(&Aabb::EMPTY, size).unwrap();
+        if ortho.is_none() {
+            assert_framed(&camera, &unit_box(), size);
+        } else {
+            // Its height is given. The box from -1 to 1 is in the middle.
+            assert!(camera.target().length() < 1e-12, "{camera:?}");
+        }
+        assert!(camera.eye().is_finite());
     }
 }
 

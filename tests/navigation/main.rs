@@ -9,7 +9,7 @@ mod common;
 use common::{Random, assert_close, assert_near, orthographic, perspective};
 use glam::{DVec3, dvec2, dvec3};
 use sightline::{
-    camera::{Camera, Frame, Lens, Orbit, UpAxis, Viewport, fit_near_far},
+    camera::{Camera, Framing, Lens, Orbit, UpAxis, Viewport, fit_near_far},
     geometry::Aabb,
 };
 use std::f64::consts::PI;
@@ -27,13 +27,20 @@ fn unit_box() -> Aabb {
     }
 }
 
-fn framing(fov_y: f64, aspect: f64) -> Frame {
-    Frame {
+fn framing(fov_y: f64, aspect: f64) -> Framing {
+    Framing {
         fov_y,
         aspect,
         is_parallel: false,
-        filled: Frame::FILLED,
+        filled: Framing::FILLED,
     }
+}
+
+/// A box as a new scene is framed.
+fn framed(bounds: &Aabb, up_axis: UpAxis, framing: &Framing) -> Orbit {
+    let mut orbit = Orbit::new(up_axis, Orbit::FROM);
+    orbit.frame(bounds, framing);
+    orbit
 }
 
 /// Orbits as in the window after some turning.
@@ -45,7 +52,7 @@ fn orbits() -> Vec<Orbit> {
             for _ in 0..20 {
                 let center = offset * random.direction();
                 let bounds = Aabb::around([center, center + random.point(3.0)]);
-                let mut orbit = Orbit::framing(&bounds, up_axis, &framing(0.8, 1.5));
+                let mut orbit = framed(&bounds, up_axis, &framing(0.8, 1.5));
                 let center = orbit.target();
                 orbit.turn(center, random.within(-7.0, 7.0), random.within(-2.0, 2.0));
                 orbits.push(orbit);
@@ -66,7 +73,7 @@ fn straight_up_and_down_are_ordinary_views() {
     for up_axis in UP_AXES {
         let frame = up_axis.frame();
         for (turn, up) in [(100.0, -frame.z_axis), (-100.0, frame.z_axis)] {
-            let mut orbit = Orbit::framing(&unit_box(), up_axis, &framing(0.8, 1.0));
+            let mut orbit = framed(&unit_box(), up_axis, &framing(0.8, 1.0));
             orbit.look_from(up_axis, DVec3::Z);
             // A turn far past the pole stops at the pole.
             orbit.turn(DVec3::ZERO, 0.0, turn);
@@ -92,7 +99,7 @@ fn named_views_look_along_the_axes() {
     let lens = perspective(45.0, 0.1, 100.0);
     for up_axis in UP_AXES {
         let frame = up_axis.frame();
-        let mut orbit = Orbit::framing(&unit_box(), up_axis, &framing(0.8, 1.0));
+        let mut orbit = framed(&unit_box(), up_axis, &framing(0.8, 1.0));
         let views = [
             (DVec3::Z, frame.x_axis, frame.y_axis),
             (DVec3::X, -frame.z_axis, frame.y_axis),
@@ -229,11 +236,11 @@ fn framing_shows_everything_within_the_planes() {
                 for (up_axis, parallel) in [(UpAxis::Y, false), (UpAxis::Z, true)] {
                     let fov_y = f64::to_radians(fov);
                     let size = viewport(width, height);
-                    let frame = Frame {
+                    let frame = Framing {
                         is_parallel: parallel,
                         ..framing(fov_y, size.aspect())
                     };
-                    let orbit = Orbit::framing(&bounds, up_axis, &frame);
+                    let orbit = framed(&bounds, up_axis, &frame);
                     let lens = if parallel {
                         orthographic(height_at_target(&orbit, fov_y), 1.0, 2.0)
                     } else {
@@ -251,7 +258,7 @@ fn framing_shows_everything_within_the_planes() {
                     }
                     // It fills what it is to fill, unless the lens is so wide that the eye would stand within it.
                     let wide = fov > 90.0 && !parallel;
-                    let off = (largest - Frame::FILLED).abs();
+                    let off = (largest - Framing::FILLED).abs();
                     assert!(
                         extent == 0.0 || wide || off < 1e-6,
                         "{fov} {size:?} {offset}: {largest} of the picture"

@@ -77,10 +77,7 @@ fn what_is_large_is_added_beside_the_window() {
 
 #[test]
 fn what_is_large_is_read_again_beside_the_window() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = stalls::ground(folder.path(), SIDE);
-    let mut window = open(vec![path.clone()], 1.0);
-    window.picture().expect("a picture");
+    let (mut window, _folder, path) = stalls::opened(SIDE);
     let old = middle(&window);
     // One more triangle, since an object that has not changed stays as it is.
     let text = std::fs::read_to_string(&path).expect("a file");

@@ -91,6 +91,11 @@ fn keys_are_an_open_menu_s() {
     assert!(!has_control(&window, "Front"), "it is closed");
     assert_eq!(selected(&window), Some("front"));
     assert_ne!(*window.state().view(), view, "its first line was done");
+    // So does a line of the menu of the right button.
+    open_menu(&mut window, MIDDLE);
+    key(&mut window, Key::ArrowDown);
+    key(&mut window, Key::Enter);
+    assert!(!has_control(&window, "Pick this point"), "it is closed");
     // Without a menu the arrows walk through the objects.
     key(&mut window, Key::ArrowDown);
     assert_eq!(selected(&window), Some("middle"));

@@ -110,9 +110,7 @@ fn a_drag_lays_the_panels_out_once_and_they_show_what_it_did() {
 
 /// A window that shows a ground of so many cells along each side, with its trees built, and the folder of its file.
 fn large_ground(side: u32) -> (Window, TempDir) {
-    let folder = tempfile::tempdir().expect("a folder");
-    let mut window = open(vec![stalls::ground(folder.path(), side)], 1.0);
-    window.picture().expect("a picture");
+    let (mut window, folder, _) = stalls::opened(side);
     while !window.state().scene().trees_are_built() {
         window.draw([]).expect("a frame");
     }

@@ -178,19 +178,24 @@ fn the_grid_stays_when_an_object_is_hidden_or_moved() {
     assert!(window.state().scene().objects()[3].visible);
 }
 
+/// The row from the right, after a click on a control: the picture without boxes, and with them.
+fn without_and_with_boxes(clicked: &str) -> (Window, TempDir, [Image<Rgb>; 2]) {
+    let (mut window, folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::Num3);
+    click_on(&mut window, clicked);
+    window.send([Event::PointerGone]);
+    let bare = window.picture().expect("a picture");
+    press_key(&mut window, Modifiers::NONE, Key::X);
+    let boxed = window.picture().expect("a picture");
+    (window, folder, [bare, boxed])
+}
+
 /// The box is about the object that is selected, whichever it is in the list.
 #[test]
 fn a_box_is_about_the_selected_object() {
-    let (mut window, _folder) = row(1.0);
-    press_key(&mut window, Modifiers::NONE, Key::Num3);
-    click_on(&mut window, "middle");
-    window.send([Event::PointerGone]);
+    let (window, _folder, pictures) = without_and_with_boxes("middle");
     let corner = DVec3::new(0.5, 0.5, 0.5);
-    let bare = window.picture().expect("a picture");
-    let bare = about(&window, &bare, corner);
-    press_key(&mut window, Modifiers::NONE, Key::X);
-    let boxed = window.picture().expect("a picture");
-    let boxed = about(&window, &boxed, corner);
+    let [bare, boxed] = pictures.map(|picture| about(&window, &picture, corner));
     assert!(turned(&bare, &boxed, look::BOXES.0), "{boxed:?}");
 }
 
@@ -212,13 +217,7 @@ fn a_frozen_camera_shows_at_once() {
 
 #[test]
 fn no_box_is_about_a_hidden_object() {
-    let (mut window, _folder) = row(1.0);
-    press_key(&mut window, Modifiers::NONE, Key::Num3);
-    click_on(&mut window, "show middle");
-    window.send([Event::PointerGone]);
-    let bare = window.picture().expect("a picture");
-    press_key(&mut window, Modifiers::NONE, Key::X);
-    let boxed = window.picture().expect("a picture");
+    let (window, _folder, [bare, boxed]) = without_and_with_boxes("show middle");
     for (point, shows) in [([0.5, 0.5, 1.5], true), ([0.5, 0.5, 0.5], false)] {
         let [before, now] = [&bare, &boxed].map(|picture| about(&window, picture, point.into()));
         assert_eq!(turned(&before, &now, look::BOXES.0), shows, "{point:?}");

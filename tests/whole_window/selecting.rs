@@ -35,12 +35,27 @@ fn shown(window: &Window) -> Vec<bool> {
     objects.map(|object| object.visible).collect()
 }
 
+/// Clicks a row of the list, and then another one with Ctrl.
+fn select_both(window: &mut Window, [first, second]: [&str; 2]) {
+    click_on(window, first);
+    let at = row_of(window, second);
+    click_with(window, CTRL, at);
+}
+
+/// How much of the width or of the height the selected cubes reach across, whichever is more.
+fn filled(window: &Window) -> f64 {
+    let (state, view) = (window.state(), window.state().view());
+    let corners = state
+        .all_selected()
+        .flat_map(|of| state.scene().bounds_of(of).corners());
+    let seen = corners.map(|corner| view.project(corner).expect("in front").ndc.with_z(0.0));
+    seen.map(|ndc| ndc.abs().max_element()).fold(0.0, f64::max)
+}
+
 #[test]
 fn rows_are_added_taken_out_and_selected_in_a_range() {
     let (mut window, _folder) = row(1.0);
-    click_on(&mut window, "middle");
-    let at = row_of(&window, "back");
-    click_with(&mut window, CTRL, at);
+    select_both(&mut window, ["middle", "back"]);
     assert_eq!(all(&window), ["middle", "back"]);
     control(&window, "2 objects");
     control(&window, "object 2 first");
@@ -84,12 +99,8 @@ fn clicks_in_the_picture_add_and_keep_the_pick() {
 #[test]
 fn hide_isolate_and_frame_act_on_all() {
     let (mut window, _folder) = row(1.0);
-    let select = |window: &mut Window| {
-        click_on(window, "front");
-        let at = row_of(window, "back");
-        click_with(window, CTRL, at);
-    };
-    select(&mut window);
+    let both = ["front", "back"];
+    select_both(&mut window, both);
     press_key(&mut window, Modifiers::SHIFT, Key::H);
     assert_eq!(shown(&window), [false, true, false]);
     press_key(&mut window, CTRL, Key::Z);
@@ -100,19 +111,17 @@ fn hide_isolate_and_frame_act_on_all() {
     press_key(&mut window, Modifiers::NONE, Key::I);
     assert_eq!(shown(&window), [true, false, true]);
     press_key(&mut window, Modifiers::NONE, Key::U);
-    let distance = |window: &Window| {
-        let camera = window.state().view().camera;
-        camera.eye().distance(camera.target())
-    };
+    // What is selected fills 85 % of the picture: first both, then one of them.
+    let is_framed = |window: &Window| (filled(window) - 0.85).abs() < 1e-9;
     press_key(&mut window, Modifiers::NONE, Key::F);
-    let both = distance(&window);
-    click_on(&mut window, "front");
+    assert!(is_framed(&window), "{}", filled(&window));
+    click_on(&mut window, "back");
+    assert!(!is_framed(&window), "the farther one alone fills less");
     press_key(&mut window, Modifiers::NONE, Key::F);
-    let one = distance(&window);
-    assert!(both > 1.8 * one, "{both} {one}");
+    assert!(is_framed(&window), "{}", filled(&window));
     // The menu of the right button, on one of them.
     press_key(&mut window, Modifiers::NONE, Key::Escape);
-    select(&mut window);
+    select_both(&mut window, both);
     let at = row_of(&window, "back");
     menus::open_menu(&mut window, at);
     click_on(&mut window, "Hide the 2 selected");
@@ -212,9 +221,7 @@ fn the_outline_follows_what_is_selected_besides() {
 #[test]
 fn the_size_of_all_that_is_selected_follows_a_move() {
     let (mut window, _folder) = row(1.0);
-    click_on(&mut window, "front");
-    let at = row_of(&window, "middle");
-    click_with(&mut window, CTRL, at);
+    select_both(&mut window, ["front", "middle"]);
     assert!(has_control(&window, "1 x 1 x 3"));
     click_on(&mut window, "Placement");
     type_into(&mut window, "position x", "4");

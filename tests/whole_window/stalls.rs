@@ -28,6 +28,15 @@ pub(super) fn ground(folder: &Path, side: u32) -> PathBuf {
     path
 }
 
+/// A window that shows such a ground, and its file.
+pub(super) fn opened(side: u32) -> (Window, TempDir, PathBuf) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = ground(folder.path(), side);
+    let mut window = open(vec![path.clone()], 1.0);
+    window.picture().expect("a picture");
+    (window, folder, path)
+}
+
 /// Many objects.
 pub(super) const MANY: usize = 20_000;
 

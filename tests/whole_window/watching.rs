@@ -247,12 +247,18 @@ fn a_file_that_was_saved_is_watched() {
     assert_eq!(window.state().name(), "kept.toml");
 }
 
-#[test]
-fn why_a_change_was_not_read_is_said_until_the_file_is_whole_again() {
+/// A window whose file was changed to what is no scene, which is said, and the file.
+fn of_a_broken_file() -> (Window, TempDir, PathBuf) {
     let (mut window, folder) = row(1.0);
     let path = folder.path().join("row.toml");
     fs::write(&path, "[[object]").expect("writable");
     wait_until(&mut window, |window| window.messages().count() == 1);
+    (window, folder, path)
+}
+
+#[test]
+fn why_a_change_was_not_read_is_said_until_the_file_is_whole_again() {
+    let (mut window, _folder, path) = of_a_broken_file();
     fs::write(&path, ROW).expect("writable");
     wait_until(&mut window, |window| window.messages().count() == 0);
 }
@@ -260,10 +266,7 @@ fn why_a_change_was_not_read_is_said_until_the_file_is_whole_again() {
 /// A save over a file that could not be read makes it whole.
 #[test]
 fn a_save_mends_a_file_that_could_not_be_read() {
-    let (mut window, folder) = row(1.0);
-    let path = folder.path().join("row.toml");
-    fs::write(&path, "[[object]").expect("writable");
-    wait_until(&mut window, |window| window.messages().count() == 1);
+    let (mut window, _folder, path) = of_a_broken_file();
     window.save_as(path.clone());
     let told: Vec<_> = window.messages().collect();
     assert_eq!(told, [format!("saved {}", path.display())]);

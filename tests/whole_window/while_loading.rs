@@ -113,10 +113,7 @@ fn wait_for_load(window: &mut Window) {
 /// it is read. No error is shown meanwhile.
 #[test]
 fn a_file_that_changes_while_it_is_read_again_is_read_once_more() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = stalls::ground(folder.path(), SIDE);
-    let mut window = open(vec![path.clone()], 1.0);
-    window.picture().expect("a picture");
+    let (mut window, _folder, path) = stalls::opened(SIDE);
     let triangles = |window: &Window| window.state().scene().triangle_count();
     let before = triangles(&window);
     let append = |text: &[u8]| {
@@ -200,10 +197,7 @@ fn a_pasted_section_waits_while_files_load() {
 
 #[test]
 fn a_change_is_not_read_again_once_that_was_cancelled() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = stalls::ground(folder.path(), SIDE);
-    let mut window = open(vec![path.clone()], 1.0);
-    window.picture().expect("a picture");
+    let (mut window, _folder, path) = stalls::opened(SIDE);
     let before = window.state().scene().triangle_count();
     let text = fs::read_to_string(&path).expect("a file");
     fs::write(&path, text + "f 1 2 45\n").expect("writable");

@@ -19,6 +19,8 @@ pub(in crate::viewer) fn load(
     let load = move |progress: &Progress| {
         let mut loaded = scene::load_with(&paths, progress, Detail::Drawn)?;
         loaded.share_meshes(&known);
+        // The view that frames the scene asks for the same, on the window's thread.
+        loaded.scene.prepare_moves();
         Ok(loaded)
     };
     Job::start(load, wake, || Err(Cancelled.into()))

@@ -2,7 +2,7 @@
 
 use crate::{
     camera::{
-        Camera, DepthMapping, Frame, Framed, Lens, Orbit, Projection, UpAxis, View, Viewport,
+        Camera, DepthMapping, Framed, Framing, Lens, Orbit, Projection, UpAxis, View, Viewport,
         fit_near_far,
     },
     geometry::{Aabb, Sides},
@@ -34,10 +34,8 @@ pub(super) struct Observer {
 impl Observer {
     /// Looks at points from a direction, given in the up axis's frame: right, up, towards the viewer.
     pub fn new(up_axis: UpAxis, from: DVec3, points: &Points, viewport: Viewport) -> Self {
-        let mut orbit = Orbit::framing(points, up_axis, &frame(viewport));
-        orbit.look_from(up_axis, from);
         let mut observer = Self {
-            orbit,
+            orbit: Orbit::new(up_axis, from),
             up_axis,
             viewport,
             pivot: DVec3::ZERO,
@@ -50,7 +48,7 @@ impl Observer {
 
     /// Shows all of these points from the present direction, as large as they fit.
     pub fn frame(&mut self, points: &Points) {
-        self.orbit.frame(points, &frame(self.viewport));
+        self.orbit.frame(points, &framing(self.viewport));
         self.pivot = points.bounds().center();
         self.pan_depth = self.orbit.distance();
         self.framed = Some(*points);
@@ -132,8 +130,8 @@ impl Observer {
     }
 }
 
-fn frame(viewport: Viewport) -> Frame {
-    Frame {
+fn framing(viewport: Viewport) -> Framing {
+    Framing {
         fov_y: FOV_Y,
         aspect: viewport.aspect(),
         is_parallel: false,

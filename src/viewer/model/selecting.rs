@@ -22,11 +22,10 @@ impl State {
 
     /// The box in the world about all that is selected, or else about all that is visible.
     pub fn bounds_of_selection(&self) -> Aabb {
-        let boxes = self
-            .all_selected()
-            .map(|object| self.scene.bounds_of(object));
-        let all = boxes.reduce(Aabb::union);
-        all.unwrap_or_else(|| self.scene.visible_bounds())
+        match self.selected() {
+            Some(_) => self.scene.bounds_among(self.all_selected()),
+            None => self.scene.visible_bounds(),
+        }
     }
 
     /// The name, where the file gives one, and the colour of the picked surface, at the pick. Where no surface is picked,

@@ -245,10 +245,6 @@ fn with_axes(bounds: &Aabb) -> Points {
 /// A box's corners as the last eight points; the first nine repeat a corner. An empty box counts as [-1, 1] on each
 /// axis.
 fn corners_of(bounds: &Aabb) -> Points {
-    let corners = if bounds.is_empty() {
-        Aabb::around([DVec3::NEG_ONE, DVec3::ONE]).corners()
-    } else {
-        bounds.corners()
-    };
+    let corners = bounds.or_unit().corners();
     std::array::from_fn(|i| corners[i.saturating_sub(9) % 8])
 }

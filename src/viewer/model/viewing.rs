@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     camera::{
-        Camera, CameraChoice, CameraError, Frame, Framed, Lens, Orbit, Projection, SectionChoice,
+        Camera, CameraChoice, CameraError, Framed, Framing, Lens, Orbit, Projection, SectionChoice,
         View, check_size, fit_near_far, least_near,
     },
     geometry::{Aabb, Placement, PlacementError},
@@ -327,14 +327,13 @@ impl State {
     }
 
     fn frame(&mut self, framed: &impl Framed) {
-        let projection = self.view.camera.lens().projection;
-        let frame = Frame {
+        let framing = Framing {
             fov_y: self.controls.fov_deg.to_radians(),
             aspect: self.view.viewport.aspect(),
-            is_parallel: matches!(projection, Projection::Orthographic { .. }),
-            filled: Frame::FILLED,
+            is_parallel: self.view.camera.lens().is_orthographic(),
+            filled: Framing::FILLED,
         };
-        self.orbit.frame(framed, &frame);
+        self.orbit.frame(framed, &framing);
         let bounds_world = framed.bounds();
         self.ortho = OrthoHeight::of_perspective(self.controls.fov_deg);
         self.pivot_world = if bounds_world.is_empty() {

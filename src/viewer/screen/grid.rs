@@ -2,7 +2,7 @@
 
 use super::{box_edges::edges, frozen::pixel_grid};
 use crate::{
-    camera::{Framed, NdcSpace, Projection, UpAxis, View, Viewport},
+    camera::{Framed, NdcSpace, UpAxis, View, Viewport},
     colour::Srgb,
     geometry::Aabb,
     look,
@@ -67,17 +67,13 @@ fn step(radius: f64) -> Option<f64> {
     step.is_normal().then_some(step)
 }
 
-/// A round grid under all of `bounds_world`, at multiples of its step, that fades towards its border. Two lines have the
-/// colours of the world's axes; they cross at the origin's foot. Whatever looks down on the ground sees the scene before
-/// it; from below, and edge on, it is left out. So it never covers an object.
+/// A round grid under all of `bounds_world`, at multiples of its step, that fades towards its border. Two lines have
+/// the colours of the world's axes; they cross at the origin's foot. Whatever looks down on the ground sees the scene
+/// before it; from below, and edge on, it is left out. So it never covers an object.
 pub(super) fn ground(bounds_world: &Aabb, up_axis: UpAxis, view: &View) -> Vec<Line> {
     let frame = up_axis.frame();
     let [right, up, front] = [frame.x_axis, frame.y_axis, frame.z_axis];
-    let bounds = if bounds_world.is_empty() {
-        Aabb::around([DVec3::NEG_ONE, DVec3::ONE])
-    } else {
-        *bounds_world
-    };
+    let bounds = bounds_world.or_unit();
     let radius = if bounds.radius() > 0.0 {
         bounds.radius()
     } else {
@@ -88,12 +84,8 @@ pub(super) fn ground(bounds_world: &Aabb, up_axis: UpAxis, view: &View) -> Vec<L
     };
     let level = bounds.bounds_through(&frame.transpose()).min.y - BELOW * radius;
     let (eye, forward) = (view.camera.eye(), view.camera.forward());
-    let is_parallel = matches!(
-        view.camera.lens().projection,
-        Projection::Orthographic { .. }
-    );
     // How steeply the middle of the scene is looked down on.
-    let steepness = if is_parallel {
+    let steepness = if view.camera.lens().is_orthographic() {
         -forward.dot(up)
     } else {
         (eye.dot(up) - level) / eye.distance(bounds.center())
@@ -127,7 +119,8 @@ pub(super) fn ground(bounds_world: &Aabb, up_axis: UpAxis, view: &View) -> Vec<L
                 let opacity = (most * fade(along)) as f32;
                 (at, opacity)
             };
-            for ((from, at_from), (to, at_to)) in (0..PARTS).map(|i| (end(i), end(i + 1))) {
+            let ends: Vec<_> = (0..=PARTS).map(end).collect();
+            for (&(from, at_from), &(to, at_to)) in ends.iter().zip(&ends[1..]) {
                 if at_from + at_to > 0.0 {
                     let opacity = [at_from, at_to];
                     let line = Line::new(from, to, colour);
@@ -155,7 +148,7 @@ pub(super) fn ndc(viewport: Viewport) -> Vec<Line> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::camera::{DepthMapping, Frame, Lens, Orbit};
+    use crate::camera::{DepthMapping, Framing, Lens, Orbit, Projection};
 
     fn about(center: DVec3, half: f64) -> Aabb {
         Aabb::around([center - half, center + half])
@@ -164,14 +157,14 @@ mod tests {
     /// A view of a box, from this direction in the up axis's frame.
     fn view(bounds: &Aabb, up_axis: UpAxis, from: DVec3) -> View {
         let viewport = Viewport::new(640, 480).expect("a size");
-        let frame = Frame {
+        let framing = Framing {
             fov_y: 0.8,
             aspect: viewport.aspect(),
             is_parallel: false,
-            filled: Frame::FILLED,
+            filled: Framing::FILLED,
         };
-        let mut orbit = Orbit::framing(bounds, up_axis, &frame);
-        orbit.look_from(up_axis, from);
+        let mut orbit = Orbit::new(up_axis, from);
+        orbit.frame(bounds, &framing);
         let lens = Lens {
             projection: Projection::Perspective { fov_y: 0.8 },
             near: 1e-3,

@@ -35,7 +35,6 @@ pub(super) fn menu(ui: &mut Ui, shown: &Shown, commands: &mut Vec<Command>) {
         let label = ui.selectable_label(now == Some(exhibit.name), exhibit.title());
         if label.hint(exhibit.about()).clicked() {
             commands.push(Command::Open(vec![exhibit.path()]));
-            ui.close();
         }
     }
     ui.separator();
@@ -43,7 +42,6 @@ pub(super) fn menu(ui: &mut Ui, shown: &Shown, commands: &mut Vec<Command>) {
     let hint = "open again what was open before";
     if leave.hint(hint).clicked() {
         commands.push(Command::LeaveGallery);
-        ui.close();
     }
 }
 

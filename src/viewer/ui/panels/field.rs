@@ -316,6 +316,14 @@ pub(super) const LEAST: usize = 6;
 /// The most characters of a number as [`short`] writes it.
 pub(super) const DIGITS: usize = 9;
 
+/// How many there are of something, by its name: 1 object, 2 objects.
+pub(super) fn count_of(count: usize, name: &str) -> String {
+    match count {
+        1 => format!("1 {name}"),
+        _ => format!("{count} {name}s"),
+    }
+}
+
 /// Up to six significant digits, as many as fit in [`DIGITS`] characters: enough to read, and a changing number moves
 /// nothing. The field keeps all digits.
 pub(super) fn short(value: f64) -> String {

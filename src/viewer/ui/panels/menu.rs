@@ -163,6 +163,11 @@ impl Lines<'_> {
 
     fn is_clicked(&mut self, name: &str, key: &str, hint: &str) -> bool {
         let line = self.ui.add(Button::new(name).shortcut_text(key));
-        line.named(name).hint(hint).clicked()
+        let is_clicked = line.named(name).hint(hint).clicked();
+        if is_clicked {
+            // By a key too, where egui leaves the menu open.
+            self.ui.close();
+        }
+        is_clicked
     }
 }

@@ -33,12 +33,17 @@ pub(super) fn show(ui: &mut Ui, shown: &mut Shown, commands: &mut Vec<Command>) 
         ui.spacing_mut().button_padding = vec2(5.0, 1.0);
         for menu in MENUS.iter() {
             let inside = |ui: &mut Ui| {
+                let asked = commands.len();
                 let room = ui.ctx().content_rect().height() - ROOM_AROUND;
                 if LINE * lines(menu, shown) <= room {
                     items(ui, menu, shown, commands);
                 } else {
                     let scrolled = ScrollArea::vertical().max_height(room);
                     scrolled.show(ui, |ui| items(ui, menu, shown, commands));
+                }
+                if commands.len() > asked {
+                    // By a key too, where egui leaves the menu open.
+                    ui.close();
                 }
             };
             ui.menu_button(menu.name, inside).response.hint(menu.hint);
@@ -96,10 +101,6 @@ fn items(ui: &mut Ui, menu: &Menu, shown: &Shown, commands: &mut Vec<Command>) {
             let line = Button::selectable(is_on, item.name).shortcut_text(item.first_keys());
             let line = ui.add_enabled((item.is_of_use)(shown), line);
             let line = line.named(item.name);
-            if line.clicked() {
-                // By a key too, where egui leaves the menu open.
-                ui.close();
-            }
             line.asks(item.tells(shown), item.command.clone(), commands);
         }
     }

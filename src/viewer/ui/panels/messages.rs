@@ -3,7 +3,10 @@
 use super::{prelude::*, shown::Shown};
 use crate::viewer::{
     model::EmptiedBy,
-    ui::notice::{Kind, Notices},
+    ui::{
+        menus::item_of,
+        notice::{Kind, Notices},
+    },
 };
 use egui::{Area, Context, Frame, Id, Pos2, ProgressBar};
 
@@ -95,16 +98,14 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
 }
 
 /// Why the picture is empty, the name and the hint of a button that helps, and what that does.
-fn hint(state: &State) -> Option<(&'static str, [&'static str; 2], Vec<Command>)> {
+fn hint(state: &State) -> Option<(&'static str, [String; 2], Vec<Command>)> {
     if state.scene().objects().is_empty() {
-        let text = "Open an OBJ or scene file";
-        let open = ["Open\u{2026} (Ctrl+O)", "choose files to show"];
-        return Some((text, open, vec![Command::OpenDialog]));
+        let open = Command::OpenDialog;
+        return Some(("Open an OBJ or scene file", as_in_menus(&open), vec![open]));
     }
     if state.scene().visible_bounds().is_empty() {
-        let show = vec![Action::ShowAll.into()];
-        let button = ["Show all (U)", "show every object again"];
-        return Some(("Everything is hidden", button, show));
+        let show = Command::Act(Action::ShowAll);
+        return Some(("Everything is hidden", as_in_menus(&show), vec![show]));
     }
     // The four views show what the camera does not see.
     if !state.stages().is_empty() {
@@ -113,23 +114,29 @@ fn hint(state: &State) -> Option<(&'static str, [&'static str; 2], Vec<Command>)
     let (by, actions) = state.emptied()?;
     let by_section = "Nothing in view: the section cuts everything away";
     let by_planes = "Nothing in view: no object is between near and far";
+    let own = |name: &str, hint: &str| [name, hint].map(str::to_owned);
     let (text, button) = match by {
         EmptiedBy::Section => {
-            let button = ["Section off (Z)", "show what the section cuts away, too"];
+            let button = own("Section off (Z)", "show what the section cuts away, too");
             (by_section, button)
         }
         EmptiedBy::Planes => {
-            let button = [
-                "Fit near and far",
-                "move the planes so that they hold all that shows",
-            ];
-            (by_planes, button)
+            let hint = "move the planes so that they hold all that shows";
+            (by_planes, own("Fit near and far", hint))
         }
         EmptiedBy::Pose => {
-            let button = ["Frame all (A)", "move the camera so that all shows"];
+            let button = as_in_menus(&Action::FrameAll.into());
             ("Nothing in view", button)
         }
     };
     let actions = actions.into_iter().chain([Action::Release]);
     Some((text, button, actions.map(Command::Act).collect()))
+}
+
+/// The name, with its key, and the hint of a command's item in the menus.
+fn as_in_menus(command: &Command) -> [String; 2] {
+    item_of(command).map_or_else(Default::default, |item| {
+        let name = format!("{} ({})", item.name, item.first_keys());
+        [name, item.hint.to_owned()]
+    })
 }

@@ -1,6 +1,6 @@
 //! The list of objects: which are visible, and which are selected.
 
-use super::{arrangement::GUTTER, inspector::swatch, menu, prelude::*};
+use super::{arrangement::GUTTER, field::count_of, inspector::swatch, menu, prelude::*};
 use egui::{
     Key, Modifiers, Role, ScrollArea, StrokeKind, TextStyle, UiBuilder, WidgetInfo,
     text::{LayoutJob, TextWrapping},
@@ -136,14 +136,15 @@ fn search(ui: &mut Ui, text: &mut String) {
 /// How many objects the search finds, or else how many objects and triangles there are; and buttons that hide and show.
 fn above(ui: &mut Ui, state: &State, filter: &Filter, commands: &mut Vec<Command>) {
     let scene = state.scene();
-    let (objects, triangles) = (scene.objects().len(), scene.triangle_count());
-    let plural = if objects == 1 { "" } else { "s" };
+    let (objects, triangles) = (
+        count_of(scene.objects().len(), "object"),
+        scene.triangle_count(),
+    );
     if let Some(found) = &filter.rows {
         ui.horizontal(|ui| {
             let hint =
                 "whose name contains what is searched for; clear the search to see all objects";
-            ui.weak(format!("{} of {objects} object{plural}", found.len()))
-                .hint(hint);
+            ui.weak(format!("{} of {objects}", found.len())).hint(hint);
             let all = ui.add_enabled(!found.is_empty(), Button::new("select found").small());
             let hint = "select all objects that the search finds";
             if all.hint(hint).clicked() {
@@ -153,7 +154,7 @@ fn above(ui: &mut Ui, state: &State, filter: &Filter, commands: &mut Vec<Command
     } else {
         let hint = "of all objects, hidden ones too; spheres have no triangles";
         ui.horizontal(|ui| {
-            ui.weak(format!("{objects} object{plural}, {triangles} triangles"))
+            ui.weak(format!("{objects}, {triangles} triangles"))
                 .hint(hint);
         });
     }

@@ -1,7 +1,7 @@
 //! What is picked, in what one wants to know first; where nothing is, the whole scene. Its height never changes.
 
 use super::{
-    field::{short, value_text},
+    field::{count_of, short, value_text},
     prelude::*,
 };
 use crate::{
@@ -111,9 +111,8 @@ fn title(ui: &mut Ui, state: &State, selection: Option<&Selection>) {
 fn shape(state: &State, selection: Option<&Selection>, sums: &Sums) -> String {
     let scene = state.scene();
     let Some(Selection { object, others, .. }) = selection else {
-        let (objects, triangles) = (scene.objects().len(), scene.triangle_count());
-        let plural = if objects == 1 { "" } else { "s" };
-        return format!("{objects} object{plural}, {triangles} triangles");
+        let objects = count_of(scene.objects().len(), "object");
+        return format!("{objects}, {} triangles", scene.triangle_count());
     };
     if !others.is_empty() {
         return format!("together {} triangles", sums.triangles);
