@@ -28,7 +28,7 @@ fn behind(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4<f32> {
     return vec4<f32>(covering(corner), select(0.0, 1.0, is_standard), 1.0);
 }
 
-// The same as look::background.
+// The same as look::Background::at.
 @fragment
 fn background_colour(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let down = position.y / frame.viewport_px.y;

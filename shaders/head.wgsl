@@ -8,23 +8,23 @@ struct Frame {
     front_only: u32,
     section_corner_slack: f32,
     key_direction: vec3<f32>,
-    rim: f32,
-    fill_direction: vec3<f32>,
     near_start: f32,
-    key: vec3<f32>,
+    fill_direction: vec3<f32>,
     near_per_q: f32,
-    fill: vec3<f32>,
+    key: vec3<f32>,
     section_start: f32,
-    sky: vec3<f32>,
+    fill: vec3<f32>,
     section_per_q: f32,
-    ground: vec3<f32>,
+    sky: vec3<f32>,
     section_slack: f32,
-    inside: vec3<f32>,
+    ground: vec3<f32>,
     q_is_depth: u32,
-    background_top: vec3<f32>,
+    inside: vec3<f32>,
     shows_inside: u32,
+    background_top: vec3<f32>,
+    padding_top: u32,
     background_bottom: vec3<f32>,
-    padding: u32,
+    padding_bottom: u32,
     section_per_px: vec2<f32>,
     near_per_px: vec2<f32>,
     ndc_clip: mat4x4<f32>,
@@ -57,12 +57,11 @@ fn unit(v: vec3<f32>) -> vec3<f32> {
 // The same as look::shade: key, fill, sky and ground about the camera, for the normal of the seen side.
 fn shade(albedo: vec3<f32>, normal_view: vec3<f32>) -> vec3<f32> {
     let normal = unit(normal_view);
+    let facing = max(-normal.z, 0.0);
     let key = max(dot(normal, frame.key_direction), 0.0);
     let fill = max(dot(normal, frame.fill_direction), 0.0);
     let around = mix(frame.ground, frame.sky, 0.5 + 0.5 * normal.y);
-    let aside = 1.0 - max(-normal.z, 0.0);
-    let direct = frame.key * (key * key) + frame.fill * fill;
-    return albedo * (direct * (1.0 - frame.rim * aside * aside) + around);
+    return albedo * (facing * (frame.key * (key * key) + frame.fill * fill) + around);
 }
 
 struct ColourAndId {

@@ -23,6 +23,7 @@ struct Vertex {
     @location(0) position: vec3<f32>,
     @location(1) normal: vec3<f32>,
     @location(2) part: u32,
+    // The last number holds how far apart the edges are: see edge_opacity.
     @location(3) colour: vec4<f32>,
 }
 
@@ -103,19 +104,65 @@ fn colour(in: ColourCorner, @builtin(front_facing) front: bool) -> @location(0) 
     return vec4<f32>(shade(in.albedo, select(-in.normal_view, in.normal_view, front)), 1.0);
 }
 
-// Dark, since lines are thin.
-const EDGE = vec4<f32>(0.005, 0.005, 0.008, 1.0);
+// Edges of triangles, dark and thin. They fade where they are dense, so that they never hide the faces.
+const EDGE = vec3<f32>(0.005, 0.005, 0.008);
+const MOST_OPAQUE = 0.85;
+// Edges this many pixels apart have faded, and have not begun to.
+const DENSE_PX = 1.5;
+const SPARSE_PX = 14.0;
+
+struct EdgeCorner {
+    @invariant @builtin(position) clip: vec4<f32>,
+    @location(0) opacity: f32,
+}
+
+// How far apart the edges about a vertex are, in view units. The vertex holds the upper half of the bits of that length
+// in its own space.
+fn spacing(in: Vertex, batch: Batch) -> f32 {
+    let in_vertex_space = bitcast<f32>(u32(round(in.colour.a * 65535.0)) << 16u);
+    let scale = max(length(batch.linear_x), max(length(batch.linear_y), length(batch.linear_z)));
+    return in_vertex_space * scale;
+}
+
+// `beside` is as far from `clip` as edges are from each other, both in clip space.
+fn edge_opacity(clip: vec4<f32>, beside: vec4<f32>) -> f32 {
+    if clip.w <= 0.0 || beside.w <= 0.0 {
+        return MOST_OPAQUE;
+    }
+    let apart = 0.5 * frame.viewport_px * (beside.xy / beside.w - clip.xy / clip.w);
+    return MOST_OPAQUE * smoothstep(DENSE_PX, SPARSE_PX, length(apart));
+}
+
+@vertex
+fn edge_vertex(in: Vertex, batch: Batch) -> EdgeCorner {
+    let clip = corner(in, batch, 0u).clip;
+    let view = in_view(in, batch);
+    let beside = project(view.xyz + vec3<f32>(spacing(in, batch), 0.0, 0.0), view.w);
+    return EdgeCorner(clip, edge_opacity(clip, beside));
+}
+
+@vertex
+fn edge_vertex_in_ndc(in: Vertex, batch: Batch) -> EdgeCorner {
+    let clip = corner_in_ndc(in, batch, 0u).clip;
+    let at = in_view(in, batch).xyw + vec3<f32>(spacing(in, batch), 0.0, 0.0);
+    return EdgeCorner(clip, edge_opacity(clip, frame.ndc_clip * vec4<f32>(at, 1.0)));
+}
+
+// Times the opacity.
+fn edge_colour(opacity: f32) -> vec4<f32> {
+    return vec4<f32>(EDGE * opacity, opacity);
+}
 
 @fragment
-fn edge() -> @location(0) vec4<f32> {
-    return EDGE;
+fn edge(in: EdgeCorner) -> @location(0) vec4<f32> {
+    return edge_colour(in.opacity);
 }
 
 // The same entry points for a world that a section cuts, and for NDC, which ends at the near plane.
 
-fn cut(in: Corner) {
-    let q = q_of(in.clip);
-    if !kept(in.clip.xy, q, frame.section_corner_slack) || !past_near(in.clip.xy, q) {
+fn cut(clip: vec4<f32>) {
+    let q = q_of(clip);
+    if !kept(clip.xy, q, frame.section_corner_slack) || !past_near(clip.xy, q) {
         discard;
     }
 }
@@ -124,12 +171,12 @@ fn cut(in: Corner) {
 // centre, and an NVIDIA H100 lost a face in the plane.
 @fragment
 fn colour_cut(in: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    cut(in);
+    cut(in.clip);
     return shaded(in, front, frame.shows_inside == 1u);
 }
 
 @fragment
-fn edge_cut(in: Corner) -> @location(0) vec4<f32> {
-    cut(in);
-    return EDGE;
+fn edge_cut(in: EdgeCorner) -> @location(0) vec4<f32> {
+    cut(in.clip);
+    return edge_colour(in.opacity);
 }

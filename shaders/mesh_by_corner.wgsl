@@ -22,12 +22,12 @@ fn colour_and_id(in: Corner, @builtin(front_facing) front: bool) -> ColourAndId 
 
 @fragment
 fn id_cut(in: Corner) -> @location(0) vec2<u32> {
-    cut(in);
+    cut(in.clip);
     return id_of(in, 0u);
 }
 
 @fragment
 fn colour_and_id_cut(in: Corner, @builtin(front_facing) front: bool) -> ColourAndId {
-    cut(in);
+    cut(in.clip);
     return ColourAndId(shaded(in, front, frame.shows_inside == 1u), id_of(in, 0u));
 }

@@ -26,7 +26,7 @@ fn colour_and_id(
 
 @fragment
 fn id_cut(in: Corner, @builtin(primitive_index) primitive: u32) -> @location(0) vec2<u32> {
-    cut(in);
+    cut(in.clip);
     return id_of(in, primitive);
 }
 
@@ -36,6 +36,6 @@ fn colour_and_id_cut(
     @builtin(front_facing) front: bool,
     @builtin(primitive_index) primitive: u32,
 ) -> ColourAndId {
-    cut(in);
+    cut(in.clip);
     return ColourAndId(shaded(in, front, frame.shows_inside == 1u), id_of(in, primitive));
 }

@@ -8,7 +8,7 @@ pub struct Srgb(pub [u8; 3]);
 
 impl Srgb {
     /// The colour of a surface without one of its own.
-    pub const NEUTRAL: Self = Self([200, 200, 204]);
+    pub const NEUTRAL: Self = Self([220, 220, 224]);
     /// White.
     pub const WHITE: Self = Self([255; 3]);
 

@@ -154,8 +154,8 @@
 //! `cli`; modules of one step do not import each other. Only `render` and `viewer` know wgpu; only `viewer` knows winit
 //! and egui. The core (above) uses nothing of the other modules, and `scene` nothing of `scene/files`. `colour`,
 //! `image`, `json`, `look` (light, and what each colour means) and `replace` (writes a file whole or not at all) stand
-//! beside these and import none of them, except that an image has a `camera::Viewport`. `tests/imports` checks all of
-//! this.
+//! beside these and import none of them, except that an image has a `camera::Viewport` and may stand on a
+//! `look::Background`. `tests/imports` checks all of this.
 //!
 //! # Where to look
 //!
@@ -176,6 +176,7 @@
 //! | which class `verify` gives a pixel | `verify/surface.rs`, by the bounds in `verify/bound.rs` |
 //! | what a section cuts from a pick | `geometry/section.rs`; the hits it keeps `pick/order.rs` |
 //! | a camera that is pasted | `viewer/app/commands.rs` |
+//! | a picture without a background | `image/matte.rs` |
 //! | when edges become smooth | `viewer/screen/scene_picture.rs`, at rest `viewer/app/rest.rs` |
 //! | the window's title and its dot | `viewer/app/program.rs` |
 //! | files that are dropped on the window | `viewer/app/frame.rs`, then `viewer/app/files.rs` |

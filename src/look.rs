@@ -5,8 +5,52 @@
 use crate::colour::Srgb;
 use glam::Vec3;
 
-/// Background at the top and at the bottom of the picture; in between it fades.
-pub const BACKGROUND: [Srgb; 2] = [Srgb([43, 48, 58]), Srgb([18, 20, 25])];
+/// What is behind a scene: a colour at the top edge of the picture and one at its bottom edge, between which it fades.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Background(pub [Srgb; 2]);
+
+impl Background {
+    /// For dark rooms and dark panels.
+    pub const DARK: Self = Self([Srgb([43, 48, 58]), Srgb([18, 20, 25])]);
+    /// For light panels.
+    pub const LIGHT: Self = Self([Srgb([226, 231, 238]), Srgb([190, 198, 209])]);
+    /// For paper.
+    pub const WHITE: Self = Self([Srgb::WHITE; 2]);
+    /// No light at all.
+    pub const BLACK: Self = Self([Srgb([0; 3]); 2]);
+
+    /// Its linear colour, `down` = 0 at the top edge and 1 at the bottom edge of the picture.
+    pub fn at(self, down: f32) -> [f32; 3] {
+        let [top, bottom] = self.0.map(Srgb::to_linear);
+        std::array::from_fn(|i| top[i] + (bottom[i] - top[i]) * down)
+    }
+}
+
+/// What a picture's user may have behind a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Backdrop {
+    /// [`Background::DARK`].
+    Dark,
+    /// [`Background::LIGHT`].
+    Light,
+    /// [`Background::WHITE`].
+    White,
+    /// Nothing: the picture has opacity.
+    Transparent,
+}
+
+impl Backdrop {
+    /// Its colours; `None` where it is transparent.
+    pub fn colours(self) -> Option<Background> {
+        match self {
+            Self::Dark => Some(Background::DARK),
+            Self::Light => Some(Background::LIGHT),
+            Self::White => Some(Background::WHITE),
+            Self::Transparent => None,
+        }
+    }
+}
+
 /// The selected object, and the ray that picks it.
 pub const SELECTION: Srgb = Srgb([255, 170, 10]);
 /// What belongs to a ray's hits: the pick's mark, its triangle, normals at hits, the line between two picks.
@@ -59,41 +103,33 @@ pub const LIT: [f32; 2] = [0.15, 0.03];
 pub const OUTLINE_PX: u32 = 2;
 
 /// Towards the key light, above the viewer's left shoulder.
-pub const KEY_DIRECTION: Vec3 = Vec3::new(-0.381_068_5, 0.601_687_1, -0.701_968_3);
+pub const KEY_DIRECTION: Vec3 = Vec3::new(-0.449_595_5, 0.719_352_9, -0.529_523_6);
 /// Towards the fill light, low on the right.
 pub const FILL_DIRECTION: Vec3 = Vec3::new(0.903_394_1, -0.150_565_7, -0.401_508_5);
 /// Light of the key, of the fill, and from the sky and from the ground: linear red, green and blue.
-pub const KEY: Vec3 = Vec3::new(0.98, 0.95, 0.91);
+pub const KEY: Vec3 = Vec3::new(1.60, 1.55, 1.48);
 /// See [`KEY`].
 pub const FILL: Vec3 = Vec3::new(0.12, 0.14, 0.17);
 /// See [`KEY`].
-pub const SKY: Vec3 = Vec3::new(0.235, 0.245, 0.26);
+pub const SKY: Vec3 = Vec3::new(0.202, 0.210, 0.224);
 /// See [`KEY`].
-pub const GROUND: Vec3 = Vec3::new(0.18, 0.17, 0.165);
-/// How much of key and fill a surface lacks that is seen edge on.
-pub const RIM: f32 = 0.8;
+pub const GROUND: Vec3 = Vec3::new(0.163, 0.154, 0.150);
 
 /// The light that a surface sends to the eye. `normal_view` is the normal of the visible side, in view space, of any
 /// length. `albedo` and result are linear.
 ///
 /// The lights stand about the camera. A key light falls off with the square of the cosine, which tells small
 /// differences between normals apart; a fill from the other side keeps what it leaves from being flat; sky and ground
-/// tell what faces up from what faces down, and leave nothing black. Silhouettes and creases are dark, since key and
-/// fill dim as a surface turns from the eye.
+/// tell what faces up from what faces down, and leave nothing black. Both lights dim as a surface turns from the eye,
+/// so creases and silhouettes are dark.
 pub fn shade(albedo: [f32; 3], normal_view: Vec3) -> [f32; 3] {
     let normal = normal_view.normalize_or_zero();
+    let facing = (-normal.z).max(0.0);
     let key = normal.dot(KEY_DIRECTION).max(0.0);
     let fill = normal.dot(FILL_DIRECTION).max(0.0);
     let around = GROUND + (SKY - GROUND) * (0.5 + 0.5 * normal.y);
-    let aside = 1.0 - (-normal.z).max(0.0);
-    let light = (KEY * key * key + FILL * fill) * (1.0 - RIM * aside * aside) + around;
+    let light = facing * (KEY * key * key + FILL * fill) + around;
     (Vec3::from(albedo) * light).to_array()
-}
-
-/// The background's linear colour, `down` = 0 at the top edge and 1 at the bottom edge of the picture.
-pub fn background(down: f32) -> [f32; 3] {
-    let [top, bottom] = BACKGROUND.map(Srgb::to_linear);
-    std::array::from_fn(|i| top[i] + (bottom[i] - top[i]) * down)
 }
 
 /// A linear colour tinted with the selection's at the same brightness, so that shading stays.

@@ -10,6 +10,7 @@ use glam::{DVec3, dvec3};
 use sightline::{
     camera::View,
     image::{Id, Image, Rgb},
+    look::Background,
     pick, render,
     scene::{Progress, Scene, load},
 };
@@ -80,7 +81,8 @@ fn a_far_city_is_drawn_as_a_near_one() {
     let (far, near) = (city(CITY), city(DVec3::ZERO));
     let (mut all, mut differing) = (0, 0);
     for (far_view, near_view) in views(CITY).zip(views(DVec3::ZERO)) {
-        let draw = |city, view| render::render(&gpu, city, &view, None).expect("drawn");
+        let draw =
+            |city, view| render::render(&gpu, city, &view, None, Background::DARK).expect("drawn");
         let (far, near) = (draw(&far, far_view), draw(&near, near_view));
         let pixels = |(ids, colours): &(Image<Id>, Image<Rgb>)| {
             let pixels = ids

@@ -391,7 +391,7 @@ _sightline() {
             return 0
             ;;
         sightline__subcmd__render)
-            opts="-v -o -h --verbose --output --by --pick --ids --views --size --eye --target --look --up --fov --ortho --near --far --depth --cull --up-axis --section --hide --show --help"
+            opts="-v -o -h --verbose --output --by --pick --ids --views --background --size --eye --target --look --up --fov --ortho --near --far --depth --cull --up-axis --section --hide --show --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -419,6 +419,10 @@ _sightline() {
                     ;;
                 --views)
                     COMPREPLY=($(compgen -W "picture four object world view ndc" -- "${cur}"))
+                    return 0
+                    ;;
+                --background)
+                    COMPREPLY=($(compgen -W "dark light white transparent" -- "${cur}"))
                     return 0
                     ;;
                 --size)

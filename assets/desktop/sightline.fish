@@ -70,6 +70,10 @@ object\t''
 world\t''
 view\t''
 ndc\t''"
+complete -c sightline -n "__fish_sightline_using_subcommand render" -l background -d 'What is behind the scene' -r -f -a "dark\t''
+light\t''
+white\t''
+transparent\t''"
 complete -c sightline -n "__fish_sightline_using_subcommand render" -l size -d 'Size of the picture, or of the window, in pixels [default: 1280x720]' -r
 complete -c sightline -n "__fish_sightline_using_subcommand render" -l eye -d 'Where the eye stands' -r
 complete -c sightline -n "__fish_sightline_using_subcommand render" -l target -d 'The point that the eye looks at' -r

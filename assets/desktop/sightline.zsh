@@ -57,6 +57,7 @@ raycast\:"One ray per pixel, on the CPU"))' \
 '--pick=[Draw the object at this position as selected]:X,Y:_default' \
 '--ids=[Also write object ids, as 16-bit grey\: 0 for the background, n for the object with id n]:FILE.png:_files' \
 '(--ids --by)--views=[Draw the four views side by side, or one of them, as the window does, with a graphics adapter \[default\: picture\]]:VIEWS:(picture four object world view ndc)' \
+'--background=[What is behind the scene]:BACKGROUND:(dark light white transparent)' \
 '--size=[Size of the picture, or of the window, in pixels \[default\: 1280x720\]]:WxH:_default' \
 '--eye=[Where the eye stands]:X,Y,Z:_default' \
 '--target=[The point that the eye looks at]:X,Y,Z:_default' \

@@ -6,7 +6,8 @@ use super::{
 };
 use crate::{
     camera::View,
-    image::{Id, Image, ImageError, Rgb},
+    image::{Id, Image, ImageError, Picture, Rgb},
+    look::{Backdrop, Background},
     pick,
     render::{self, Gpu, GpuError},
     replace::target,
@@ -37,6 +38,9 @@ pub struct RenderArgs {
     /// Draw the four views side by side, or one of them, as the window does, with a graphics adapter [default: picture]
     #[arg(long, value_name = "VIEWS", value_parser = value::word(value::VIEWS), conflicts_with_all = ["ids", "by"])]
     pub views: Option<Views>,
+    /// What is behind the scene
+    #[arg(long, value_name = "BACKGROUND", value_parser = value::word(value::BACKDROPS), default_value = "dark")]
+    pub background: Backdrop,
     /// How to look at it.
     #[command(flatten)]
     pub view: ViewArgs,
@@ -87,7 +91,8 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
             views,
             ..viewer::Options::default()
         };
-        let picture = viewer::picture_of_views(loaded, options, args.view.size(), args.pick);
+        let size = args.view.size();
+        let picture = viewer::picture_of_views(loaded, options, size, args.pick, args.background);
         let picture = picture.map_err(|error| {
             CliError::new(4, format!("{error}; without `--views`, rays can draw"))
         })?;
@@ -102,63 +107,67 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     let selection = at.and_then(|ray| pick::closest(scene, ray, view.sides));
     let selection = selection.map(|hit| hit.object);
     let start = Instant::now();
-    let drawn = gpu.map(|gpu| raster(gpu, scene, &view, selection, args.ids.is_some()));
-    let (ids, colours) = match drawn {
-        Some(Ok(drawn)) => drawn,
-        Some(Err(NotDrawn::Failed(error))) => return Err(without(&error)),
-        Some(Err(NotDrawn::NoAdapter(error))) if args.by.is_some() => return Err(without(&error)),
-        none => {
-            check_memory(view.viewport, pick::RAYCAST_BYTES)?;
-            if let Some(Err(NotDrawn::NoAdapter(error))) = none {
-                log::warn!("drawn by rays on the CPU: {error}");
-            }
-            let (ids, colours) = raycast(scene, &view, selection);
-            (Some(ids), colours)
+    let rays_draw = |error: GpuError| {
+        if args.by.is_some() {
+            return Err(without(&error));
         }
+        log::warn!("drawn by rays on the CPU: {error}");
+        Ok(())
     };
+    let mut adapter = match gpu {
+        Some(Ok(gpu)) => Some(gpu),
+        Some(Err(error)) => rays_draw(error).map(|()| None)?,
+        None => None,
+    };
+    let mut ids = None;
+    let picture = Picture::on(args.background, |background| {
+        if let Some(gpu) = &adapter {
+            match raster(gpu, scene, &view, selection, args.ids.is_some(), background) {
+                Ok((drawn, colours)) => {
+                    ids = drawn;
+                    return Ok(colours);
+                }
+                Err(
+                    error @ (GpuError::PictureTooLarge { .. } | GpuError::SceneTooLarge { .. }),
+                ) => rays_draw(error)?,
+                Err(error) => return Err(without(&error)),
+            }
+            adapter = None;
+        }
+        check_memory(view.viewport, pick::RAYCAST_BYTES)?;
+        let (picked, colours) = raycast(scene, &view, selection, background);
+        ids = Some(picked);
+        Ok(colours)
+    })?;
     log::info!("drew the picture in {:.1?}", start.elapsed());
     // Neither file is replaced unless both can be written.
     let ids = match (&args.ids, ids) {
         (Some(path), Some(ids)) => Some((path, ids.write_png_beside(path)?)),
         _ => None,
     };
-    colours.write_png(&args.output)?;
+    picture.write_png(&args.output)?;
     ids.map_or(Ok(()), |(path, ids)| {
         let placed = ids.put_in_place();
         placed.map_err(|error| CliError::file(path, &error))
     })
 }
 
-/// Why the adapter drew no picture.
-enum NotDrawn {
-    /// No adapter draws, or none draws so much.
-    NoAdapter(GpuError),
-    /// One began to.
-    Failed(GpuError),
-}
-
 /// The picture, and the ids where they are wanted or tell what is selected.
 fn raster(
-    gpu: Result<Gpu, GpuError>,
+    gpu: &Gpu,
     scene: &Scene,
     view: &View,
     selection: Option<usize>,
     wants_ids: bool,
-) -> Result<(Option<Image<Id>>, Image<Rgb>), NotDrawn> {
-    let gpu = gpu.map_err(NotDrawn::NoAdapter)?;
+    background: Background,
+) -> Result<(Option<Image<Id>>, Image<Rgb>), GpuError> {
     log::info!("drawing with {}", gpu.adapter_name());
-    let drawn = if wants_ids || selection.is_some() {
-        let drawn = render::render(&gpu, scene, view, selection);
+    if wants_ids || selection.is_some() {
+        let drawn = render::render(gpu, scene, view, selection, background);
         drawn.map(|(ids, colours)| (Some(ids), colours))
     } else {
-        render::picture(&gpu, scene, view).map(|colours| (None, colours))
-    };
-    drawn.map_err(|error| match error {
-        GpuError::PictureTooLarge { .. } | GpuError::SceneTooLarge { .. } => {
-            NotDrawn::NoAdapter(error)
-        }
-        error => NotDrawn::Failed(error),
-    })
+        render::picture(gpu, scene, view, background).map(|colours| (None, colours))
+    }
 }
 
 /// The error of an adapter, with what draws without one.
@@ -166,9 +175,14 @@ fn without(error: &GpuError) -> CliError {
     CliError::new(4, format!("{error}; `--by raycast` needs no adapter"))
 }
 
-fn raycast(scene: &Scene, view: &View, selection: Option<usize>) -> (Image<Id>, Image<Rgb>) {
+fn raycast(
+    scene: &Scene,
+    view: &View,
+    selection: Option<usize>,
+    background: Background,
+) -> (Image<Id>, Image<Rgb>) {
     build_trees(scene);
-    let (ids, mut colours) = pick::raycast(scene, view);
+    let (ids, mut colours) = pick::raycast(scene, view, background);
     if let Some(object) = selection {
         pick::mark(object, &ids, &mut colours);
     }

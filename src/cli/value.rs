@@ -3,6 +3,7 @@
 use crate::{
     camera::Viewport,
     geometry::range,
+    look::Backdrop,
     viewer::model::{Stage, Views},
 };
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
@@ -46,6 +47,14 @@ pub(super) const VIEWS: [(&str, Views); 6] = [
     ("world", Views::One(Stage::World)),
     ("view", Views::One(Stage::View)),
     ("ndc", Views::One(Stage::Ndc)),
+];
+
+/// What is behind a scene.
+pub(super) const BACKDROPS: [(&str, Backdrop); 4] = [
+    ("dark", Backdrop::Dark),
+    ("light", Backdrop::Light),
+    ("white", Backdrop::White),
+    ("transparent", Backdrop::Transparent),
 ];
 
 /// One of these words, for the value beside it.

@@ -4,7 +4,9 @@ use super::{CliError, SceneArgs, ViewArgs, build_trees, check_memory, load_besid
 use crate::{
     camera::View,
     image::{Id, Image, Rgb},
-    json, pick,
+    json,
+    look::Background,
+    pick,
     render::{self, Gpu, GpuError, Rasteriser},
     scene::Scene,
     study::methods::usual,
@@ -66,7 +68,8 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
     };
     let gpu = gpu.map_err(nothing_drawn)?;
     let start = Instant::now();
-    let (drawn, colours) = render::render(&gpu, scene, &view, None).map_err(nothing_drawn)?;
+    let (drawn, colours) =
+        render::render(&gpu, scene, &view, None, Background::DARK).map_err(nothing_drawn)?;
     let drawn_s = start.elapsed().as_secs_f64();
     check_memory(view.viewport, CHECK_BYTES)?;
     build_trees(scene);

@@ -1,7 +1,10 @@
 //! Pictures in memory, and as PNG files.
 
+mod matte;
 #[cfg(feature = "files")]
 mod png;
+
+pub use matte::Picture;
 
 #[cfg(feature = "files")]
 pub use self::png::ImageError;
@@ -17,6 +20,9 @@ pub struct Image<T> {
 
 /// An opaque sRGB pixel.
 pub type Rgb = [u8; 3];
+
+/// An sRGB pixel and its opacity, which its colour is not multiplied by: 255 is opaque.
+pub type Rgba = [u8; 4];
 
 /// What a pixel shows: an object and, on a mesh, a triangle of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

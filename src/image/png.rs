@@ -1,6 +1,6 @@
 //! Pictures as PNG files, 8 and 16 bit.
 
-use super::{Id, Image, Rgb};
+use super::{Id, Image, Picture, Rgb};
 use crate::{
     camera::Viewport,
     replace::{Written, write_beside},
@@ -25,16 +25,31 @@ pub enum ImageError {
     TooManyObjects(u32),
 }
 
+impl Picture {
+    /// Writes an 8-bit sRGB PNG, whole or not at all.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    pub fn write_png(&self, path: &Path) -> Result<(), ImageError> {
+        match self {
+            Self::Opaque(image) => image.write_png(path),
+            Self::Matte(image) => write_colours(
+                path,
+                image.size,
+                ColorType::Rgba,
+                image.pixels.as_flattened(),
+            ),
+        }
+    }
+}
+
 impl Image<Rgb> {
     /// Writes an 8-bit sRGB PNG, whole or not at all.
     ///
     /// # Errors
     /// When the file cannot be written.
     pub fn write_png(&self, path: &Path) -> Result<(), ImageError> {
-        let kind = (ColorType::Rgb, BitDepth::Eight);
-        let written = write(path, self.size, kind, self.pixels.as_flattened());
-        let placed = written.and_then(Written::put_in_place);
-        placed.map_err(|source| failed(path, source))
+        write_colours(path, self.size, ColorType::Rgb, self.pixels.as_flattened())
     }
 }
 
@@ -65,6 +80,17 @@ impl Image<Id> {
     }
 }
 
+fn write_colours(
+    path: &Path,
+    size: Viewport,
+    colour: ColorType,
+    bytes: &[u8],
+) -> Result<(), ImageError> {
+    let written = write(path, size, (colour, BitDepth::Eight), bytes);
+    let placed = written.and_then(Written::put_in_place);
+    placed.map_err(|source| failed(path, source))
+}
+
 fn failed(path: &Path, source: io::Error) -> ImageError {
     let path = path.display().to_string();
     ImageError::Write { path, source }
@@ -84,7 +110,7 @@ fn write(
         encoder.set_depth(depth);
         // The default takes several times as long, for files a quarter smaller.
         encoder.set_compression(png::Compression::Fast);
-        if colour == ColorType::Rgb {
+        if colour != ColorType::Grayscale {
             encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
         }
         let mut writer = encoder.write_header()?;

@@ -6,7 +6,7 @@ use crate::{
     colour::Srgb,
     geometry::{Ray, WorldRay, shares::on_all_cores},
     image::{Id, Image, Pixel, Rgb},
-    look,
+    look::{self, Background},
     scene::Scene,
 };
 use glam::{DVec2, DVec3};
@@ -23,10 +23,10 @@ pub(crate) const RAYCAST_BYTES: usize = size_of::<(Id, Rgb)>() + size_of::<Id>()
 
 /// Ids and shaded colours of every pixel, by the ray through its centre, on all cores. For more than a few pixels
 /// build the scene's trees first.
-pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
+pub fn raycast(scene: &Scene, view: &View, background: Background) -> (Image<Id>, Image<Rgb>) {
     let pixels = each_ray(scene, view, |beam, ray, px| {
         let hit = nearest(beam, ray, view.sides, None);
-        id_and_colour(scene, view, ray, px, hit.as_ref())
+        id_and_colour(scene, view, background, ray, px, hit.as_ref())
     });
     let (ids, colours) = pixels.into_iter().unzip();
     let size = view.viewport;
@@ -35,14 +35,19 @@ pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
 
 /// All that drawing would write for every pixel, by the ray through its centre, on all cores. `None` if that is not
 /// done by `deadline`. Build the scene's trees first.
-pub fn raycast_until(scene: &Scene, view: &View, deadline: Instant) -> Option<Image<Pixel>> {
+pub fn raycast_until(
+    scene: &Scene,
+    view: &View,
+    background: Background,
+    deadline: Instant,
+) -> Option<Image<Pixel>> {
     let (rays, lens) = (&view.rays(), view.camera.lens());
     in_time(view, deadline, |tile| {
         let beam = Beam::of_tile(scene, rays, tile);
         move |px| {
             let ray = &rays.ray(px);
             let hit = nearest(&beam, ray, view.sides, None);
-            let (id, colour) = id_and_colour(scene, view, ray, px, hit.as_ref());
+            let (id, colour) = id_and_colour(scene, view, background, ray, px, hit.as_ref());
             let t = hit.map_or(lens.far, |hit| hit.hit.t);
             #[expect(clippy::cast_possible_truncation, reason = "as depth is stored")]
             let depth = lens.ndc_depth(t) as f32;
@@ -56,6 +61,7 @@ pub fn raycast_ndc_until(
     scene: &Scene,
     ndc: &NdcSpace,
     observer: &View,
+    background: Background,
     deadline: Instant,
 ) -> Option<Image<Pixel>> {
     let (rays, lens) = (&observer.rays(), observer.camera.lens());
@@ -75,7 +81,7 @@ pub fn raycast_ndc_until(
         |px| {
             let ray = ndc.ray(&rays.ray(px), back);
             let (id, colour, depth) = (ray.and_then(|ray| seen(&ray)))
-                .unwrap_or_else(|| (Id::default(), background(observer, px), lens.far));
+                .unwrap_or_else(|| (Id::default(), behind(observer, background, px), lens.far));
             #[expect(clippy::cast_possible_truncation, reason = "as depth is stored")]
             let depth = lens.ndc_depth(depth) as f32;
             Pixel { id, colour, depth }
@@ -177,22 +183,24 @@ fn each_in_tiles<T: Clone + Default + Send, C: Fn(DVec2) -> T>(
 fn id_and_colour(
     scene: &Scene,
     view: &View,
+    background: Background,
     ray: &WorldRay,
     px: DVec2,
     hit: Option<&SceneHit>,
 ) -> (Id, Rgb) {
     let Some(hit) = hit else {
-        return (Id::default(), background(view, px));
+        return (Id::default(), behind(view, background, px));
     };
     let rotation = view.camera.rotation();
     let colour = colour(scene, view, ray, hit, |normal| rotation * normal);
     (id(scene, hit), colour.0)
 }
 
-fn background(view: &View, px: DVec2) -> Rgb {
+/// The background's colour at a point of the picture.
+fn behind(view: &View, background: Background, px: DVec2) -> Rgb {
     #[expect(clippy::cast_possible_truncation, reason = "colours need no more")]
     let down = (px.y / f64::from(view.viewport.height())) as f32;
-    Srgb::from_linear(look::background(down)).0
+    Srgb::from_linear(background.at(down)).0
 }
 
 fn id_or_none(scene: &Scene, hit: Option<SceneHit>) -> Id {

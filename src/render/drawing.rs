@@ -141,8 +141,8 @@ impl Renderer {
     /// Writes the numbers that all of a frame shares to the GPU.
     pub(super) fn write_frame(&self, scene: &SceneBuffers, view: &View) {
         let bytes = match &scene.ndc {
-            Some(ndc) => transform::frame_in_ndc(ndc, view),
-            None => transform::frame(view),
+            Some(ndc) => transform::frame_in_ndc(ndc, view, self.background),
+            None => transform::frame(view, self.background),
         };
         let bytes = bytemuck::bytes_of(&bytes);
         self.gpu.queue.write_buffer(&self.frame, 0, bytes);

@@ -9,7 +9,7 @@ use crate::{
     colour::Srgb,
     geometry::{Cuboid, Mesh, Sphere, Square, face_normal, sin_cos_quarters},
 };
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use std::{borrow::Cow, collections::HashMap, f64::consts::PI, ops::Range, sync::Arc};
 use wgpu::BufferUsages;
 
@@ -39,12 +39,14 @@ impl MeshBuffers {
     /// Uploads a mesh.
     pub fn upload(gpu: &Gpu, mesh: &Mesh) -> Result<Self, GpuError> {
         let (vertices, triangles) = unify(mesh);
-        let buffers = Self::new(gpu, &vertices, &triangles)?;
+        let buffers = Self::new(gpu, vertices, &triangles)?;
         gpu.note_triangles(triangles.len());
         Ok(buffers)
     }
 
-    fn new(gpu: &Gpu, vertices: &[Vertex], triangles: &[[u32; 3]]) -> Result<Self, GpuError> {
+    fn new(gpu: &Gpu, mut vertices: Vec<Vertex>, triangles: &[[u32; 3]]) -> Result<Self, GpuError> {
+        note_spacing(&mut vertices, triangles);
+        let vertices = &*vertices;
         let count = |triangles: usize| u32::try_from(triangles).unwrap_or(u32::MAX);
         let most = gpu.device.limits().max_buffer_size;
         let largest = size_of_val(vertices).max(size_of_val(triangles)) as u64;
@@ -157,11 +159,7 @@ impl MeshBuffers {
             let [c, d] = [at(ring + 1, spoke + 1), at(ring, spoke + 1)];
             [[a, b, c], [a, c, d]]
         });
-        Self::new(
-            gpu,
-            &vertices.collect::<Vec<_>>(),
-            &triangles.collect::<Vec<_>>(),
-        )
+        Self::new(gpu, vertices.collect(), &triangles.collect::<Vec<_>>())
     }
 
     /// Flat quadrilaterals, counter-clockwise seen from outside.
@@ -179,7 +177,27 @@ impl MeshBuffers {
             }));
             triangles.extend([[0, 1, 2], [0, 2, 3]].map(|corners| corners.map(|i| first + i)));
         }
-        Self::new(gpu, &vertices, &triangles)
+        Self::new(gpu, vertices, &triangles)
+    }
+}
+
+/// Notes with each vertex how far apart the edges about it are: the height of its widest triangle over that triangle's
+/// longest side. Of positive numbers, the larger has the larger bits.
+fn note_spacing(vertices: &mut [Vertex], triangles: &[[u32; 3]]) {
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|i| Vec3::from(vertices[i as usize].position).as_dvec3());
+        let [ab, bc, ca] = [b - a, c - b, a - c];
+        let longest = (ab.length_squared())
+            .max(bc.length_squared())
+            .max(ca.length_squared());
+        let height = (ab.cross(ca).length_squared() / longest).sqrt();
+        #[expect(clippy::cast_possible_truncation, reason = "opacities need no more")]
+        let bits = (height.max(0.0) as f32).to_bits();
+        let upper_half = u16::try_from(bits >> 16).unwrap_or(0);
+        for i in triangle {
+            let noted = &mut vertices[*i as usize].colour[3];
+            *noted = (*noted).max(upper_half);
+        }
     }
 }
 
@@ -274,5 +292,5 @@ fn colour((own, vertex): (Option<Srgb>, Option<Srgb>)) -> [u16; 4] {
         reason = "within [0, 1]"
     )]
     let [r, g, b] = std::array::from_fn(|i| (own[i] * vertex[i] * 65535.0).round() as u16);
-    [r, g, b, u16::MAX]
+    [r, g, b, 0]
 }

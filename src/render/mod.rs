@@ -75,6 +75,7 @@ pub use targets::Targets;
 use crate::{
     camera::View,
     image::{Id, Image, Rgb},
+    look::Background,
     scene::Scene,
 };
 use std::cell::OnceCell;
@@ -87,6 +88,8 @@ pub const SMOOTH_SAMPLES: u32 = 4;
 pub struct Renderer {
     /// Pixels per logical pixel of the screen: how wide outlines are. 1 at first.
     pub scale_factor: f32,
+    /// What is behind scenes; [`Background::DARK`] at first.
+    pub background: Background,
     /// The objects whose triangles' edges are drawn over their faces; `None` at first.
     pub wireframe: Option<Wireframe>,
     pipelines: pipelines::Pipelines,
@@ -106,6 +109,7 @@ impl Renderer {
     pub fn new(gpu: &Gpu, colour_samples: u32) -> Self {
         Self {
             scale_factor: 1.0,
+            background: Background::DARK,
             wireframe: None,
             pipelines: pipelines::Pipelines::new(gpu, colour_samples),
             post: None,
@@ -125,8 +129,10 @@ pub fn render(
     scene: &Scene,
     view: &View,
     selection: Option<usize>,
+    background: Background,
 ) -> Result<(Image<Id>, Image<Rgb>), GpuError> {
     let (targets, buffers, mut renderer) = prepare(gpu, scene, view)?;
+    renderer.background = background;
     let onto = (&buffers, &targets, view);
     renderer.draw(onto, &[])?;
     let marks = Marks {
@@ -142,8 +148,14 @@ pub fn render(
 ///
 /// # Errors
 /// As [`render`].
-pub fn picture(gpu: &Gpu, scene: &Scene, view: &View) -> Result<Image<Rgb>, GpuError> {
+pub fn picture(
+    gpu: &Gpu,
+    scene: &Scene,
+    view: &View,
+    background: Background,
+) -> Result<Image<Rgb>, GpuError> {
     let (targets, buffers, mut renderer) = prepare(gpu, scene, view)?;
+    renderer.background = background;
     renderer.draw_colours((&buffers, &targets, view), &[])?;
     // Without marks, the picture is the colours as drawn.
     targets.read_colours(gpu)

@@ -234,13 +234,17 @@ impl Pipelines {
             _ => vertex,
         };
         let edge_entry = if is_cut { "edge_cut" } else { "edge" };
+        let edge_vertex = match world {
+            World::Ndc => "edge_vertex_in_ndc",
+            _ => "edge_vertex",
+        };
         let mesh = match gpu.numbers {
             Numbers::Primitives => "mesh by primitive",
             Numbers::Corners => "mesh by corner",
         };
         let (module, vertex, fragment) = match drawn {
             Drawn::Triangles { .. } => (mesh, triangle_vertex, surface_entry),
-            Drawn::Edges => (mesh, vertex, edge_entry),
+            Drawn::Edges => (mesh, edge_vertex, edge_entry),
             Drawn::Spheres => ("sphere", "vertex", surface_entry),
             Drawn::Lines => ("background and lines", "line_vertex", "line_colour"),
             Drawn::Background => ("background and lines", "behind", "background_colour"),
@@ -258,8 +262,8 @@ impl Pipelines {
         let write = |format, writes| {
             Some(wgpu::ColorTargetState {
                 format,
-                // Lines may fade into what is behind them.
-                blend: (drawn == Drawn::Lines && format == COLOUR)
+                // Lines and edges may fade into what is behind them.
+                blend: (matches!(drawn, Drawn::Lines | Drawn::Edges) && format == COLOUR)
                     .then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
                 write_mask: if writes { all } else { none },
             })
@@ -339,7 +343,8 @@ fn primitive(drawn: Drawn) -> wgpu::PrimitiveState {
 }
 
 /// The comparison is strict: at equal depth the surface drawn first stays, which is that of the object or
-/// triangle with the lower index. The background lies at the cleared depth, and shows only where nothing was drawn.
+/// triangle with the lower index. The background lies at the cleared depth, and shows only where no surface was drawn:
+/// edges, which leave no depth, end at outlines.
 fn depth_state(drawn: Drawn, depth: DepthMapping) -> wgpu::DepthStencilState {
     let (nearer, as_near, step_nearer) = match depth {
         DepthMapping::Reversed => (
@@ -358,7 +363,7 @@ fn depth_state(drawn: Drawn, depth: DepthMapping) -> wgpu::DepthStencilState {
     };
     wgpu::DepthStencilState {
         format: DEPTH,
-        depth_write_enabled: Some(drawn != Drawn::Background),
+        depth_write_enabled: Some(!matches!(drawn, Drawn::Background | Drawn::Edges)),
         depth_compare: Some(match drawn {
             Drawn::Background => as_near,
             Drawn::Depths => CompareFunction::Always,

@@ -25,41 +25,41 @@ pub struct Frame {
     pub section_corner_slack: f32,
     /// Towards the key light, in view space.
     pub key_direction: [f32; 3],
-    /// How much of key and fill a surface lacks that is seen edge on.
-    pub rim: f32,
+    /// See `near_per_px`.
+    pub near_start: f32,
     /// Towards the fill light, in view space.
     pub fill_direction: [f32; 3],
     /// See `near_per_px`.
-    pub near_start: f32,
+    pub near_per_q: f32,
     /// Linear light from the key light.
     pub key: [f32; 3],
-    /// See `near_per_px`.
-    pub near_per_q: f32,
-    /// Linear light from the fill light.
-    pub fill: [f32; 3],
     /// The section test's value in the picture's middle, for q = 0.
     pub section_start: f32,
-    /// Linear light on what faces up.
-    pub sky: [f32; 3],
+    /// Linear light from the fill light.
+    pub fill: [f32; 3],
     /// How the section test's value changes per unit of q: the fragment's w in perspective, the stored depth in
     /// orthographic projection.
     pub section_per_q: f32,
-    /// Linear light on what faces down.
-    pub ground: [f32; 3],
+    /// Linear light on what faces up.
+    pub sky: [f32; 3],
     /// The section test's slack, relative to its terms: how far beyond the plane fragments are still drawn.
     pub section_slack: f32,
-    /// Linear colour of back faces where a section opens solids.
-    pub inside: [f32; 3],
+    /// Linear light on what faces down.
+    pub ground: [f32; 3],
     /// 1 where q is the stored depth.
     pub q_is_depth: u32,
-    /// Linear colour of the background at the top edge.
-    pub background_top: [f32; 3],
+    /// Linear colour of back faces where a section opens solids.
+    pub inside: [f32; 3],
     /// 1 where back faces that a section or the near plane may open get the colour of a solid's inside.
     pub shows_inside: u32,
+    /// Linear colour of the background at the top edge.
+    pub background_top: [f32; 3],
+    /// Padding.
+    pub padding_top: u32,
     /// Linear colour of the background at the bottom edge.
     pub background_bottom: [f32; 3],
     /// Padding.
-    pub padding: u32,
+    pub padding_bottom: u32,
     /// How the value of the section's test changes per pixel right and down.
     pub section_per_px: [f32; 2],
     /// The same numbers as the section's, of the test for what lies behind the near plane of a camera whose NDC is
@@ -127,7 +127,8 @@ pub struct Vertex {
     pub normal: [f32; 3],
     /// Part of the mesh.
     pub part: u32,
-    /// Linear colour in 65535ths, and an unused number.
+    /// Linear colour in 65535ths. The last number is the upper half of the bits of an `f32`: how far apart the edges of
+    /// triangles are there, in vertex space.
     pub colour: [u16; 4],
 }
 

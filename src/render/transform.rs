@@ -12,22 +12,23 @@ use super::{
 };
 use crate::{
     camera::{NdcSpace, Projection, View},
+    colour::Srgb,
     geometry::{
         Aabb, Cuboid, Placement, Sides, Square,
         binary::{split, times_power_of_two},
     },
-    look,
+    look::{self, Background},
     scene::{Scene, Shape},
 };
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4, Mat3, Vec3};
 use std::ops::{Add, Range};
 
 /// The numbers that all of a frame shares.
-pub fn frame(view: &View) -> shader_structs::Frame {
+pub fn frame(view: &View, background: Background) -> shader_structs::Frame {
     let lens = view.camera.lens();
     let half = view.half_extent();
     let perspective = matches!(lens.projection, Projection::Perspective { .. });
-    let [background_top, background_bottom] = look::BACKGROUND.map(crate::colour::Srgb::to_linear);
+    let [background_top, background_bottom] = background.0.map(Srgb::to_linear);
     let section = ScreenSection::of(view);
     let corner_slack = section.map_or(0.0, |section| section.corner_slack());
     let numbers = section.map_or([0.0; 4], |section| section.numbers());
@@ -43,7 +44,6 @@ pub fn frame(view: &View) -> shader_structs::Frame {
         front_only: u32::from(view.sides == Sides::Front),
         section_corner_slack: to_f32(corner_slack),
         key_direction: look::KEY_DIRECTION.to_array(),
-        rim: look::RIM,
         fill_direction: look::FILL_DIRECTION.to_array(),
         key: look::KEY.to_array(),
         fill: look::FILL.to_array(),
@@ -63,12 +63,17 @@ pub fn frame(view: &View) -> shader_structs::Frame {
         ndc_normal: [[0.0; 4]; 4],
         q_is_depth: u32::from(!perspective),
         shows_inside: 1,
-        padding: 0,
+        padding_top: 0,
+        padding_bottom: 0,
     }
 }
 
 /// The same for a camera's NDC, as an observer there sees it: one projective matrix stands before the observer's.
-pub(super) fn frame_in_ndc(ndc: &NdcSpace, observer: &View) -> shader_structs::Frame {
+pub(super) fn frame_in_ndc(
+    ndc: &NdcSpace,
+    observer: &View,
+    background: Background,
+) -> shader_structs::Frame {
     let camera = &ndc.of.camera;
     let to_view = observer.camera.view() * ndc.matrix();
     let to_clip = observer.camera.projection(observer.viewport) * to_view;
@@ -94,7 +99,7 @@ pub(super) fn frame_in_ndc(ndc: &NdcSpace, observer: &View) -> shader_structs::F
         ndc_normal: columns((to_view * per_unit).inverse().transpose()),
         q_is_depth: 1,
         shows_inside: u32::from(section.is_some()),
-        ..frame(observer)
+        ..frame(observer, background)
     }
 }
 

@@ -11,6 +11,7 @@ use super::{
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
     geometry::{Aabb, Placement, Section, random::Random},
+    look::Background,
     render::{
         Rasteriser,
         rounding::U,
@@ -167,7 +168,7 @@ fn vertices_that_underflow_lie_within_their_bounds() {
 fn projected_points_lie_within_their_bounds() {
     let mut shares = Shares::default();
     for (view, mut random) in views(20_000) {
-        let frame = transform::frame(&view);
+        let frame = transform::frame(&view, Background::BLACK);
         let unit = view_unit(&view);
         let orthographic = view.camera.lens().is_orthographic();
         let depth = rounded(3.0 + random.next());
@@ -224,7 +225,10 @@ fn planes_cut_within_their_bounds() {
                 let mut off = |at: f64, error: f64| at + 0.75 * error * random.next().signum();
                 let buffer_depth = rounded(unit * off(from_origin + past, error.buffer_depth));
                 let depth = rounded(unit * off(plane + past, error.depth));
-                let clip = product(transform::frame(&view).clip_per_depth, buffer_depth);
+                let clip = product(
+                    transform::frame(&view, Background::BLACK).clip_per_depth,
+                    buffer_depth,
+                );
                 let stores_0 = is_far == (mapping == DepthMapping::Reversed);
                 let is_seen = if stores_0 {
                     clip >= 0.0
@@ -263,7 +267,11 @@ fn stored(near: f64) -> [Shares; 2] {
                 buffer_depth: 2.0 * U * exact[0].abs(),
             };
             let [buffer_depth, w] = exact.map(|at| rounded(unit * at));
-            let factor = rounded(transform::frame(&view).clip_per_depth.into());
+            let factor = rounded(
+                transform::frame(&view, Background::BLACK)
+                    .clip_per_depth
+                    .into(),
+            );
             let found = product(product(factor, buffer_depth), reciprocal(&mut random, w));
             let bound = depths.error(past_near, &error);
             shares.add(f64::from(found) - depths.stored(past_near), bound);

@@ -3,6 +3,7 @@
 use crate::{
     camera::{CameraChoice, Viewport},
     geometry::Sides,
+    look::Background,
     render::GpuError,
     viewer::model::{HideAndShow, Views},
 };
@@ -26,6 +27,8 @@ pub struct Options {
     pub memory: Option<PathBuf>,
     /// Which views of the first scene show. Beside all but the camera's picture, the matrices show too.
     pub views: Views,
+    /// What is behind scenes; `None` for what goes with the panels.
+    pub background: Option<Background>,
     /// Whether only the picture shows, without panels.
     pub is_bare: bool,
     /// Whether the tour begins at once.

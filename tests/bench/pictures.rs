@@ -7,6 +7,7 @@ mod meshes;
 use sightline::{
     camera::{CameraChoice, View, Viewport},
     geometry::{Mesh, Placement, Sides},
+    look::Background,
     pick,
     scene::{self, Object, Progress, Scene, Shape},
 };
@@ -71,7 +72,7 @@ fn measure(name: &str, scene: &Scene) {
     for _ in 0..ROUNDS {
         seconds[0].push(time(one_by_one));
         seconds[1].push(time(|| pick::ids(scene, &view)));
-        seconds[2].push(time(|| pick::raycast(scene, &view)));
+        seconds[2].push(time(|| pick::raycast(scene, &view, Background::DARK)));
     }
     let rays = f64::from(viewport.width() * viewport.height());
     let [alone, ids, colours] = seconds.map(|mut seconds| {

@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 use sightline::{
     camera::View,
     geometry::{Ray, Sides},
+    look::Background,
     pick::{self, Pick, SceneHit},
     scene::{Scene, Shape},
 };
@@ -52,7 +53,7 @@ pub fn narrowed(scene: &Scene, view: &View, px: DVec2) -> Option<Scene> {
 
 /// Object and triangle, both from 1, of each pixel, row by row, as both kinds of whole pictures have them.
 pub fn pictures(scene: &Scene, view: &View) -> [Vec<(u32, u32)>; 2] {
-    let (cast, _) = pick::raycast(scene, view);
+    let (cast, _) = pick::raycast(scene, view, Background::DARK);
     [pick::ids(scene, view), cast].map(|ids| {
         let pixels = ids.pixels().iter();
         pixels.map(|id| (id.object, id.triangle)).collect()

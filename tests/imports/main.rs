@@ -20,7 +20,7 @@ const MAY_NAME: [(&str, &str); 15] = [
     ("geometry", "colour"),
     ("look", "colour"),
     ("camera", "geometry"),
-    ("image", "replace camera"),
+    ("image", "replace colour look camera"),
     ("scene", "replace colour geometry camera"),
     ("pick", "colour geometry look camera image scene"),
     ("render", "colour geometry look camera image scene"),

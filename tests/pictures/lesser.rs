@@ -94,8 +94,10 @@ fn colours_alone_need_no_measured_rasteriser() {
     assert_eq!(unmeasured.rasteriser(), Rasteriser::COMMON);
     let scene = shapes(DVec3::ZERO);
     for view in views() {
-        let (_, colours) = sightline::render::render(&gpu(), &scene, &view, None).expect("drawn");
-        let alone = sightline::render::picture(&unmeasured, &scene, &view).expect("drawn");
+        let (_, colours) = sightline::render::render(&gpu(), &scene, &view, None, Background::DARK)
+            .expect("drawn");
+        let alone = sightline::render::picture(&unmeasured, &scene, &view, Background::DARK)
+            .expect("drawn");
         assert!(
             alone.pixels() == colours.pixels(),
             "the same to the last bit"
@@ -123,7 +125,8 @@ fn the_smallest_limits_draw_the_same_and_refuse_in_a_line() {
             assert_eq!(differing(&whole.1, &drawn.1), 0);
         }
         let view = overview([8193, 3]);
-        let error = sightline::render::render(&small, &scene, &view, None).expect_err("too large");
+        let error = sightline::render::render(&small, &scene, &view, None, Background::DARK)
+            .expect_err("too large");
         assert!(matches!(error, GpuError::PictureTooLarge { .. }), "{error}");
         let line = error.to_string();
         assert_eq!(line.lines().count(), 1, "{line}");

@@ -1,6 +1,7 @@
 //! Drawn pictures look right: like the ray caster's, with marks, lines and culling.
 #![cfg(feature = "window")]
 
+mod backgrounds;
 #[path = "../common/mod.rs"]
 mod common;
 #[path = "../common/images.rs"]
@@ -22,6 +23,7 @@ use sightline::{
     camera::View,
     geometry::Sides,
     image::{Id, Image, Rgb},
+    look::Background,
     pick,
     render::{Gpu, GpuError, Line, Marks, MeshStore, Renderer, SceneBuffers, Targets},
     scene::Scene,
@@ -132,7 +134,7 @@ fn drawn_colours_equal_cast_colours() {
             0,
             "a picture without marks is a copy"
         );
-        let (cast_ids, cast) = pick::raycast(&scene, &view);
+        let (cast_ids, cast) = pick::raycast(&scene, &view, Background::DARK);
         show("drawn", &colours);
         show("cast", &cast);
         let mut compared = 0;
@@ -171,7 +173,10 @@ fn hidden_objects_are_absent() {
     }
     let left = kept.ids(&scene);
     assert!(
-        differing(&left, &pick::raycast(&scene, &kept.view).0) < 20,
+        differing(
+            &left,
+            &pick::raycast(&scene, &kept.view, Background::DARK).0
+        ) < 20,
         "hidden for both"
     );
     for hidden in [2, 3, 8, 10, 11] {
@@ -209,7 +214,7 @@ fn culling_hides_what_faces_away() {
             ..view
         };
         let (front, colours, _) = draw(&gpu, &scene, &view, &[], &Marks::default(), 1);
-        let (picked, cast) = pick::raycast(&scene, &view);
+        let (picked, cast) = pick::raycast(&scene, &view, Background::DARK);
         assert_ne!(front, both, "something faces away");
         let same = |(x, y): &(u32, u32)| front.at(*x, *y) == picked.at(*x, *y);
         let agree: Vec<_> = front.positions().filter(same).collect();
@@ -262,24 +267,26 @@ fn pictures_of_any_shape_are_drawn_or_refused_in_a_line() {
     let scene = shapes(DVec3::ZERO);
     for size in [[1, 1], [4097, 3], [3, 1025]] {
         let view = overview(size);
-        let ids = sightline::render::render(&gpu, &scene, &view, Some(1))
+        let ids = sightline::render::render(&gpu, &scene, &view, Some(1), Background::DARK)
             .expect("fits")
             .0;
         assert!(
-            differing(&ids, &pick::raycast(&scene, &view).0) < 20,
+            differing(&ids, &pick::raycast(&scene, &view, Background::DARK).0) < 20,
             "{size:?}"
         );
     }
     let limit = gpu.device.limits().max_texture_dimension_2d;
     let view = overview([97, 61]);
-    let (_, colours) = sightline::render::render(&gpu, &scene, &view, None).expect("fits");
-    let alone = sightline::render::picture(&gpu, &scene, &view).expect("fits");
+    let (_, colours) =
+        sightline::render::render(&gpu, &scene, &view, None, Background::DARK).expect("fits");
+    let alone = sightline::render::picture(&gpu, &scene, &view, Background::DARK).expect("fits");
     assert!(
         alone.pixels() == colours.pixels(),
         "the same without ids to the last bit"
     );
     let view = overview([limit + 1, 3]);
-    let error = sightline::render::render(&gpu, &scene, &view, None).expect_err("too large");
+    let error = sightline::render::render(&gpu, &scene, &view, None, Background::DARK)
+        .expect_err("too large");
     assert!(matches!(error, GpuError::PictureTooLarge { .. }), "{error}");
     assert!(
         !error.to_string().contains('\n') && error.to_string().contains(&format!("{limit}")),
@@ -292,8 +299,9 @@ fn an_empty_scene_is_all_background() {
     let gpu = gpu();
     let view = overview([64, 48]);
     let (ids, colours) =
-        sightline::render::render(&gpu, &Scene::default(), &view, None).expect("draws");
-    let (cast_ids, cast) = pick::raycast(&Scene::default(), &view);
+        sightline::render::render(&gpu, &Scene::default(), &view, None, Background::DARK)
+            .expect("draws");
+    let (cast_ids, cast) = pick::raycast(&Scene::default(), &view, Background::DARK);
     assert_eq!(differing(&ids, &cast_ids), 0);
     let pairs = colours.pixels().iter().zip(cast.pixels());
     assert!(pairs.into_iter().all(|(&a, &b)| !apart(a, b, 1)));

@@ -1,7 +1,7 @@
 //! The selection, lines and wireframes are drawn over the scene and change no id.
 
 use crate::{
-    common::orthographic,
+    common::{mesh, orthographic, perspective, view},
     differing, draw,
     images::apart,
     overview,
@@ -10,11 +10,13 @@ use crate::{
 };
 use glam::{DVec3, dvec3};
 use sightline::{
-    camera::{DepthMapping, Lens, View},
+    camera::{DepthMapping, Lens, View, Viewport},
     colour::Srgb,
+    geometry::Placement,
     image::{Image, Rgb},
     look,
     render::{Line, Marks, Renderer, SceneBuffers, Targets, Wireframe},
+    scene::{Object, Scene, Shape},
 };
 
 #[test]
@@ -224,4 +226,58 @@ fn a_wireframe_is_not_in_the_ids() {
             assert!(beside * 3 < one.len(), "{beside} of {}", one.len());
         }
     }
+}
+
+/// Edges that are far apart are dark. Where they are dense they fade, so that the form of a fine mesh is seen through
+/// its wireframe.
+#[test]
+fn a_wireframe_fades_where_it_is_dense() {
+    let gpu = &gpu();
+    let view = view(
+        [0.0, 0.0, 3.0],
+        [0.0, 0.0, 0.0],
+        perspective(40.0, 0.1, 100.0),
+        [400, 400],
+    );
+    // Squares of the plane through the target, which is 366 pixels wide.
+    let plane = |squares: u32| {
+        let side = squares + 1;
+        #[expect(clippy::cast_precision_loss, reason = "few squares")]
+        let place = |i| 2.0 * i as f32 / squares as f32 - 1.0;
+        let positions = (0..side * side).map(|i| [place(i % side), place(i / side), 0.0]);
+        let corners = (0..squares * squares).flat_map(|i| {
+            let at = i % squares + i / squares * side;
+            [[at, at + 1, at + side], [at + 1, at + side + 1, at + side]]
+        });
+        let shape = Shape::Mesh {
+            mesh: mesh(positions.collect(), corners.collect(), DVec3::ZERO),
+            part: 0,
+        };
+        Scene::from_iter([Object::new("plane", shape, Placement::IDENTITY)])
+    };
+    // How dark the wireframe makes the darkest pixel, and all of them in the mean.
+    let darker = [4, 40, 180].map(|squares| {
+        let scene = plane(squares);
+        let buffers = SceneBuffers::upload(gpu, &scene).expect("fits");
+        let targets = Targets::new(gpu, view.viewport, 4).expect("fits");
+        let mut renderer = Renderer::new(gpu, 4);
+        let mut light = |wireframe| {
+            renderer.wireframe = wireframe;
+            let drawn = renderer.draw((&buffers, &targets, &view), &[]);
+            drawn.expect("draws");
+            let colours = targets.read_colours(gpu).expect("colours");
+            let within = colours.part([60, 60], Viewport::new(280, 280).expect("a size"));
+            let light = within.pixels().iter();
+            let light = light.map(|pixel| look::luminance(Srgb(*pixel).to_linear()));
+            let light: Vec<_> = light.collect();
+            let least = light.iter().copied().fold(f32::INFINITY, f32::min);
+            [least, light.iter().sum::<f32>()]
+        };
+        let [plain, wired] = [light(None), light(Some(Wireframe::OfAll))];
+        [0, 1].map(|i| 1.0 - wired[i] / plain[i])
+    });
+    let [[sparse, few], [_, between], [dense, many]] = darker;
+    assert!(sparse > 0.6, "{darker:?}");
+    assert!(few > 0.01 && between < 0.3 && many < 0.1, "{darker:?}");
+    assert!(dense < 0.35, "{darker:?}");
 }

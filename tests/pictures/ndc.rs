@@ -14,6 +14,7 @@ use sightline::{
     camera::{Camera, DepthMapping, Lens, NdcSpace, Projection, View, Viewport},
     geometry::Sides,
     image::{Id, Image, Pixel, Rgb},
+    look::Background,
     pick,
     render::{Gpu, Marks, MeshStore, Renderer, SceneBuffers, Targets},
     scene::Scene,
@@ -79,7 +80,7 @@ fn draw(gpu: &Gpu, scene: &Scene, ndc: NdcSpace, observer: &View) -> (Image<Id>,
 
 fn cast(scene: &Scene, ndc: NdcSpace, observer: &View) -> Image<Pixel> {
     let deadline = Instant::now() + Duration::from_mins(10);
-    pick::raycast_ndc_until(scene, &ndc, observer, deadline).expect("in time")
+    pick::raycast_ndc_until(scene, &ndc, observer, Background::DARK, deadline).expect("in time")
 }
 
 /// How many pixels of two pictures show different triangles or objects. Near outlines they may: spheres are meshes in

@@ -13,6 +13,7 @@ use sightline::{
     colour::Srgb,
     geometry::{Placement, Section, Sides},
     image::{Image, Pixel, Rgb},
+    look::Background,
     pick,
     render::{Gpu, Line, Marks, Renderer, SMOOTH_SAMPLES, SceneBuffers, Targets, picture},
     scene::{Object, Scene, Shape},
@@ -46,7 +47,7 @@ fn by_rays(
         hover: None,
     };
     let deadline = Instant::now() + Duration::from_mins(10);
-    let pixels = pick::raycast_until(scene, view, deadline).expect("in time");
+    let pixels = pick::raycast_until(scene, view, Background::DARK, deadline).expect("in time");
     let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
     let targets = Targets::new(gpu, view.viewport, samples).expect("fits");
     let mut renderer = Renderer::new(gpu, samples);
@@ -127,7 +128,7 @@ fn pixels_that_rays_found_look_as_if_drawn() {
 fn a_picture_that_is_not_done_in_time_is_none() {
     let scene = shapes(DVec3::ZERO);
     let view = overview([64, 40]);
-    assert!(pick::raycast_until(&scene, &view, Instant::now()).is_none());
+    assert!(pick::raycast_until(&scene, &view, Background::DARK, Instant::now()).is_none());
 }
 
 /// A face in the section's plane hides what lies behind it, in smooth colours too.
@@ -145,8 +146,8 @@ fn a_face_in_the_plane_is_drawn_as_a_whole() {
     };
     let camera = top.camera.with_lens(parallel).expect("a camera");
     for view in [top, View { camera, ..top }] {
-        let drawn = picture(&gpu(), &scene, &view).expect("a picture");
-        let (ids, by_rays) = pick::raycast(&scene, &view);
+        let drawn = picture(&gpu(), &scene, &view, Background::DARK).expect("a picture");
+        let (ids, by_rays) = pick::raycast(&scene, &view, Background::DARK);
         let shown = ids.pixels().iter().filter(|id| id.object == 1).count();
         let differ = differing_where(&drawn, &by_rays, |a, b, _| apart(a, b, 20));
         assert!(shown > 2000, "{shown}");

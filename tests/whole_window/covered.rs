@@ -31,7 +31,7 @@ fn the_bar_names_no_group_before_one_without_names() {
         let mut window = demo(SIZE);
         window.resize(px([width, 720], 1.0));
         // One of each group. An icon alone is narrower than this.
-        let tools = ["Reload", "Undo", "Reset", "Grid", "Help", "Compare"];
+        let tools = ["Reload", "Undo", "Frame all", "Freeze"];
         let shown = tools.into_iter().filter(|tool| has_control(&window, tool));
         let names: Vec<_> = shown
             .map(|tool| control(&window, tool).rect.width() > 40.0)

@@ -62,7 +62,7 @@ fn a_press_on_a_panel_never_moves_the_camera() {
     let (mut window, _folder) = row(1.0);
     let before = *window.state().view();
     // A control of the list, one of the inspector, and one of the toolbar.
-    for name in ["search", "position", "Reset"] {
+    for name in ["search", "position", "Views"] {
         let panel = control(&window, name).rect.center();
         drag(&mut window, PointerButton::Primary, panel, MIDDLE);
         drag(&mut window, PointerButton::Secondary, panel, MIDDLE);

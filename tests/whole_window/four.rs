@@ -261,7 +261,7 @@ fn a_row_under_the_cursor_lights_what_it_does() {
     assert_eq!(window.state().row(), None);
 }
 
-/// Shift+F12 writes what the window shows in the picture's place: the four views with their labels.
+/// A screenshot of the picture is what the window shows in the picture's place: the four views with their labels.
 #[test]
 fn the_views_are_saved_alone_with_their_labels() {
     let (mut window, folder) = four();
@@ -271,7 +271,7 @@ fn the_views_are_saved_alone_with_their_labels() {
     let [object, .., ndc] = rects(&window);
     let place = object.union(ndc);
     for number in 1..=2 {
-        press_key(&mut window, Modifiers::SHIFT, Key::F12);
+        shoot(&mut window, &[]);
         window.picture().expect("a picture");
         let saved = folder.path().join(format!("sightline-{number}.png"));
         let saved = super::images::read(&saved);

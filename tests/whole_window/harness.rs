@@ -6,7 +6,8 @@
 
 use crate::dropped::Dropped;
 use egui::{
-    Context, Event, OutputCommand, RawInput, Rect, Role, Shape, TexturesDelta, Theme, UiBuilder,
+    ColorImage, Context, Event, OutputCommand, RawInput, Rect, Role, Shape, TexturesDelta, Theme,
+    UiBuilder,
     accesskit::{Action, Toggled},
     epaint::ClippedShape,
     pos2,
@@ -45,6 +46,7 @@ pub struct Window {
     size: Viewport,
     time_s: f64,
     copied: Option<String>,
+    copied_picture: Option<ColorImage>,
     controls: Vec<Control>,
     is_settled: bool,
     due: Due,
@@ -124,6 +126,7 @@ impl Window {
             time_s: harness.ctx.input(|input| input.time),
             harness,
             copied: None,
+            copied_picture: None,
             controls: Vec::new(),
             is_settled: false,
             due: due.clone(),
@@ -314,8 +317,10 @@ impl Window {
         input.events = events;
         self.harness.step();
         for command in &self.harness.output().platform_output.commands {
-            if let OutputCommand::CopyText(text) = command {
-                self.copied = Some(text.clone());
+            match command {
+                OutputCommand::CopyText(text) => self.copied = Some(text.clone()),
+                OutputCommand::CopyImage(picture) => self.copied_picture = Some(picture.clone()),
+                _ => {}
             }
         }
     }
@@ -411,6 +416,11 @@ impl Window {
     /// What was put on the clipboard last.
     pub fn copied(&self) -> Option<&str> {
         self.copied.as_deref()
+    }
+
+    /// The picture that was put on the clipboard last.
+    pub fn copied_picture(&self) -> Option<&ColorImage> {
+        self.copied_picture.as_ref()
     }
 
     /// Whether the user has closed it.

@@ -61,7 +61,7 @@ fn nothing_in_view_always_offers_a_way_that_helps() {
     let [nothing, fit] = BETWEEN;
     let planes = [("near", "50", ("far", "100")), ("far", "2", ("near", "1"))];
     for (plane, typed, other) in planes {
-        for way in [fit, "A", "Reset"] {
+        for way in [fit, "A", "Home"] {
             let (mut window, _folder) = row(1.0);
             assert!(!has_control(&window, nothing));
             // The other plane is set first, because near must stay before far.
@@ -72,6 +72,7 @@ fn nothing_in_view_always_offers_a_way_that_helps() {
             assert!(has_control(&window, nothing), "{plane}");
             match way {
                 "A" => press_key(&mut window, NONE, Key::A),
+                "Home" => press_key(&mut window, NONE, Key::Home),
                 button => click_on(&mut window, button),
             }
             assert!(!has_control(&window, nothing), "{plane}: {way} helps");

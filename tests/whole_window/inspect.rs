@@ -3,50 +3,6 @@
 use super::*;
 use sightline::viewer::model::Overlay;
 
-/// The files that F12 wrote, oldest first.
-fn screenshots(folder: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder).expect("a folder");
-    let mut files: Vec<_> = entries
-        .map(|entry| entry.expect("an entry").path())
-        .filter(|path| path.extension().is_some_and(|extension| extension == "png"))
-        .collect();
-    files.sort();
-    files
-}
-
-#[test]
-fn f12_saves_what_is_on_screen_and_never_over_a_file() {
-    let (mut window, folder) = row(1.0);
-    window.save_screenshots_in(folder.path().to_owned());
-    click(&mut window, MIDDLE);
-    press_key(&mut window, Modifiers::NONE, Key::F12);
-    let shown = window.picture().expect("a picture");
-    let files = screenshots(folder.path());
-    assert_eq!(files, [folder.path().join("sightline-1.png")]);
-    let saved = images::read(&files[0]);
-    assert_eq!(saved.size(), shown.size());
-    // Only the message about saving is new.
-    let differ = (saved.pixels().iter().zip(shown.pixels()))
-        .filter(|(a, b)| a != b)
-        .count();
-    assert!(differ < 30_000, "{differ}");
-    assert!(
-        window
-            .messages()
-            .any(|text| text.contains("sightline-1.png"))
-    );
-    let before = std::fs::read(&files[0]).expect("a file");
-    press_key(&mut window, Modifiers::NONE, Key::F12);
-    window.picture().expect("a picture");
-    assert_eq!(screenshots(folder.path()).len(), 2);
-    assert_eq!(std::fs::read(&files[0]).expect("a file"), before);
-
-    window.save_screenshots_in(folder.path().join("not there"));
-    press_key(&mut window, Modifiers::NONE, Key::F12);
-    window.picture().expect("a picture");
-    assert!(window.messages().any(|text| text.contains("not there")));
-}
-
 #[test]
 fn a_camera_is_copied_and_pasted_by_keys() {
     let (mut window, _folder) = row(1.0);

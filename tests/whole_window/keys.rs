@@ -133,14 +133,14 @@ fn shortcuts_work_from_wherever_tab_leads() {
     assert_eq!(seen.len(), 6, "{seen:?}");
     // Enter and Space press the button that has the focus; Esc takes the focus away.
     let view = *window.state().view();
-    tab_to(&mut window, "Help");
+    tab_to(&mut window, "Screenshot\u{2026}");
     press_key(&mut window, NONE, Key::Enter);
     assert!(
-        has_control(&window, "Keys and mouse"),
+        has_control(&window, "save the screenshot"),
         "the button was pressed"
     );
     press_key(&mut window, NONE, Key::Escape);
-    assert!(!has_control(&window, "Keys and mouse"));
+    assert!(!has_control(&window, "save the screenshot"));
     assert_eq!(*window.state().view(), view, "and the view was not reset");
     click(&mut window, MIDDLE);
     press_key(&mut window, NONE, Key::Tab);
@@ -165,7 +165,7 @@ fn ctrl_s_saves_while_a_button_has_the_focus() {
     let (mut window, folder) = row(1.0);
     click(&mut window, MIDDLE);
     press_key(&mut window, Modifiers::SHIFT, Key::H);
-    tab_to(&mut window, "Help");
+    tab_to(&mut window, "Frame all");
     press_key(&mut window, CTRL, Key::S);
     assert!(window.has_dialog());
     let path = folder.path().join("kept.toml");
@@ -201,7 +201,7 @@ fn tab_walks_in_reading_order() {
         "Save\u{2026}",
         "Reload",
         "Frame all",
-        "Help",
+        "Overlays",
         "search",
         "show front",
         "front",
@@ -394,6 +394,9 @@ fn the_help_is_searched() {
     assert_eq!(window.state().grid(), grid);
     assert!(
         rows(&window) == [false; 3]
-            && has_control(&window, "Grid: with axes: x red, y green, z blue")
+            && has_control(
+                &window,
+                "Grid: on the ground, with axes: x red, y green, z blue"
+            )
     );
 }

@@ -167,7 +167,7 @@ fn all_of_the_menus_can_be_reached_at_any_width() {
         }
     }
     assert!(tools.is_sorted() && tools[0] < 6, "{tools:?}");
-    assert_eq!(tools[3..], [14, 14], "all of them");
+    assert_eq!(tools[3..], [13, 13], "all of them");
     // What is in a menu works.
     let (mut window, _folder) = row(1.0);
     window.resize(px([640, 400], 1.0));

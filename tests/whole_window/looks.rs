@@ -216,30 +216,6 @@ fn what_is_done_is_no_warning() {
 }
 
 #[test]
-fn the_picture_alone_is_saved() {
-    let (mut window, folder) = row(1.0);
-    window.save_screenshots_in(folder.path().to_owned());
-    press_key(&mut window, Modifiers::SHIFT, Key::F12);
-    let whole = window.picture().expect("a picture");
-    let alone = images::read(&folder.path().join("sightline-1.png"));
-    let viewport = window.state().view().viewport;
-    assert_eq!(alone.size(), viewport);
-    let left = control(&window, "edge of the left side").rect.right();
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a place in the window"
-    )]
-    let (left, top) = (left.round() as u32, 720 - viewport.height() - 25);
-    // Nothing lies over the picture's middle.
-    let mut same = 0;
-    for (x, y) in (300..460).flat_map(|x| (200..400).map(move |y| (x, y))) {
-        same += usize::from(alone.at(x, y) == whole.at(left + x, top + y));
-    }
-    assert_eq!(same, 160 * 200);
-}
-
-#[test]
 fn f11_fills_the_screen_and_comes_back() {
     let (mut window, _folder) = row(1.0);
     for full in [true, false] {

@@ -38,6 +38,7 @@ mod rest;
 mod saving;
 mod section;
 mod selecting;
+mod shots;
 mod sides;
 mod stalls;
 mod tour;
@@ -149,7 +150,7 @@ fn drag(window: &mut Window, with: PointerButton, from: Pos2, to: Pos2) {
     window.send([button(to, with, false)]);
 }
 
-/// The control of this name, or else the text of this name.
+/// The control of this name, or else the text of this name. Of a heading and a tool, it is the heading.
 #[track_caller]
 fn control<'a>(window: &'a Window, name: &str) -> &'a Control {
     let named = || {
@@ -158,7 +159,9 @@ fn control<'a>(window: &'a Window, name: &str) -> &'a Control {
             .iter()
             .filter(|control| control.name == name)
     };
-    let of_use = named().find(|control| control.role != Role::Label);
+    let of_use = || named().filter(|control| control.role != Role::Label);
+    let below_the_bar = of_use().find(|control| control.rect.top() > 25.0);
+    let of_use = below_the_bar.or_else(|| of_use().next());
     of_use.or_else(|| named().next()).unwrap_or_else(|| {
         let all = window.controls().iter();
         let names: Vec<_> = all.map(|control| &control.name).collect();
@@ -242,6 +245,20 @@ fn press(key: Key) -> Event {
 
 fn press_key(window: &mut Window, modifiers: Modifiers, key: Key) {
     window.send([true, false].map(|pressed| key_event(modifiers, key, pressed)));
+}
+
+/// Takes a screenshot to a file, after clicking these controls of its card, if any.
+#[track_caller]
+fn shoot(window: &mut Window, choices: &[&str]) {
+    press_key(window, Modifiers::NONE, Key::F12);
+    for choice in choices {
+        click_on(window, choice);
+    }
+    if choices.is_empty() {
+        press_key(window, Modifiers::NONE, Key::Enter);
+    } else {
+        click_on(window, "save the screenshot");
+    }
 }
 
 /// The pixel whose top left corner is nearest to a point of the window, at scale 1.

@@ -2,7 +2,11 @@
 
 use super::*;
 use egui::vec2;
-use sightline::{camera::View, look, pick, render};
+use sightline::{
+    camera::View,
+    look::{self, Background},
+    pick, render,
+};
 
 /// The top left corner of the scene's rectangle, which is centred in the window's room for it.
 fn corner(window: &Window) -> [u32; 2] {
@@ -56,8 +60,8 @@ fn what_moves_is_exact_where_it_is_little() {
     let at_rest = window.picture().expect("a picture");
     let (state, [left, top]) = (window.state(), corner(&window));
     let gpu = render::Gpu::headless().unwrap_or_else(|error| panic!("{error}"));
-    let (ids, colours) =
-        render::render(&gpu, state.scene(), state.view(), None).expect("a picture");
+    let (ids, colours) = render::render(&gpu, state.scene(), state.view(), None, Background::DARK)
+        .expect("a picture");
     for (x, y) in inner() {
         assert_eq!(colours.at(x, y), at_rest.at(left + x, top + y), "{x}, {y}");
     }
@@ -201,7 +205,7 @@ fn is_by_rays(window: &Window, side: u32) -> bool {
         viewport: size.expect("a viewport"),
         ..*view
     };
-    let (ids, colours) = pick::raycast(window.state().scene(), &coarse);
+    let (ids, colours) = pick::raycast(window.state().scene(), &coarse, Background::DARK);
     // Nothing lies over the picture there.
     let within = 120 / side..390 / side;
     let each = || (within.clone()).flat_map(|y| within.clone().map(move |x| (x, y)));

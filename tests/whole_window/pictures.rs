@@ -9,7 +9,8 @@ use super::{
 use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
 use glam::DVec2;
 use sightline::{
-    image::{Image, Rgb},
+    image::{Image, Picture, Rgb},
+    look::Backdrop,
     scene::{self, Progress},
     viewer::{Options, model::Views, picture_of_views},
 };
@@ -177,8 +178,8 @@ fn panels_look_as_they_did() {
 #[test]
 fn goldens_leave_the_scene_out() {
     for (name, least) in [("small", 100), ("section", 100)] {
-        // Wireframe, normals and boxes are in the scene alone.
-        let (picture, is_panels) = pictured(name, &[Key::W, Key::L, Key::X]);
+        // Wireframe, normals, boxes and the grid are in the scene alone.
+        let (picture, is_panels) = pictured(name, &[Key::W, Key::L, Key::X, Key::G]);
         let golden = read(&golden(name));
         assert_eq!(
             differing_visibly(&picture, &golden, &is_panels),
@@ -253,9 +254,12 @@ fn readme_shows_these_four_views() {
     };
     let size = px([1600, 1000], 1.0);
     let demo = scene::load(&[], &Progress::default()).expect("the demo");
-    let picture = picture_of_views(demo, options, size, Some(DVec2::new(820.5, 540.5)));
+    let clicked = Some(DVec2::new(820.5, 540.5));
+    let picture = picture_of_views(demo, options, size, clicked, Backdrop::Dark);
     let path = here("../../assets/four.png");
-    let picture = picture.expect("a picture");
+    let Ok(Picture::Opaque(picture)) = picture else {
+        panic!("{picture:?}");
+    };
     compare_whole(&picture, &path, picture.pixels().len() / 20);
 }
 
@@ -273,9 +277,9 @@ fn the_views_are_of_what_was_loaded() {
         ..Options::default()
     };
     let size = px([640, 400], 1.0);
-    let of = |loaded| picture_of_views(loaded, options.clone(), size, None).expect("a picture");
+    let of = |loaded| picture_of_views(loaded, options.clone(), size, None, Backdrop::Dark);
     let loaded = load();
     let before = of(load());
     std::fs::remove_file(path).expect("a file");
-    assert_eq!(of(loaded).pixels(), before.pixels());
+    assert_eq!(of(loaded).expect("a picture"), before.expect("a picture"));
 }

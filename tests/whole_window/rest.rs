@@ -3,6 +3,7 @@
 use super::{images::differing, *};
 use sightline::{
     image::{Image, Rgb},
+    look::Background,
     render,
 };
 
@@ -40,7 +41,8 @@ fn edges_get_smooth_at_rest_at_one_blow() {
     // It equals the picture of `sightline render`.
     let state = window.state();
     let gpu = render::Gpu::headless().unwrap_or_else(|error| panic!("{error}"));
-    let (_, headless) = render::render(&gpu, state.scene(), state.view(), None).expect("a picture");
+    let (_, headless) = render::render(&gpu, state.scene(), state.view(), None, Background::DARK)
+        .expect("a picture");
     let size = state.view().viewport;
     let at_rest = pictures.last().expect("one");
     // The picture is centred in the window's room for it.
@@ -60,7 +62,8 @@ fn the_picture_is_shown_pixel_by_pixel() {
         let state = window.state();
         let gpu = render::Gpu::headless().unwrap_or_else(|error| panic!("{error}"));
         let (_, headless) =
-            render::render(&gpu, state.scene(), state.view(), None).expect("a picture");
+            render::render(&gpu, state.scene(), state.view(), None, Background::DARK)
+                .expect("a picture");
         let size = state.view().viewport;
         let edge = control(&window, "edge of the left side").rect;
         #[expect(

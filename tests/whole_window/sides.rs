@@ -60,7 +60,8 @@ fn what_unfolds_moves_only_what_is_below() {
         window.resize(px([1280, 1400], 1.0));
         let heading = |window: &Window, name: &str| {
             let mut all = window.controls().iter();
-            let here = all.find(|control| control.name == name && control.rect.left() > 970.0);
+            let is_there = |rect: Rect| rect.left() > 970.0 && rect.top() > 25.0;
+            let here = all.find(|control| control.name == name && is_there(control.rect));
             here.expect("a heading").rect
         };
         let above = |window: &Window| {

@@ -19,6 +19,7 @@ impl App {
             return;
         }
         let clicks = matches!(action, Action::Click(..));
+        let was_measuring = self.state.measuring().is_on;
         let start = Instant::now();
         let (method, scene) = (self.state.method(), self.state.scene_revision());
         let picked = self.state.apply(action);
@@ -30,6 +31,9 @@ impl App {
                 Some(_) => Checking::Wanted,
                 None => Checking::Off,
             };
+        }
+        if self.state.measuring().is_on && !was_measuring {
+            self.arrangement.show(Topic::Measure);
         }
         if clicks {
             if self.host == Host::Window {

@@ -2,7 +2,7 @@
 
 use super::{
     modal::Modal,
-    program::{App, Host, Shot},
+    program::{App, Host},
     saved::NO_DIALOG,
     wake::{PathFor, Wake},
 };
@@ -74,8 +74,10 @@ impl App {
                 Ok(()) => self.succeeded(Attempt::Paste),
                 Err(reason) => self.failed(Attempt::Paste, reason),
             },
-            Command::Screenshot { alone } => {
-                self.screenshots.wanted = Some(Shot { alone });
+            Command::ToggleScreenshot => self.screenshots.is_open ^= true,
+            Command::Shoot(shot, to) => {
+                self.screenshots.is_open = false;
+                self.screenshots.wanted = Some((shot, to));
                 self.context.request_repaint();
             }
             Command::Copy(text) => self.copy(text, "copied"),
@@ -134,6 +136,8 @@ impl App {
             self.act(Action::Measure(MeasureAction::Toggle));
         } else if self.stop_loading() {
             // `stop_loading` did it.
+        } else if self.screenshots.is_open {
+            self.screenshots.is_open = false;
         } else if self.helps {
             self.helps = false;
         } else if self.dismiss_latest() {
@@ -153,7 +157,7 @@ impl App {
 
     /// Puts a text on the clipboard, and says so.
     fn copy(&mut self, text: String, done: &str) {
-        self.copied = Some(text);
+        self.copied = Some(egui::OutputCommand::CopyText(text));
         self.succeeded(Attempt::Copy);
         self.say(done.into());
     }

@@ -5,16 +5,15 @@ use super::{
     checks::painted,
     in_turn::in_turn,
     modal::Modal,
-    program::{App, Host, Shot},
+    program::{App, Host},
     rest::REST_S,
 };
 use crate::{
-    camera::Viewport,
     render::GpuError,
     viewer::{
         model::{Action, Seen},
-        screen::{Canvas, Laid, SceneRect, Screen, Updated, write_screenshot},
-        ui::{self, Attempt, Command, Notices, Shown, Topic},
+        screen::{Canvas, Laid, Screen, Updated},
+        ui::{self, Command, Notices, Shown, Topic},
     },
 };
 use std::{
@@ -92,7 +91,8 @@ impl App {
             place: self.place,
             panes: self.panes.clone(),
             primitives: self.context.tessellate(shapes, pixels_per_point),
-            background: ui::background(&self.context),
+            panels_on: ui::panels_on(&self.context),
+            background: (self.options.background).unwrap_or_else(|| ui::background(&self.context)),
             pixels_per_point,
             moves: self.rest.moves(self.state.all_to_show(), now_s),
         };
@@ -148,7 +148,8 @@ impl App {
         let underway = self.underway();
         let arrangement = self.arrangement.clone();
         // A screenshot without panels shows no passing messages either.
-        let is_shot = self.screenshots.wanted.is_some_and(|shot| shot.alone);
+        let wanted = self.screenshots.wanted;
+        let is_shot = wanted.is_some_and(|(shot, _)| !shot.has_panels);
         let offers_tour = !is_shot && self.offers_tour();
         let mut none = Notices::new();
         let due = mem::take(&mut self.late);
@@ -164,6 +165,7 @@ impl App {
             },
             underway,
             helps: self.helps,
+            shot: (self.screenshots.is_open).then_some(&mut self.screenshots.shot),
             tour: self.tour,
             offers_tour,
             question: match &self.modal {
@@ -214,8 +216,8 @@ impl App {
         if self.underway().is_some() {
             context.request_repaint_after(PROGRESS_EVERY);
         }
-        if let Some(text) = self.copied.take() {
-            context.copy_text(text);
+        if let Some(copied) = self.copied.take() {
+            context.send_cmd(copied);
         }
     }
 
@@ -271,41 +273,6 @@ impl App {
             }
         }
         updated.map(|updated| updated.anew)
-    }
-
-    /// Saves the frame that was just drawn, if a screenshot was asked for.
-    fn take_screenshot(&mut self, canvas: &mut Canvas, laid: &Laid, size: Viewport) {
-        let Some(Shot { alone }) = self.screenshots.wanted.take() else {
-            return;
-        };
-        let picture = match laid.place.filter(|_| alone) {
-            Some(place) if laid.panes.is_empty() => {
-                let bare = Laid {
-                    place: Some(SceneRect {
-                        origin_px: [0, 0],
-                        ..place
-                    }),
-                    panes: Vec::new(),
-                    primitives: Vec::new(),
-                    ..laid.clone()
-                };
-                canvas.picture(&self.state, &bare, place.viewport)
-            }
-            // The labels over the views belong to the panels.
-            Some(place) => (canvas.picture(&self.state, laid, size))
-                .map(|whole| whole.part(place.origin_px, place.viewport)),
-            None => canvas.picture(&self.state, laid, size),
-        };
-        let written = picture
-            .map_err(|error| error.to_string())
-            .and_then(|picture| write_screenshot(&self.screenshots.folder, &picture));
-        match written {
-            Ok(path) => {
-                self.succeeded(Attempt::Screenshot);
-                self.say(format!("saved {}", path.display()));
-            }
-            Err(text) => self.failed(Attempt::Screenshot, text),
-        }
     }
 }
 

@@ -16,6 +16,7 @@ mod remembering;
 mod rescue;
 mod rest;
 mod saved;
+mod shooting;
 mod touring;
 mod typesetting;
 mod wake;

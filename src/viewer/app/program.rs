@@ -30,18 +30,15 @@ use std::{
 /// How long a confirmation is shown, in seconds.
 const SAID_S: f64 = 4.0;
 
-/// What a screenshot shows.
-#[derive(Clone, Copy)]
-pub(in crate::viewer) struct Shot {
-    /// The picture without the panels.
-    pub alone: bool,
-}
-
 /// Screenshots.
 #[derive(Default)]
 pub(in crate::viewer) struct Screenshots {
-    /// What the next frame is saved as.
-    pub wanted: Option<Shot>,
+    /// Whether the card for them is open.
+    pub is_open: bool,
+    /// What the last one showed.
+    pub shot: Shot,
+    /// What the next frame is taken for.
+    pub wanted: Option<(Shot, ShotTo)>,
     /// The folder that they are written to; at first, the one that the program runs in.
     pub folder: PathBuf,
 }
@@ -120,8 +117,8 @@ pub(in crate::viewer) struct App {
     announced: u64,
     pub host: Host,
     pub statistics: Statistics,
-    /// The text that is to go on the clipboard.
-    pub copied: Option<String>,
+    /// What is to go on the clipboard.
+    pub copied: Option<egui::OutputCommand>,
     /// Whether the window covers all of the screen.
     pub fills_screen: bool,
     /// Where the panels leave room for the scene; `None` where there is none.

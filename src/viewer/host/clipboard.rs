@@ -1,4 +1,4 @@
-//! The system's clipboard, for text. What lies there may belong to a program that hands it over late or never, so a
+//! The system's clipboard: text both ways, pictures out. What lies there may belong to a program that hands it over late or never, so a
 //! thread asks for it, and the window goes on.
 
 use crate::viewer::app::{Wake, Waker};
@@ -24,17 +24,13 @@ const SILENT: &str = "nothing is pasted: the program that owns the clipboard doe
 
 /// The clipboard, as the window's thread has it.
 pub(super) struct Clipboard {
-    /// Takes copies; `None` if there is no clipboard.
-    board: Option<Board>,
+    /// Wayland's, for text.
+    wayland: Option<Box<egui_winit::State>>,
+    /// For all else; `None` if there is none, or none was needed yet.
+    other: Option<arboard::Clipboard>,
     /// Asks the thread that reads. It takes one question at a time.
     questions: SyncSender<()>,
     wake: Waker,
-}
-
-/// Where text is copied to.
-enum Board {
-    Wayland(Box<egui_winit::State>),
-    Other(arboard::Clipboard),
 }
 
 /// egui's side of a window, without a clipboard of its own.
@@ -54,18 +50,13 @@ pub(super) fn without_clipboard(
 impl Clipboard {
     /// The clipboard of a display. [`Wake::Pasted`] brings what is pasted.
     pub fn new(display: OwnedDisplayHandle, wake: Waker) -> Self {
-        let board = match of_wayland(&display) {
-            Some(board) => Some(Board::Wayland(Box::new(board))),
-            None => arboard::Clipboard::new()
-                .inspect_err(|error| log::warn!("there is no clipboard: {error}"))
-                .ok()
-                .map(Board::Other),
-        };
+        let wayland = of_wayland(&display).map(Box::new);
         let (questions, asked) = sync_channel(0);
         let answer = Arc::clone(&wake);
         thread::spawn(move || read(&display, &asked, &answer));
         Self {
-            board,
+            wayland,
+            other: None,
             questions,
             wake,
         }
@@ -82,23 +73,45 @@ impl Clipboard {
         }
     }
 
-    /// Executes egui's commands that copy text, and removes them.
+    /// Executes egui's commands that copy, and removes them.
     pub fn copy(&mut self, commands: &mut Vec<OutputCommand>) {
         commands.retain(|command| {
-            let OutputCommand::CopyText(text) = command else {
-                return true;
-            };
-            match &mut self.board {
-                Some(Board::Wayland(board)) => board.set_clipboard_text(text.clone()),
-                Some(Board::Other(board)) => {
-                    if let Err(error) = board.set_text(text) {
-                        log::error!("nothing is copied: {error}");
-                    }
+            let copied = match (command, &mut self.wayland) {
+                (OutputCommand::CopyText(text), Some(board)) => {
+                    board.set_clipboard_text(text.clone());
+                    Ok(())
                 }
-                None => {}
+                (OutputCommand::CopyText(text), None) => {
+                    self.other().and_then(|board| board.set_text(text))
+                }
+                (OutputCommand::CopyImage(picture), _) => {
+                    let [width, height] = picture.size;
+                    let pixels = picture.pixels.iter();
+                    let bytes = pixels
+                        .flat_map(egui::Color32::to_srgba_unmultiplied)
+                        .collect();
+                    let picture = arboard::ImageData {
+                        width,
+                        height,
+                        bytes,
+                    };
+                    self.other().and_then(|board| board.set_image(picture))
+                }
+                _ => return true,
+            };
+            if let Err(error) = copied {
+                (self.wake)(Wake::NotCopied(format!("nothing is copied: {error}")));
             }
             false
         });
+    }
+
+    /// It is kept: it answers for what was copied to it.
+    fn other(&mut self) -> Result<&mut arboard::Clipboard, arboard::Error> {
+        Ok(match self.other.take() {
+            Some(board) => self.other.insert(board),
+            None => self.other.insert(arboard::Clipboard::new()?),
+        })
     }
 }
 

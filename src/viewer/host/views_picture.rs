@@ -3,7 +3,8 @@
 use super::offscreen::Offscreen;
 use crate::{
     camera::Viewport,
-    image::{Image, Rgb},
+    image::Picture,
+    look::Backdrop,
     render::GpuError,
     scene::Loaded,
     viewer::{
@@ -23,7 +24,8 @@ pub fn picture_of_views(
     options: Options,
     size: Viewport,
     pick: Option<DVec2>,
-) -> Result<Image<Rgb>, GpuError> {
+    backdrop: Backdrop,
+) -> Result<Picture, GpuError> {
     let views = options.views;
     let options = Options {
         is_bare: true,
@@ -45,15 +47,18 @@ pub fn picture_of_views(
     for action in click.into_iter().chain([Action::Views(views)]) {
         program.app.act(action);
     }
-    for _ in 0..MOST_FRAMES {
-        program.finish_jobs();
-        // Edges get smooth at rest only.
-        program.frame(next_input(REST_S + FRAME_S), size).drawn?;
-        if program.is_settled() && !program.is_rough() {
-            break;
+    Picture::on(backdrop, |background| {
+        program.app.options.background = Some(background);
+        for _ in 0..MOST_FRAMES {
+            program.finish_jobs();
+            // Edges get smooth at rest only.
+            program.frame(next_input(REST_S + FRAME_S), size).drawn?;
+            if program.is_settled() && !program.is_rough() {
+                break;
+            }
         }
-    }
-    program.drawn()
+        program.drawn()
+    })
 }
 
 /// More frames than any picture takes.

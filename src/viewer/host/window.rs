@@ -157,6 +157,10 @@ impl ApplicationHandler<Wake> for Program {
                 self.app.failed(Attempt::Paste, reason.to_owned());
                 self.request_redraw();
             }
+            Wake::NotCopied(reason) => {
+                self.app.failed(Attempt::Copy, reason);
+                self.request_redraw();
+            }
             Wake::Desktop { is_dark } => {
                 let theme = if is_dark { Theme::Dark } else { Theme::Light };
                 if let Some(shell) = &mut self.shell {

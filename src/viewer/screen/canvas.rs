@@ -7,6 +7,7 @@ use super::{
 use crate::{
     camera::{View, Viewport},
     image::{Id, Image, Rgb},
+    look::Background,
     render::{Gpu, GpuError, MeshStore, Renderer, SMOOTH_SAMPLES, read_rgb, without_depth},
     viewer::model::{OnScreen, Stage, State, Subject},
 };
@@ -39,7 +40,9 @@ pub(in crate::viewer) struct Laid {
     pub panes: Vec<(Stage, SceneRect)>,
     /// The panels' triangles, and what is behind them.
     pub primitives: Vec<ClippedPrimitive>,
-    pub background: Color32,
+    pub panels_on: Color32,
+    /// What is behind the scene.
+    pub background: Background,
     /// Physical pixels for a point.
     pub pixels_per_point: f32,
     /// Whether the scene moves: its picture may then be coarse.
@@ -122,6 +125,7 @@ impl Canvas {
                 .extend(stages.filter_map(|picture| picture.name()));
         }
         self.brush.renderer.scale_factor = laid.pixels_per_point;
+        self.brush.renderer.background = laid.background;
         let mut all = Ok(Updated::default());
         for (stage, place) in places(laid) {
             let Some(subject) = subject(state, stage, place) else {
@@ -153,7 +157,7 @@ impl Canvas {
             pixels_per_point: laid.pixels_per_point,
         };
         let [r, g, b, a] = laid
-            .background
+            .panels_on
             .to_array()
             .map(|value| f64::from(value) / 255.0);
         let Brush { gpu, panels, .. } = &mut self.brush;

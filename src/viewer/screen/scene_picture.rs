@@ -7,6 +7,7 @@ use super::{
 use crate::{
     camera::{View, Viewport},
     image::{Id, Image, Pixel},
+    look::Background,
     pick::{raycast_ndc_until, raycast_until},
     render::{Gpu, GpuError, Marks, MeshStore, Renderer, SMOOTH_SAMPLES, Targets},
     viewer::model::{OnScreen, Subject},
@@ -103,7 +104,7 @@ impl ScenePicture {
         subject: &Subject,
         moves: bool,
     ) -> Result<Updated, GpuError> {
-        let wanted = Drawn::wanted(subject);
+        let wanted = Drawn::wanted(subject, brush.renderer.background);
         let finish = self.finish(brush, subject, &wanted, moves);
         let shown = self.shown.as_ref().filter(|shown| shown.of == wanted);
         let anew = shown.is_none_or(|shown| shown.finish < finish);
@@ -139,7 +140,7 @@ impl ScenePicture {
         brush: &mut Brush,
         subject: &Subject,
     ) -> Result<Option<Image<Id>>, GpuError> {
-        let wanted = Drawn::wanted(subject);
+        let wanted = Drawn::wanted(subject, brush.renderer.background);
         let is_drawn = |shown: &Shown| shown.of == wanted && !shown.is_by_rays;
         if !self.shown.as_ref().is_some_and(is_drawn) {
             self.to_draw = self.to_draw.max(1);
@@ -202,7 +203,7 @@ impl ScenePicture {
         let is_software = brush.gpu.is_software();
         let mut by_rays = None;
         if is_software && finish < Finish::Smooth && self.casts(subject, wanted, &through) {
-            by_rays = cast(subject, &through);
+            by_rays = cast(subject, &through, wanted.background);
             if by_rays.is_none() {
                 self.to_draw = DRAWN_AFTER_LATE;
             }
@@ -326,13 +327,13 @@ fn coarse(view: &View) -> View {
 }
 
 /// A picture by rays; `None` if they are late, as where each of them meets thousands of objects.
-fn cast(subject: &Subject, through: &View) -> Option<Image<Pixel>> {
+fn cast(subject: &Subject, through: &View, background: Background) -> Option<Image<Pixel>> {
     let rays = u32::try_from(pixels(through)).unwrap_or(u32::MAX);
     let most = (RAY_TAKES * rays).min(LONGEST);
     let deadline = Instant::now() + most;
     match subject.ndc() {
-        Some(ndc) => raycast_ndc_until(subject.scene, &ndc, through, deadline),
-        None => raycast_until(subject.scene, through, deadline),
+        Some(ndc) => raycast_ndc_until(subject.scene, &ndc, through, background, deadline),
+        None => raycast_until(subject.scene, through, background, deadline),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Writes a screenshot as a PNG file, under a name that is free.
 
-use crate::image::{Image, Rgb};
+use crate::image::Picture;
 use std::path::{Path, PathBuf};
 
 /// The path of `sightline-N` with this extension, N the first number that is free.
@@ -14,7 +14,7 @@ pub(in crate::viewer) fn free_file(folder: &Path, extension: &str) -> Result<Pat
 /// Writes `sightline-N.png`.
 pub(in crate::viewer) fn write_screenshot(
     folder: &Path,
-    picture: &Image<Rgb>,
+    picture: &Picture,
 ) -> Result<PathBuf, String> {
     let path = free_file(folder, "png")?;
     let written = picture.write_png(&path);

@@ -3,6 +3,7 @@
 use super::{frozen, grid, overlay_lines};
 use crate::{
     camera::{UpAxis, View},
+    look::Background,
     render::{Line, Wireframe},
     viewer::model::{Frozen, Lesson, OnScreen, Overlay, Overlays, Subject},
 };
@@ -11,6 +12,7 @@ use crate::{
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Drawn {
     pub view: View,
+    pub background: Background,
     pub revision: u64,
     visibility: u64,
     grid: Option<UpAxis>,
@@ -22,12 +24,13 @@ pub(super) struct Drawn {
 
 impl Drawn {
     /// The wanted picture.
-    pub fn wanted(subject: &Subject) -> Self {
+    pub fn wanted(subject: &Subject, background: Background) -> Self {
         let (overlays, selection) = (subject.overlays, subject.selection);
         Self {
             overlays: (overlays.in_scene())
                 .then(|| (overlays, selection, subject.scene.trees_are_built())),
             view: subject.view,
+            background,
             revision: subject.revision,
             visibility: subject.visibility,
             grid: subject.grid,

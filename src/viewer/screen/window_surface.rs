@@ -142,6 +142,7 @@ fn configuration(format: TextureFormat, window: &Window) -> SurfaceConfiguration
 #[cfg(all(test, target_os = "linux"))]
 mod tests {
     use super::*;
+    use crate::look::Background;
     use std::{env, process::Command};
     use winit::{
         application::ApplicationHandler,
@@ -173,7 +174,8 @@ mod tests {
                 place: None,
                 panes: Vec::new(),
                 primitives: Vec::new(),
-                background: egui::Color32::BLACK,
+                panels_on: egui::Color32::BLACK,
+                background: Background::DARK,
                 pixels_per_point: 1.0,
                 moves: false,
             };

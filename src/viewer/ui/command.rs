@@ -1,6 +1,8 @@
 //! What the user asks for through keys, buttons or menus.
 
 use crate::{
+    camera::Viewport,
+    look::Backdrop,
     scene::gallery::Exhibit,
     viewer::model::{Action, State},
 };
@@ -34,11 +36,10 @@ pub(in crate::viewer) enum Command {
     CopyCamera,
     /// Take over the camera in this text from the clipboard.
     Paste(String),
-    /// Write what is on screen into a PNG file.
-    Screenshot {
-        /// Without the panels.
-        alone: bool,
-    },
+    /// Show or hide the card that screenshots are taken from.
+    ToggleScreenshot,
+    /// Take a screenshot.
+    Shoot(Shot, ShotTo),
     /// Put this text on the clipboard.
     Copy(String),
     /// Select the object of the next row in the list, or of the one before.
@@ -98,6 +99,26 @@ impl Command {
             OpenDialog | SaveDialog | Open(_) | Add(_) | Reload | Quit
         )
     }
+}
+
+/// What a screenshot shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::viewer) struct Shot {
+    /// Whether it shows the whole window, in place of the picture alone.
+    pub has_panels: bool,
+    /// What is behind the scene; `None` for what is there on screen.
+    pub backdrop: Option<Backdrop>,
+    /// Its size; `None` for that on screen, which the four views and the panels always have.
+    pub size: Option<Viewport>,
+}
+
+/// Where a screenshot goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::viewer) enum ShotTo {
+    /// A new PNG file.
+    File,
+    /// The clipboard.
+    Clipboard,
 }
 
 /// Something that would drop unsaved edits or measures.

@@ -15,6 +15,14 @@ pub(in crate::viewer) fn leave_text(ctx: &Context) {
     }
 }
 
+/// Whether what has this name appears in this pass: it was not laid out in the pass before.
+pub(super) fn appears(ctx: &Context, name: &str) -> bool {
+    let pass = ctx.cumulative_pass_nr();
+    let id = Id::unique(("laid out in pass", name));
+    let last = ctx.data_mut(|data| mem::replace(data.get_temp_mut_or(id, 0), pass + 1));
+    last < pass
+}
+
 /// What had the focus when the keys of a pass were pressed. egui drops the focus before we see the key that dropped it.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Focus {

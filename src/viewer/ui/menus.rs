@@ -3,13 +3,14 @@
 
 use super::{
     command::{Command, TourMove},
+    icons::{self, Icon},
     panels::{Shown, Topic},
 };
 use crate::{
     geometry::Sides,
     viewer::{
         jobs::Checking,
-        model::{Action, Overlay},
+        model::{Action, MeasureAction, Overlay},
     },
 };
 use egui::{Key, Modifiers};
@@ -22,9 +23,16 @@ pub(in crate::viewer) struct Menu {
     /// What it is about.
     pub hint: &'static str,
     /// What it holds, in groups.
-    pub groups: Vec<Vec<Item>>,
+    pub groups: Vec<Group>,
     /// What else it holds.
     pub more: Option<More>,
+}
+
+/// Items of a menu that belong together.
+pub(in crate::viewer) struct Group {
+    pub items: Vec<Item>,
+    /// The name and the icon of the tool that opens all of them; `None` where the toolbar has those with icons.
+    pub tool: Option<(&'static str, Icon)>,
 }
 
 /// What a menu holds that changes.
@@ -43,8 +51,8 @@ pub(in crate::viewer) struct Item {
     pub hint: &'static str,
     /// The keys that ask for it.
     pub shortcuts: Vec<Shortcut>,
-    /// A glyph of the panels' own fonts; `None` where the toolbar does not have it.
-    pub icon: Option<&'static str>,
+    /// `None` where the toolbar does not have it.
+    pub icon: Option<Icon>,
     pub command: Command,
     /// Whether what it switches is on; `None` if it switches nothing.
     pub is_on: Option<Asks<bool>>,
@@ -83,7 +91,8 @@ pub(in crate::viewer) static SHORTCUTS: LazyLock<Vec<(Shortcut, &Command)>> = La
 
 /// All items, in order.
 pub(in crate::viewer) fn items() -> impl Iterator<Item = &'static Item> {
-    MENUS.iter().flat_map(|menu| menu.groups.iter().flatten())
+    let groups = MENUS.iter().flat_map(|menu| &menu.groups);
+    groups.flat_map(|group| &group.items)
 }
 
 /// The item that asks for a command.
@@ -136,7 +145,7 @@ impl Item {
         }
     }
 
-    fn icon(mut self, icon: &'static str) -> Self {
+    fn icon(mut self, icon: Icon) -> Self {
         self.icon = Some(icon);
         self
     }
@@ -160,6 +169,12 @@ impl Item {
     fn about_step(self, back: bool) -> Self {
         self.now(move |shown| shown.state.next_step(back).unwrap_or("nothing").to_owned())
             .of_use_if(move |shown| shown.state.next_step(back).is_some())
+    }
+}
+
+impl From<Vec<Item>> for Group {
+    fn from(items: Vec<Item>) -> Self {
+        Self { items, tool: None }
     }
 }
 
@@ -189,35 +204,31 @@ fn file() -> Menu {
             Command::OpenDialog,
             "OBJ and scene files; they can be dropped on the window, too, but not on Wayland",
         )
-        .icon("\u{1f4c2}"),
+        .icon(icons::OPEN),
         item(
             "Save\u{2026}",
             [(CTRL, Key::S)],
             Command::SaveDialog,
             "as a scene file",
         )
-        .icon("\u{1f4be}"),
+        .icon(icons::SAVE),
         item(
             "Reload",
             [(NONE, Key::R)],
             Command::Reload,
             "read the files again",
         )
-        .icon("\u{27f3}"),
+        .icon(icons::RELOAD),
     ];
     let pictures = vec![
         item(
-            "Screenshot",
+            "Screenshot\u{2026}",
             [(NONE, Key::F12)],
-            Command::Screenshot { alone: false },
-            "what is on screen as a PNG file",
-        ),
-        item(
-            "Screenshot of the picture",
-            [(SHIFT, Key::F12)],
-            Command::Screenshot { alone: true },
-            "as a PNG file, without the panels",
-        ),
+            Command::ToggleScreenshot,
+            "of the picture or the window, on any background, to a file or the clipboard",
+        )
+        .icon(icons::SCREENSHOT)
+        .on_if(|shown| shown.shot.is_some()),
     ];
     let quit = item(
         "Quit",
@@ -228,7 +239,7 @@ fn file() -> Menu {
     Menu {
         name: "File",
         hint: "open and save scenes and pictures",
-        groups: vec![files, pictures, vec![quit]],
+        groups: vec![files.into(), pictures.into(), vec![quit].into()],
         more: Some(More::Recent),
     }
 }
@@ -241,7 +252,7 @@ fn edit() -> Menu {
             Action::Undo,
             "take the last change back",
         )
-        .icon("\u{21a9}")
+        .icon(icons::UNDO)
         .about_step(true),
         item(
             "Redo",
@@ -249,7 +260,7 @@ fn edit() -> Menu {
             Action::Redo,
             "make it again",
         )
-        .icon("\u{21aa}")
+        .icon(icons::REDO)
         .about_step(false),
     ];
     let hiding = vec![
@@ -298,7 +309,9 @@ fn edit() -> Menu {
     Menu {
         name: "Edit",
         hint: "changes, what is hidden, what is selected, copies",
-        groups: vec![steps, hiding, selecting, surfaces(), copies()],
+        groups: [steps, hiding, selecting, surfaces(), copies()]
+            .map(Group::from)
+            .into(),
         more: None,
     }
 }
@@ -362,21 +375,19 @@ fn view() -> Menu {
             Action::FrameAll,
             "move the camera until all of the scene is in view",
         )
-        .icon("\u{26f6}"),
+        .icon(icons::FRAME),
         item(
             "Frame selection",
             [(NONE, Key::F)],
             Action::FrameSelection,
             "move the camera until what is selected fills the view",
-        )
-        .icon("\u{1f3af}"),
+        ),
         item(
             "Reset",
             [(NONE, Key::Enter), (NONE, Key::Home)],
             Action::ResetView,
             "the view that the scene opened with",
-        )
-        .icon("\u{1f3e0}"),
+        ),
     ];
     let look = |(name, modifiers, key, to_eye)| {
         let hint = "look at the scene from there";
@@ -398,6 +409,7 @@ fn view() -> Menu {
             Action::ToggleProjection,
             "in place of perspective",
         )
+        .icon(icons::ORTHOGRAPHIC)
         .on_if(|shown| shown.state.controls().orthographic),
         item(
             "Cull back faces",
@@ -412,6 +424,8 @@ fn view() -> Menu {
             Action::ToggleSection,
             "a plane cuts the scene open",
         )
+        .icon(icons::SECTION)
+        .of_use_if(|shown| !is_in_gallery(shown))
         .on_if(|shown| shown.state.view().section.is_some()),
     ];
     let window = vec![
@@ -427,30 +441,45 @@ fn view() -> Menu {
     Menu {
         name: "View",
         hint: "where the camera looks from, and what it leaves out",
-        groups: vec![framing, looking.map(look).into(), switches, window],
+        groups: vec![
+            framing.into(),
+            Group {
+                items: looking.map(look).into(),
+                tool: Some(("Views", icons::VIEWS)),
+            },
+            switches.into(),
+            window.into(),
+        ],
         more: None,
     }
 }
 
 fn show() -> Menu {
-    let around = vec![
-        item(
-            "Grid",
-            [(NONE, Key::G)],
-            Action::ToggleGrid,
-            "with axes: x red, y green, z blue",
-        )
-        .icon("\u{25a6}")
-        .on_if(|shown| shown.state.grid()),
+    let grid = item(
+        "Grid",
+        [(NONE, Key::G)],
+        Action::ToggleGrid,
+        "on the ground, with axes: x red, y green, z blue",
+    )
+    .on_if(|shown| shown.state.grid());
+    let modes = vec![
         item(
             "Freeze",
             [(NONE, Key::T)],
             Action::ToggleFreeze,
             "leave a copy of this camera in the scene, with the pick's ray, and look at it from elsewhere",
         )
-        .icon("\u{2744}")
+        .icon(icons::FREEZE)
         .on_if(|shown| shown.state.frozen().is_some())
         .of_use_if(|shown| shown.state.stages().is_empty()),
+        item(
+            "Measure",
+            [(NONE, Key::Q)],
+            Action::Measure(MeasureAction::Toggle),
+            "clicks snap to vertices and edges; distances, angles, areas",
+        )
+        .icon(icons::MEASURE)
+        .on_if(|shown| shown.state.measuring().is_on),
     ];
     let overlay = |(name, key, which, hint)| {
         let shows = move |shown: &Shown| shown.state.overlays().shows(which);
@@ -513,7 +542,16 @@ fn show() -> Menu {
     Menu {
         name: "Show",
         hint: "lines around the scene and over it",
-        groups: vec![around, overlays.map(overlay).into(), trees],
+        groups: vec![
+            modes.into(),
+            Group {
+                items: std::iter::once(grid)
+                    .chain(overlays.map(overlay))
+                    .chain(trees)
+                    .collect(),
+                tool: Some(("Overlays", icons::OVERLAYS)),
+            },
+        ],
         more: None,
     }
 }
@@ -526,7 +564,6 @@ fn learn() -> Menu {
             Command::ToggleFour,
             "object, world, view and NDC side by side, all live",
         )
-        .icon("\u{229e}")
         .on_if(|shown| !shown.state.stages().is_empty()),
         item(
             "Matrices",
@@ -534,7 +571,6 @@ fn learn() -> Menu {
             Command::TogglePipeline,
             "the matrices P, V and M, and the pick on its way through them",
         )
-        .icon("\u{25a4}")
         .on_if(|shown| shown.arrangement.shows(Topic::Matrices)),
         item(
             "Compare",
@@ -542,7 +578,6 @@ fn learn() -> Menu {
             Command::ToggleCheck,
             "each pixel as drawn with what a click there picks",
         )
-        .icon("\u{2714}")
         .on_if(|shown| !matches!(shown.checking, Checking::Off)),
     ];
     let help = vec![
@@ -563,7 +598,6 @@ fn learn() -> Menu {
             Command::ToggleHelp,
             "keys and mouse",
         )
-        .icon("\u{2753}")
         .on_if(|shown| shown.helps),
     ];
     let gallery = vec![
@@ -597,7 +631,7 @@ fn learn() -> Menu {
     Menu {
         name: "Learn",
         hint: "how a pick works, and where others break",
-        groups: vec![help, views, gallery],
+        groups: [help, views, gallery].map(Group::from).into(),
         more: Some(More::Exhibits),
     }
 }

@@ -2,6 +2,7 @@
 
 mod command;
 mod focus;
+mod icons;
 mod keys;
 mod menus;
 mod mouse;
@@ -10,11 +11,11 @@ mod panels;
 mod theme;
 mod tour;
 
-pub(super) use command::{Command, Intent, Reply, TourMove};
+pub(super) use command::{Command, Intent, Reply, Shot, ShotTo, TourMove};
 pub(super) use focus::leave_text;
 pub(super) use mouse::{Drag, moves_ahead};
 pub(super) use notice::{Attempt, Kind, Notice, Notices};
 pub(super) use panels::{Arrangement, Filter, Shown, Statistics, Sums, Topic, Underway, show};
-pub(super) use theme::{Look, background, color32, dress, note_missing};
+pub(super) use theme::{Look, background, color32, dress, note_missing, panels_on};
 pub use tour::tour_text;
 pub(super) use tour::{JustDone, Tour};

@@ -1,7 +1,11 @@
 //! How panels look, and which characters their own typefaces lack.
 
 use super::mouse;
-use crate::{colour::Srgb, look, viewer::jobs::Missing};
+use crate::{
+    colour::Srgb,
+    look::{self, Background},
+    viewer::jobs::Missing,
+};
 use egui::{
     Color32, FontId, Style, TextStyle, Theme, ThemePreference, epaint::text::FallbackRequest,
 };
@@ -63,6 +67,7 @@ impl Look {
 /// things.
 pub(in crate::viewer) fn dress(context: &egui::Context) {
     mouse::options(context);
+    egui_extras::install_image_loaders(context);
     // What commands change is laid out at once, and what appears in that pass is measured before it shows.
     context.options_mut(|options| options.max_passes = NonZeroUsize::MIN.saturating_add(2));
     let [dark, light] = look::WARNING;
@@ -94,9 +99,17 @@ pub(in crate::viewer) fn dress(context: &egui::Context) {
     }
 }
 
-/// What is behind the panels.
-pub(in crate::viewer) fn background(context: &egui::Context) -> Color32 {
+/// What the panels are painted on.
+pub(in crate::viewer) fn panels_on(context: &egui::Context) -> Color32 {
     context.theme().default_visuals().panel_fill
+}
+
+/// What is behind scenes: dark beside dark panels, light beside light ones.
+pub(in crate::viewer) fn background(context: &egui::Context) -> Background {
+    match context.theme() {
+        Theme::Dark => Background::DARK,
+        Theme::Light => Background::LIGHT,
+    }
 }
 
 /// Notes the characters that egui's own typefaces lack.

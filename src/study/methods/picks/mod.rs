@@ -14,6 +14,7 @@ use crate::{
     camera::View,
     geometry::{Mesh, Sides},
     image::{Id, Image},
+    look::Background,
     pick,
     render::{self, Renderer, SceneBuffers, Targets},
     scene::{Object, Scene, Shape},
@@ -86,7 +87,8 @@ impl PickWorld {
     /// The ids that a graphics adapter draws; `None` where there is no adapter.
     fn ids(&self) -> Option<&Image<Id>> {
         let draw = || {
-            let (ids, _) = render::render(gpu()?, &self.scene, &self.view, None).ok()?;
+            let (ids, _) =
+                render::render(gpu()?, &self.scene, &self.view, None, Background::DARK).ok()?;
             Some(ids)
         };
         self.ids.get_or_init(draw).as_ref()

@@ -50,9 +50,9 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, state: &State, commands: &mut Vec<Co
             "units"
         };
         let text = RichText::new(format!("grid step {} {unit}", short(step)));
-        let text = Label::new(text.color(Color32::from_gray(200))).selectable(false);
-        // Readable over light surfaces, too.
-        let plate = Frame::new().fill(Color32::from_black_alpha(90));
+        let text = Label::new(text.color(Color32::from_gray(220))).selectable(false);
+        // Readable over light surfaces and backgrounds, too.
+        let plate = Frame::new().fill(Color32::from_black_alpha(190));
         let plate = plate.corner_radius(3.0).inner_margin(vec2(4.0, 1.0));
         ui.scope_builder(inside, |ui| plate.show(ui, |ui| ui.add(text)).inner)
             .inner
@@ -71,7 +71,7 @@ fn middle(rect: Rect) -> Pos2 {
 pub(super) fn cross(ui: &mut Ui, rect: Rect, seen: &DMat3) -> Option<DVec3> {
     let middle = middle(rect);
     let painter = ui.painter().with_clip_rect(rect);
-    painter.circle_filled(middle, RADIUS, Color32::from_black_alpha(90));
+    painter.circle_filled(middle, RADIUS, Color32::from_black_alpha(140));
     let mut clicked = None;
     for end in ends(seen, middle) {
         let response = interact(ui, rect, &end);

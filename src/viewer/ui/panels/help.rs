@@ -3,6 +3,7 @@
 use super::{field::text_width, prelude::*, tour_card};
 use crate::viewer::ui::{
     command::TourMove,
+    focus::appears,
     menus::{Item, MENUS},
 };
 use egui::{Context, Id, Key, ScrollArea, TextEdit, TextStyle, Window};
@@ -104,15 +105,10 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
 /// The field for words, which is empty whenever the help opens. Returns what stands in it, in small letters, and whether
 /// Esc was pressed there.
 fn search(ui: &mut Ui) -> (String, bool) {
-    let (id, pass) = (
-        Id::unique("words in the help"),
-        ui.ctx().cumulative_pass_nr(),
-    );
-    // The words, and the pass that showed them last.
-    let known: Option<(String, u64)> = ui.data(|data| data.get_temp(id));
-    let known = known.filter(|(_, last)| last + 1 >= pass);
-    let is_new = known.is_none();
-    let (mut words, _) = known.unwrap_or_default();
+    let id = Id::unique("words in the help");
+    let is_new = appears(ui.ctx(), "help");
+    let known = ui.data(|data| data.get_temp::<String>(id));
+    let mut words = known.filter(|_| !is_new).unwrap_or_default();
     let field = TextEdit::singleline(&mut words).hint_text("search");
     let field = ui.add(field.desired_width(180.0)).named("search the help");
     // What is typed is for the help, and not for the scene behind it.
@@ -122,7 +118,7 @@ fn search(ui: &mut Ui) -> (String, bool) {
     let escapes = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape));
     field.hint("shows only what has these words");
     let small = words.to_lowercase();
-    ui.data_mut(|data| data.insert_temp(id, (words, pass)));
+    ui.data_mut(|data| data.insert_temp(id, words));
     (small, escapes)
 }
 
@@ -134,7 +130,7 @@ fn sections(words: &str) -> Vec<Section> {
         [item.all_keys(), does]
     };
     let menus = MENUS.iter().map(|menu| {
-        let rows = menu.groups.iter().flatten().map(row);
+        let rows = menu.groups.iter().flat_map(|group| &group.items).map(row);
         (menu.name, rows.collect())
     });
     let all = std::iter::once(("Mouse", mouse.collect())).chain(menus);

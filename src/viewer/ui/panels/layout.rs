@@ -5,7 +5,7 @@ use super::{
     arrangement::{Side, room},
     axis_cross, banner, differences, help, marks, menu, menu_bar, messages, panes,
     prelude::*,
-    question, section_handle,
+    question, section_handle, shot_card,
     shown::Shown,
     sides, status, tour_card,
 };
@@ -13,8 +13,9 @@ use crate::viewer::{
     jobs::Checking,
     model::Stage,
     ui::{
-        background, keys,
+        keys,
         mouse::{self, Drag},
+        panels_on,
     },
 };
 use egui::{CentralPanel, Frame, Panel, Popup, UiBuilder, UiStackInfo};
@@ -37,7 +38,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     let has_menu = Popup::is_any_open(ui.ctx());
     let window = ui.max_rect().size();
     // What the panels are painted on, into which what is scrolled fades.
-    let behind = Frame::new().fill(background(ui.ctx()));
+    let behind = Frame::new().fill(panels_on(ui.ctx()));
     let behind = UiStackInfo::default().with_frame(behind);
     let whole = UiBuilder::new().max_rect(ui.max_rect());
     let ui = &mut ui.new_child(whole.ui_stack_info(behind));
@@ -96,6 +97,9 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     }
     if shown.helps {
         help::show(ui.ctx(), &mut commands);
+    }
+    if let Some(shot) = &mut shown.shot {
+        shot_card::show(ui.ctx(), shown.state, shot, &mut commands);
     }
     if let Some(intent) = shown.question {
         question::show(ui.ctx(), shown.state, intent, &mut commands);

@@ -126,9 +126,8 @@ fn of_nothing(picture: &Response, state: &State, commands: &mut Vec<Command>) {
         lines.ask(name, hint, Command::CopyCommandLine);
         let hint = "as a scene file writes it; Ctrl+V pastes it";
         lines.ask("Copy the camera", hint, Command::CopyCamera);
-        let hint = "a PNG file without the panels";
-        let save = Command::Screenshot { alone: true };
-        lines.ask("Screenshot of the picture", hint, save);
+        let hint = "of the picture or the window, on any background, to a file or the clipboard";
+        lines.ask("Screenshot\u{2026}", hint, Command::ToggleScreenshot);
     });
 }
 

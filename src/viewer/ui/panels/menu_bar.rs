@@ -1,12 +1,15 @@
-//! The row at the top: the menus, and the tools, which are the menus' items that have icons. As the row gets narrower,
-//! names go first, then groups of tools: the menus have all of them.
+//! The row at the top: the menus, and the tools, which are what has an icon in the menus. As the row gets narrower, names
+//! go first, then groups of tools: the menus have all of them.
 
 use super::{arrangement::Side, exhibit, field::text_width, prelude::*, shown::Shown};
 use crate::{
     scene::gallery::GALLERY,
-    viewer::ui::menus::{Item, MENUS, Menu, More},
+    viewer::ui::{
+        icons::{self, Icon},
+        menus::{Group, Item, MENUS, Menu, More},
+    },
 };
-use egui::{AtomExt as _, Atoms, MenuBar, ScrollArea, TextStyle};
+use egui::{Atoms, Image, MenuBar, ScrollArea, TextStyle, containers::menu::MenuButton};
 
 /// How much of a group of tools shows.
 #[derive(Clone, Copy, PartialEq)]
@@ -16,8 +19,6 @@ enum Shows {
     Nothing,
 }
 
-/// Width of an icon in points.
-const ICON: f32 = 18.0;
 /// Width in points of the buttons at the end, which fold sides.
 const END: f32 = 70.0;
 
@@ -35,7 +36,7 @@ pub(super) fn show(ui: &mut Ui, shown: &mut Shown, commands: &mut Vec<Command>) 
             let inside = |ui: &mut Ui| {
                 let asked = commands.len();
                 let room = ui.ctx().content_rect().height() - ROOM_AROUND;
-                if LINE * lines(menu, shown) <= room {
+                if LINE * line_count(menu, shown) <= room {
                     items(ui, menu, shown, commands);
                 } else {
                     let scrolled = ScrollArea::vertical().max_height(room);
@@ -55,17 +56,18 @@ pub(super) fn show(ui: &mut Ui, shown: &mut Shown, commands: &mut Vec<Command>) 
                 break;
             }
             ui.separator();
-            for item in group {
-                tool(ui, shown, item, how == Shows::Names, commands);
+            for each in group {
+                tool(ui, shown, each, how == Shows::Names, commands);
             }
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            for (side, picture, name) in [
-                (Side::Right, "\u{25e8}", "right side"),
-                (Side::Left, "\u{25e7}", "left side"),
+            for (side, drawing, name) in [
+                (Side::Right, icons::RIGHT, "right side"),
+                (Side::Left, icons::LEFT, "left side"),
             ] {
                 let on = shown.arrangement.showing[side as usize];
-                let fold = Button::selectable(on, icon(picture)).frame_when_inactive(true);
+                let fold = Button::selectable(on, picture(&drawing)).frame_when_inactive(true);
+                let fold = fold.image_tint_follows_text_color(true);
                 let fold = ui.add(fold).named(name);
                 let hint =
                     "show or fold the panels at this side; the picture keeps half of the window";
@@ -78,8 +80,10 @@ pub(super) fn show(ui: &mut Ui, shown: &mut Shown, commands: &mut Vec<Command>) 
 }
 
 /// About how many lines a menu has.
-fn lines(menu: &Menu, shown: &Shown) -> f32 {
-    let items: usize = menu.groups.iter().map(|group| group.len() + 1).sum();
+fn line_count(menu: &Menu, shown: &Shown) -> f32 {
+    let items: usize = (menu.groups.iter())
+        .map(|group| group.items.len() + 1)
+        .sum();
     let more = match menu.more {
         None => 0,
         Some(More::Recent) => shown.recent.len().max(1),
@@ -96,13 +100,7 @@ fn items(ui: &mut Ui, menu: &Menu, shown: &Shown, commands: &mut Vec<Command>) {
         if at > 0 {
             ui.separator();
         }
-        for item in group {
-            let is_on = item.is_on.as_ref().is_some_and(|is_on| is_on(shown));
-            let line = Button::selectable(is_on, item.name).shortcut_text(item.first_keys());
-            let line = ui.add_enabled((item.is_of_use)(shown), line);
-            let line = line.named(item.name);
-            line.asks(item.tells(shown), item.command.clone(), commands);
-        }
+        lines(ui, &group.items, shown, commands);
     }
     if let Some(more) = menu.more {
         ui.separator();
@@ -110,6 +108,22 @@ fn items(ui: &mut Ui, menu: &Menu, shown: &Shown, commands: &mut Vec<Command>) {
             More::Recent => recent(ui, shown, commands),
             More::Exhibits => exhibit::menu(ui, shown, commands),
         }
+    }
+}
+
+/// Items, a line for each.
+fn lines(ui: &mut Ui, items: &[Item], shown: &Shown, commands: &mut Vec<Command>) {
+    let asked = commands.len();
+    for item in items {
+        let is_on = item.is_on.as_ref().is_some_and(|is_on| is_on(shown));
+        let line = Button::selectable(is_on, item.name).shortcut_text(item.first_keys());
+        let line = ui.add_enabled((item.is_of_use)(shown), line);
+        let line = line.named(item.name);
+        line.asks(item.tells(shown), item.command.clone(), commands);
+    }
+    if commands.len() > asked {
+        // By a key too, where egui leaves the menu open.
+        ui.close();
     }
 }
 
@@ -129,24 +143,54 @@ fn recent(ui: &mut Ui, shown: &Shown, commands: &mut Vec<Command>) {
     }
 }
 
-/// The items that are tools, by the groups of their menus.
-fn tools() -> Vec<Vec<&'static Item>> {
-    let groups = MENUS.iter().flat_map(|menu| &menu.groups);
-    let groups = groups.map(|group| group.iter().filter(|item| item.icon.is_some()).collect());
+/// A button of the toolbar.
+enum Tool {
+    /// It asks for an item.
+    Item(&'static Item, &'static Icon),
+    /// It opens a group of items.
+    Group(&'static str, &'static Icon, &'static [Item]),
+}
+
+impl Tool {
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Item(item, _) => item.name.trim_end_matches('\u{2026}'),
+            Self::Group(name, ..) => name,
+        }
+    }
+
+    fn icon(&self) -> &'static Icon {
+        match self {
+            Self::Item(_, icon) | Self::Group(_, icon, _) => icon,
+        }
+    }
+}
+
+/// The tools, by the menus that they are from.
+fn tools() -> Vec<Vec<Tool>> {
+    let of_group = |group: &'static Group| {
+        let opens = (group.tool.as_ref()).map(|(name, icon)| Tool::Group(name, icon, &group.items));
+        let items = group.items.iter();
+        let items = items.filter_map(|item| Some(Tool::Item(item, item.icon.as_ref()?)));
+        opens.into_iter().chain(items)
+    };
+    let groups = MENUS
+        .iter()
+        .map(|menu| menu.groups.iter().flat_map(of_group).collect());
     groups.filter(|group: &Vec<_>| !group.is_empty()).collect()
 }
 
 /// How much of each group shows in `room` points. Groups whose icons say least stand last and keep their names longest:
 /// no group has names while a later one has none.
-fn fit(ui: &Ui, groups: &[Vec<&Item>], room: f32) -> Vec<Shows> {
+fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> Vec<Shows> {
     let mut shows = vec![Shows::Names; groups.len()];
     let spacing = ui.spacing();
     let (gap, padding) = (spacing.item_spacing.x, 2.0 * spacing.button_padding.x);
     let font = TextStyle::Button.resolve(ui.style());
-    let width = |group: &[&Item], named: bool| -> f32 {
-        let tool = |item: &&Item| {
-            let name = || text_width(ui, item.name, &font) + spacing.icon_spacing;
-            padding + gap + ICON + if named { name() } else { 0.0 }
+    let width = |group: &[Tool], named: bool| -> f32 {
+        let tool = |tool: &Tool| {
+            let name = || text_width(ui, tool.name(), &font) + spacing.icon_spacing;
+            padding + gap + icons::SIDE + if named { name() } else { 0.0 }
         };
         group.iter().map(tool).sum::<f32>() + 6.0 + gap
     };
@@ -170,28 +214,42 @@ fn fit(ui: &Ui, groups: &[Vec<&Item>], room: f32) -> Vec<Shows> {
     shows
 }
 
-/// An icon. It is as large beside a name as alone.
-fn icon(picture: &str) -> RichText {
-    RichText::new(picture).font(FontId::monospace(14.0))
+/// An icon in the colour of the text beside it.
+fn picture(icon: &Icon) -> Image<'static> {
+    Image::new(icon.clone()).fit_to_exact_size(Vec2::splat(icons::SIDE))
 }
 
-/// An item in the row.
-fn tool(ui: &mut Ui, shown: &Shown, item: &Item, with_name: bool, commands: &mut Vec<Command>) {
-    let mut atoms = Atoms::new(icon(item.icon.unwrap_or_default()).atom_size(vec2(ICON, 16.0)));
+/// A tool in the row.
+fn tool(ui: &mut Ui, shown: &Shown, tool: &Tool, with_name: bool, commands: &mut Vec<Command>) {
+    let mut atoms = Atoms::new(picture(tool.icon()));
     if with_name {
-        atoms.push_right(item.name);
+        atoms.push_right(tool.name());
     }
-    let button = match &item.is_on {
-        Some(is_on) => Button::selectable(is_on(shown), atoms).frame_when_inactive(true),
-        None => Button::new(atoms),
+    let button = |is_on: Option<bool>| match is_on {
+        Some(is_on) => Button::selectable(is_on, atoms.clone()).frame_when_inactive(true),
+        None => Button::new(atoms.clone()),
     };
-    let button = ui.add_enabled((item.is_of_use)(shown), button);
-    let tells = format!("{} ({})", item.tells(shown), item.all_keys());
-    let hint = if with_name {
-        tells
-    } else {
-        format!("{}: {tells}", item.name)
+    let dressed = |button: Button<'static>| button.image_tint_follows_text_color(true);
+    let hint = |tells: String| {
+        if with_name {
+            tells
+        } else {
+            format!("{}: {tells}", tool.name())
+        }
     };
-    let button = button.named(item.name);
-    button.asks(hint, item.command.clone(), commands);
+    match tool {
+        Tool::Item(item, _) => {
+            let is_on = item.is_on.as_ref().map(|is_on| is_on(shown));
+            let button = ui.add_enabled((item.is_of_use)(shown), dressed(button(is_on)));
+            let tells = format!("{} ({})", item.tells(shown), item.all_keys());
+            let button = button.named(item.name);
+            button.asks(hint(tells), item.command.clone(), commands);
+        }
+        Tool::Group(name, _, items) => {
+            let menu = MenuButton::from_button(dressed(button(None)));
+            let (opens, _) = menu.ui(ui, |ui| lines(ui, items, shown, commands));
+            let names: Vec<_> = items.iter().map(|item| item.name).collect();
+            (opens.named(name)).hint(hint(names.join(", ")));
+        }
+    }
 }

@@ -23,6 +23,7 @@ mod panes;
 mod plot;
 mod question;
 mod section_handle;
+mod shot_card;
 mod shown;
 mod sides;
 mod status;

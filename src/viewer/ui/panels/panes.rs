@@ -178,7 +178,7 @@ fn heading(ui: &mut Ui, stage: Stage, rect: Rect, state: &State, commands: &mut 
     let name = stage.name();
     let strip = Rect::from_min_size(rect.min, vec2(rect.width(), HEADING.min(rect.height())));
     let painter = ui.painter().with_clip_rect(rect);
-    painter.rect_filled(strip, 0.0, Color32::from_black_alpha(110));
+    painter.rect_filled(strip, 0.0, Color32::from_black_alpha(190));
     // A click here is none in the view below.
     let id = ui.scope_id().with(("heading", stage as usize));
     if ui.interact(strip, id, Sense::CLICK).double_clicked() {

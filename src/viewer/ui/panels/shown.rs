@@ -4,7 +4,12 @@ use super::{arrangement::Arrangement, inspector::Sums, objects::Filter, status::
 use crate::viewer::{
     jobs::{Chart, Checking},
     model::State,
-    ui::{command::Intent, notice::Notices, theme::Look, tour::Tour},
+    ui::{
+        command::{Intent, Shot},
+        notice::Notices,
+        theme::Look,
+        tour::Tour,
+    },
 };
 use egui::TextureId;
 use std::path::PathBuf;
@@ -26,6 +31,8 @@ pub(in crate::viewer) struct Shown<'a> {
     pub underway: Option<Underway>,
     /// Whether the help shows.
     pub helps: bool,
+    /// What a screenshot is to show, while its card is open.
+    pub shot: Option<&'a mut Shot>,
     /// Where in the tour the user is.
     pub tour: Option<Tour>,
     /// Whether to offer the tour: the user has not answered yet.

@@ -51,6 +51,7 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
                 state,
                 notices: &mut Notices::new(),
                 underway: None,
+                shot: None,
                 tour: None,
                 offers_tour: false,
                 helps: false,

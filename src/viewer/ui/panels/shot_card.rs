@@ -1,0 +1,101 @@
+//! The card that screenshots are taken from: what they show, on which background, how large, and where they go.
+
+use super::prelude::*;
+use crate::{
+    camera::Viewport,
+    look::Backdrop,
+    viewer::ui::{
+        command::{Shot, ShotTo},
+        focus::appears,
+    },
+};
+use egui::{Context, DragValue, Key, Window};
+
+/// The most pixels that a side may have.
+const LARGEST_SIDE: u32 = 16_384;
+
+/// What may be behind the scene.
+const BACKDROPS: [(&str, Option<Backdrop>, &str); 5] = [
+    ("as on screen", None, "what is behind the scene now"),
+    ("dark", Some(Backdrop::Dark), "as with dark panels"),
+    ("light", Some(Backdrop::Light), "as with light panels"),
+    ("white", Some(Backdrop::White), "for paper"),
+    (
+        "transparent",
+        Some(Backdrop::Transparent),
+        "nothing: the scene alone, to be laid over anything",
+    ),
+];
+
+/// Shown at the top of the window, so that the scene can be turned and seen beside it.
+pub(super) fn show(ctx: &Context, state: &State, shot: &mut Shot, commands: &mut Vec<Command>) {
+    let (mut open, mut escapes) = (true, false);
+    Window::new("Screenshot")
+        .open(&mut open)
+        .collapsible(false)
+        .resizable(false)
+        .anchor(Align2::CENTER_TOP, [0.0, 48.0])
+        .show(ctx, |ui| {
+            Grid::new("screenshot").num_columns(2).show(ui, |ui| {
+                ui.label("Shows");
+                ui.horizontal(|ui| {
+                    let what = &mut shot.has_panels;
+                    (ui.selectable_value(what, false, "picture")).hint("without the panels");
+                    (ui.selectable_value(what, true, "whole window")).hint("with the panels");
+                });
+                ui.end_row();
+                ui.label("Background");
+                ui.horizontal(|ui| {
+                    for (name, backdrop, hint) in BACKDROPS {
+                        (ui.selectable_value(&mut shot.backdrop, backdrop, name)).hint(hint);
+                    }
+                });
+                ui.end_row();
+                ui.label("Size");
+                let is_fixed = shot.has_panels || !state.stages().is_empty();
+                ui.add_enabled_ui(!is_fixed, |ui| size(ui, state, shot));
+                ui.end_row();
+            });
+            ui.add_space(6.0);
+            ui.horizontal(|ui| {
+                let save = ui.button("Save").named("save the screenshot");
+                // Enter takes it, and Esc none.
+                escapes = save.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape));
+                if appears(ui.ctx(), "screenshot") {
+                    save.request_focus();
+                }
+                let hint = "as a new PNG file, sightline-1.png or the next number (Enter)";
+                save.asks(hint, Command::Shoot(*shot, ShotTo::File), commands);
+                let copy = ui.button("Copy").named("copy the screenshot");
+                let hint = "put it on the clipboard";
+                copy.asks(hint, Command::Shoot(*shot, ShotTo::Clipboard), commands);
+            });
+        });
+    if !open || escapes {
+        commands.push(Command::ToggleScreenshot);
+    }
+}
+
+/// Width and height in pixels, and sizes that are often wanted.
+fn size(ui: &mut Ui, state: &State, shot: &mut Shot) {
+    let now = state.view().viewport;
+    let shown = shot.size.unwrap_or(now);
+    let mut sides = [shown.width(), shown.height()];
+    ui.horizontal(|ui| {
+        for (side, name) in sides.iter_mut().zip(["width", "height"]) {
+            let field = DragValue::new(side).range(1..=LARGEST_SIDE).suffix(" px");
+            ui.add(field).named(name).hint("drag, or click and type");
+        }
+        let [width, height] = [now.width(), now.height()];
+        for (name, times) in [("as on screen", 1), ("\u{d7} 2", 2), ("\u{d7} 4", 4)] {
+            let is_room = width.max(height) * times <= LARGEST_SIDE;
+            let sized = ui.add_enabled(is_room, Button::new(name));
+            let hint = format!("{} x {} px", width * times, height * times);
+            if sized.hint(hint).clicked() {
+                sides = [width * times, height * times];
+            }
+        }
+    });
+    let chosen = Viewport::new(sides[0], sides[1]).ok();
+    shot.size = chosen.filter(|chosen| *chosen != now);
+}

@@ -1,0 +1,187 @@
+//! Screenshots: of the picture or the whole window, on any background, of any size, to a file or the clipboard.
+
+use super::*;
+use std::{fs, io::BufReader};
+
+/// A window that saves screenshots in a folder, and the folder.
+fn open_row() -> (Window, TempDir) {
+    let (mut window, folder) = row(1.0);
+    window.save_screenshots_in(folder.path().to_owned());
+    window.send([Event::PointerGone]);
+    (window, folder)
+}
+
+/// The screenshots in a folder, oldest first.
+fn saved(folder: &TempDir) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder.path()).expect("a folder");
+    let mut files: Vec<_> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "png"))
+        .collect();
+    files.sort();
+    files
+}
+
+/// Pixels with opacity, row by row, and the number of columns.
+fn read_rgba(path: &Path) -> (Vec<[u8; 4]>, u32) {
+    let file = BufReader::new(fs::File::open(path).expect("a file"));
+    let mut reader = png::Decoder::new(file).read_info().expect("a PNG");
+    let mut bytes = vec![0; reader.output_buffer_size().expect("small")];
+    let info = reader.next_frame(&mut bytes).expect("whole");
+    assert_eq!(info.color_type, png::ColorType::Rgba);
+    (bytes.as_chunks().0.to_vec(), info.width)
+}
+
+/// The pixel of the window at the picture's top left.
+fn corner(window: &Window) -> [u32; 2] {
+    let left = control(window, "edge of the left side").rect.right();
+    let height = window.state().view().viewport.height();
+    [whole(pos2(left, 0.0))[0], 720 - height - 25]
+}
+
+/// F12, Enter.
+#[test]
+fn two_keys_save_the_picture_as_it_is_seen() {
+    let (mut window, folder) = open_row();
+    press_key(&mut window, Modifiers::NONE, Key::F12);
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    let whole = window.picture().expect("a picture");
+    let alone = images::read(&folder.path().join("sightline-1.png"));
+    let viewport = window.state().view().viewport;
+    assert_eq!(alone.size(), viewport);
+    let [left, top] = corner(&window);
+    // Nothing lies over the picture's middle.
+    let mut same = 0;
+    for (x, y) in (300..460).flat_map(|x| (200..400).map(move |y| (x, y))) {
+        same += usize::from(alone.at(x, y) == whole.at(left + x, top + y));
+    }
+    assert_eq!(same, 160 * 200);
+}
+
+#[test]
+fn the_whole_window_is_saved_without_the_card_and_never_over_a_file() {
+    let (mut window, folder) = open_row();
+    let shown = window.picture().expect("a picture");
+    shoot(&mut window, &["whole window"]);
+    window.picture().expect("a picture");
+    let files = saved(&folder);
+    assert_eq!(files, [folder.path().join("sightline-1.png")]);
+    let differ = images::differing(&images::read(&files[0]), &shown);
+    // The menu's button that the cursor has left, at most.
+    assert!(differ < 2000, "{differ}");
+    assert!(
+        window
+            .messages()
+            .any(|text| text.contains("sightline-1.png"))
+    );
+    let before = fs::read(&files[0]).expect("a file");
+    shoot(&mut window, &[]);
+    window.picture().expect("a picture");
+    assert_eq!(saved(&folder).len(), 2);
+    assert_eq!(fs::read(&files[0]).expect("a file"), before);
+
+    window.save_screenshots_in(folder.path().join("not there"));
+    shoot(&mut window, &[]);
+    window.picture().expect("a picture");
+    assert!(window.messages().any(|text| text.contains("not there")));
+}
+
+/// Twice as large, and nothing behind the scene: what is there is opaque, and in the same place. The window shows its own
+/// picture after that.
+#[test]
+fn a_screenshot_may_be_larger_and_transparent() {
+    let (mut window, folder) = open_row();
+    press_key(&mut window, Modifiers::NONE, Key::G);
+    let shown = window.picture().expect("a picture");
+    shoot(&mut window, &["transparent", "\u{d7} 2"]);
+    window.send([Event::PointerGone]);
+    let after = window.picture().expect("a picture");
+    let (pixels, width) = read_rgba(&saved(&folder)[0]);
+    let viewport = window.state().view().viewport;
+    assert_eq!(width, 2 * viewport.width());
+    assert_eq!(
+        pixels.len() as u64,
+        4 * u64::from(viewport.width()) * u64::from(viewport.height())
+    );
+    let count = |alpha: u8| pixels.iter().filter(|pixel| pixel[3] == alpha).count();
+    let [none, all] = [count(0), count(255)];
+    assert!(none > 100_000 && all > 20_000, "{none}, {all}");
+    assert!(none + all < pixels.len() && none + all > pixels.len() * 9 / 10);
+    // Where the larger one is opaque, the window shows an object of this colour.
+    let [left, top] = corner(&window);
+    let [mut opaque, mut alike] = [0, 0];
+    for (x, y) in (100..600).flat_map(|x| (150..600).map(move |y| (x, y))) {
+        let pixel = |i: u32, j: u32| pixels[((2 * y + j) * width + 2 * x + i) as usize];
+        let four = [pixel(0, 0), pixel(1, 0), pixel(0, 1), pixel(1, 1)];
+        if four.iter().all(|pixel| pixel[3] == 255) {
+            let [r, g, b, _] = four[0];
+            opaque += 1;
+            let near = !images::apart(after.at(left + x, top + y), [r, g, b], 24);
+            alike += usize::from(near);
+        }
+    }
+    assert!(
+        alike * 10 > opaque * 9 && opaque > 4000,
+        "{alike} of {opaque}"
+    );
+    let place = Rect::from_min_max(pos2(400.0, 200.0), pos2(800.0, 600.0));
+    assert_eq!(differing_in(&shown, &after, place), 0);
+}
+
+#[test]
+fn a_screenshot_is_copied_on_any_background() {
+    let (mut window, folder) = open_row();
+    let corners = ["dark", "light", "white", "transparent"].map(|name| {
+        press_key(&mut window, Modifiers::NONE, Key::F12);
+        click_on(&mut window, name);
+        click_on(&mut window, "copy the screenshot");
+        window.picture().expect("a picture");
+        window.send([]);
+        let copied = window.copied_picture().expect("a picture");
+        let viewport = window.state().view().viewport;
+        assert_eq!(
+            copied.size,
+            [viewport.width() as usize, viewport.height() as usize]
+        );
+        copied.pixels[0].to_srgba_unmultiplied()
+    });
+    assert!(saved(&folder).is_empty());
+    let [dark, light, white, transparent] = corners;
+    assert!(
+        dark[0] < 60 && light[0] > 200 && dark[3] == 255,
+        "{corners:?}"
+    );
+    assert_eq!(white, [255; 4]);
+    assert_eq!(transparent, [0; 4]);
+}
+
+#[test]
+fn the_card_of_screenshots_closes_and_takes_none() {
+    let (mut window, folder) = open_row();
+    for key in [Key::F12, Key::Escape] {
+        press_key(&mut window, Modifiers::NONE, Key::F12);
+        assert!(has_control(&window, "save the screenshot"));
+        press_key(&mut window, Modifiers::NONE, key);
+        assert!(!has_control(&window, "save the screenshot"), "{key:?}");
+    }
+    window.picture().expect("a picture");
+    assert!(saved(&folder).is_empty());
+}
+
+/// The picture's background goes with the panels.
+#[test]
+fn beside_light_panels_the_background_is_light() {
+    let (mut window, _folder) = open_row();
+    let middle = |window: &mut Window| {
+        let picture = window.picture().expect("a picture");
+        let [x, y] = whole(MIDDLE);
+        picture.at(x - 250, y - 250)[0]
+    };
+    let dark = middle(&mut window);
+    for name in ["View", "Theme"] {
+        click_on(&mut window, name);
+    }
+    window.send([Event::PointerGone]);
+    let light = middle(&mut window);
+    assert!(dark < 60 && light > 180, "{dark}, {light}");
+}
