@@ -17,8 +17,8 @@ use crate::{
         options::Options,
         screen::{SceneRect, Textures},
         ui::{
-            self, Arrangement, Attempt, Command, Drag, Filter, Kind, Notice, Notices, Statistics,
-            Sums, Tour,
+            self, Arrangement, Attempt, Command, Drag, Filter, Kind, Notice, Notices, Shot, ShotTo,
+            Statistics, Sums, Tour,
         },
     },
 };

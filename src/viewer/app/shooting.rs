@@ -7,7 +7,7 @@ use crate::{
     viewer::{
         model::Action,
         screen::{Canvas, Laid, SceneRect, write_screenshot},
-        ui::{Attempt, Shot, ShotTo},
+        ui::{Attempt, ShotTo},
     },
 };
 use egui::{ColorImage, OutputCommand};
