@@ -28,14 +28,17 @@ const MAY_NAME: [(&str, &str); 15] = [
         "verify",
         "colour geometry look camera image scene pick render",
     ),
-    ("study", "replace geometry camera image scene pick render"),
+    (
+        "study",
+        "replace geometry look camera image scene pick render",
+    ),
     (
         "viewer",
         "json replace colour geometry look camera image scene pick render verify study",
     ),
     (
         "cli",
-        "json replace geometry camera image scene pick render verify study viewer",
+        "json replace geometry look camera image scene pick render verify study viewer",
     ),
     ("main", "cli"),
 ];
