@@ -45,9 +45,17 @@ fn keys_step_through_the_ray() {
     let (mut window, _folder) = row(1.0);
     click(&mut window, MIDDLE);
     let mut seen = Vec::new();
-    for _ in 0..4 {
+    let says = |window: &Window, text: &str| {
+        let mut all = window.controls().iter();
+        all.any(|control| control.name.contains(text))
+    };
+    assert!(!says(&window, "Surface"));
+    for number in 2..6 {
         press_key(&mut window, Modifiers::NONE, Key::N);
         seen.push(selected(&window).expect("picked").to_owned());
+        let before = if number < 4 { "front" } else { "middle" };
+        let hidden = format!("Surface {number} of 5, behind {before}.");
+        assert!(says(&window, &hidden), "{hidden}");
     }
     press_key(&mut window, Modifiers::SHIFT, Key::N);
     seen.push(selected(&window).expect("picked").to_owned());

@@ -479,6 +479,7 @@ fn show() -> Menu {
             "clicks snap to vertices and edges; distances, angles, areas",
         )
         .icon(icons::MEASURE)
+        .of_use_if(|shown| !is_in_gallery(shown))
         .on_if(|shown| shown.state.measuring().is_on),
     ];
     let overlay = |(name, key, which, hint)| {

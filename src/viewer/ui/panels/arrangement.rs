@@ -55,11 +55,19 @@ impl Topic {
     /// What it holds, in a few words.
     pub(super) fn about(self) -> &'static str {
         match self {
-            Self::Camera => "where the camera stands, and what it takes in",
-            Self::Placement => "where the selected object stands: its model matrix in parts",
-            Self::Details => "all that is known about the pick",
+            Self::Camera => {
+                "where the camera stands, and what it takes in: projection, field of view (fov), near, far, up axis, eye, target"
+            }
+            Self::Placement => {
+                "where the selected object stands: position, rotation and scale, the parts of its model matrix"
+            }
+            Self::Details => {
+                "all that is known about the pick: digits, file, line, face, normal, NDC"
+            }
             Self::Matrices => "P, V and M, and the pick on its way through them (P)",
-            Self::Measure => "distances, angles, radii and areas between points that you click",
+            Self::Measure => {
+                "distances, angles, radii, edge lengths and areas between clicked points, which snap to vertices and edges"
+            }
             Self::Section => "a plane that cuts the scene open",
             Self::DepthBuffer => {
                 "what the depth buffer stores, and how finely it tells depths apart"

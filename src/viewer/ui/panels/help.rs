@@ -1,6 +1,6 @@
 //! The help: what the mouse does, and every item of the menus with its keys, searched by any of its words.
 
-use super::{field::text_width, prelude::*, tour_card};
+use super::{arrangement::Topic, field::text_width, prelude::*, tour_card};
 use crate::viewer::ui::{
     command::TourMove,
     focus::appears,
@@ -29,6 +29,7 @@ const MOUSE: &[(&str, &str)] = &[
         "wheel",
         "zoom at the cursor; so does a pinch on a touch screen, or on a Mac",
     ),
+    ("Shift+wheel", "pan, on a trackpad in any direction"),
     ("click", "pick; the same pixel again: the surface behind"),
     (
         "Ctrl+click, Shift+click",
@@ -133,7 +134,16 @@ fn sections(words: &str) -> Vec<Section> {
         let rows = menu.groups.iter().flat_map(|group| &group.items).map(row);
         (menu.name, rows.collect())
     });
-    let all = std::iter::once(("Mouse", mouse.collect())).chain(menus);
+    let topic = |topic: &Topic| {
+        [
+            "panel".to_owned(),
+            format!("{}: {}", topic.name(), topic.about()),
+        ]
+    };
+    let topics = Topic::ALL.iter().map(topic).collect();
+    let all = std::iter::once(("Mouse", mouse.collect()))
+        .chain(menus)
+        .chain([("Inspector", topics)]);
     let found = all.map(|(name, rows): Section| {
         let has_all = |row: &[String; 2]| {
             let text = format!("{name} {} {}", row[0], row[1]).to_lowercase();

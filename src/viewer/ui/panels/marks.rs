@@ -147,7 +147,10 @@ impl Page<'_> {
         let middle = self.at(middle);
         let seen = seen.into_iter().zip(weights);
         for (name, (at, weight)) in ["v1", "v2", "v3"].into_iter().zip(seen) {
-            let Some(at) = at else { continue };
+            // A name at the picture's edge would seem to belong to what is there.
+            let Some(at) = at.filter(|at| self.painter.clip_rect().contains(*at)) else {
+                continue;
+            };
             self.painter.circle_filled(at, 4.0, self.colour);
             let outwards = middle.map_or(vec2(0.0, -1.0), |middle| (at - middle).normalized());
             self.text(at + 26.0 * outwards, format!("{name} {weight:.3}"));

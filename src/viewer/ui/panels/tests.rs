@@ -16,7 +16,7 @@ use crate::{
     study::breaks::BREAKS,
     viewer::{
         jobs::Checking,
-        model::{Action, State},
+        model::{Action, Overlay, State},
         ui::{
             command::Command,
             menus::{SHORTCUTS, items},
@@ -185,6 +185,28 @@ fn what_a_click_was_compared_with_is_marked_only_in_its_own_picture() {
     assert!(!is_marked(&state));
     state.apply(Action::Click(DVec2::new(30.0, 300.0), 9.0));
     assert!(is_marked(&state));
+}
+
+/// The corners of the picked triangle have names where the picture shows them, and nowhere else.
+#[test]
+fn corners_outside_the_picture_have_no_names() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("one.obj");
+    let text = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
+    std::fs::write(&path, text).expect("writable");
+    let mut state = opened(&path.display().to_string());
+    let middle = state.view().viewport.size_px() / 2.0;
+    state.apply(Action::Click(middle, 0.0));
+    if !state.overlays().shows(Overlay::Triangle) {
+        state.apply(Action::Toggle(Overlay::Triangle));
+    }
+    let names = |state: &State| {
+        let text = pass(state, Vec::new()).0;
+        ["v1 0.", "v2 0.", "v3 0."].map(|name| text.contains(name))
+    };
+    assert_eq!(names(&state), [true; 3]);
+    state.apply(Action::Zoom(middle, 6.0));
+    assert_eq!(names(&state), [false; 3]);
 }
 
 /// Where both are of one object, the labels of a wrong pick name the triangles.

@@ -190,7 +190,9 @@ fn in_row(ui: &mut Ui, name: &str, hint: &str, value: impl FnOnce(&mut Ui)) {
 /// One line, whatever it says; a tooltip has all of it.
 fn remark(ui: &mut Ui, state: &State) {
     let (short, whole) = said(state);
-    let is_warning = matches!(state.pick_view(), Some(view) if view != PickView::Own);
+    let is_hidden = state.pick_ray().is_some_and(|ray| ray.at > 0);
+    let is_elsewhere = matches!(state.pick_view(), Some(view) if view != PickView::Own);
+    let is_warning = is_hidden || is_elsewhere;
     let mut text = RichText::new(short);
     if is_warning {
         text = text.color(ui.visuals().warn_fg_color);
@@ -249,6 +251,16 @@ fn said(state: &State) -> (String, String) {
             );
         }
         Some(PickView::Own) | None => {}
+    }
+    if let Some(ray) = state.pick_ray().filter(|ray| ray.at > 0) {
+        let (number, count) = (ray.at + 1, ray.picks.len());
+        let (before, first) = (&ray.picks[ray.at - 1].object, &ray.picks[0].object);
+        return own(
+            &format!("Surface {number} of {count}, behind {before}."),
+            &format!(
+                "the same pixel was clicked again, or N pressed, which leads on to the next; Shift+N leads back. The pixel shows {first}"
+            ),
+        );
     }
     let line = selection.pick.as_ref();
     let in_one_place = line.and_then(|line| line.in_one_place.as_ref());
