@@ -23,7 +23,7 @@ struct Vertex {
     @location(0) position: vec3<f32>,
     @location(1) normal: vec3<f32>,
     @location(2) part: u32,
-    // The last number holds how far apart the edges are: see edge_opacity.
+    // The last number holds how far apart the edges are: see spacing.
     @location(3) colour: vec4<f32>,
 }
 
@@ -104,9 +104,10 @@ fn colour(in: ColourCorner, @builtin(front_facing) front: bool) -> @location(0) 
     return vec4<f32>(shade(in.albedo, select(-in.normal_view, in.normal_view, front)), 1.0);
 }
 
-// Edges of triangles, dark and thin. They fade where they are dense, so that they never hide the faces.
+// Edges of triangles, dark and thin. They fade where they are dense, so that the faces are seen between them.
 const EDGE = vec3<f32>(0.005, 0.005, 0.008);
-const MOST_OPAQUE = 0.85;
+// An edge of two triangles is drawn by both, and so covers 0.84 of what is behind it.
+const MOST_OPAQUE = 0.6;
 // Edges this many pixels apart have faded, and have not begun to.
 const DENSE_PX = 1.5;
 const SPARSE_PX = 14.0;
@@ -116,12 +117,16 @@ struct EdgeCorner {
     @location(0) opacity: f32,
 }
 
-// How far apart the edges about a vertex are, in view units. The vertex holds the upper half of the bits of that length
-// in its own space.
-fn spacing(in: Vertex, batch: Batch) -> f32 {
+// How far apart the edges about a vertex look, in view units. The vertex holds the upper half of the bits of that length
+// in its own space. A model matrix may stretch it by three factors, of which the middle one counts. Seen at a slant,
+// edges look closer together.
+fn spacing(in: Vertex, batch: Batch, normal_view: vec3<f32>, sight: vec3<f32>) -> f32 {
     let in_vertex_space = bitcast<f32>(u32(round(in.colour.a * 65535.0)) << 16u);
-    let scale = max(length(batch.linear_x), max(length(batch.linear_y), length(batch.linear_z)));
-    return in_vertex_space * scale;
+    let scale = vec3<f32>(length(batch.linear_x), length(batch.linear_y), length(batch.linear_z));
+    let least_of_two = min(scale.x, scale.y);
+    let middle = max(least_of_two, min(max(scale.x, scale.y), scale.z));
+    let slant = abs(dot(unit(normal_view), unit(sight)));
+    return in_vertex_space * middle * slant;
 }
 
 // `beside` is as far from `clip` as edges are from each other, both in clip space.
@@ -135,17 +140,22 @@ fn edge_opacity(clip: vec4<f32>, beside: vec4<f32>) -> f32 {
 
 @vertex
 fn edge_vertex(in: Vertex, batch: Batch) -> EdgeCorner {
-    let clip = corner(in, batch, 0u).clip;
+    let all = corner(in, batch, 0u);
     let view = in_view(in, batch);
-    let beside = project(view.xyz + vec3<f32>(spacing(in, batch), 0.0, 0.0), view.w);
-    return EdgeCorner(clip, edge_opacity(clip, beside));
+    let sight = select(vec3<f32>(0.0, 0.0, 1.0), view.xyw, frame.perspective == 1u);
+    let aside = spacing(in, batch, all.normal_view, sight);
+    let beside = project(view.xyz + vec3<f32>(aside, 0.0, 0.0), view.w);
+    return EdgeCorner(all.clip, edge_opacity(all.clip, beside));
 }
 
 @vertex
 fn edge_vertex_in_ndc(in: Vertex, batch: Batch) -> EdgeCorner {
     let clip = corner_in_ndc(in, batch, 0u).clip;
-    let at = in_view(in, batch).xyw + vec3<f32>(spacing(in, batch), 0.0, 0.0);
-    return EdgeCorner(clip, edge_opacity(clip, frame.ndc_clip * vec4<f32>(at, 1.0)));
+    let at = in_view(in, batch).xyw;
+    // As the camera sees it, which is what its NDC shows from the front.
+    let aside = spacing(in, batch, corner(in, batch, 0u).normal_view, at);
+    let beside = frame.ndc_clip * vec4<f32>(at + vec3<f32>(aside, 0.0, 0.0), 1.0);
+    return EdgeCorner(clip, edge_opacity(clip, beside));
 }
 
 // Times the opacity.

@@ -8,7 +8,7 @@ pub struct Srgb(pub [u8; 3]);
 
 impl Srgb {
     /// The colour of a surface without one of its own.
-    pub const NEUTRAL: Self = Self([220, 220, 224]);
+    pub const NEUTRAL: Self = Self([232, 232, 236]);
     /// White.
     pub const WHITE: Self = Self([255; 3]);
 

@@ -9,6 +9,11 @@ use glam::Vec3;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Background(pub [Srgb; 2]);
 
+/// A background whose luminance is above this at both edges is light: lines over it are this much darker.
+const IS_LIGHT: f32 = 0.51;
+/// See [`IS_LIGHT`].
+const DARKER: f32 = 0.36;
+
 impl Background {
     /// For dark rooms and dark panels.
     pub const DARK: Self = Self([Srgb([43, 48, 58]), Srgb([18, 20, 25])]);
@@ -18,6 +23,19 @@ impl Background {
     pub const WHITE: Self = Self([Srgb::WHITE; 2]);
     /// No light at all.
     pub const BLACK: Self = Self([Srgb([0; 3]); 2]);
+    /// Half of the light of white. Lines have the same colours over it as over [`Self::BLACK`].
+    pub const GREY: Self = Self([Srgb([188; 3]); 2]);
+
+    /// The linear colour of a line or an outline as it is drawn over this: darker over a light one.
+    pub fn over(self, colour: Srgb) -> [f32; 3] {
+        let light = self.0.map(|edge| luminance(edge.to_linear()));
+        let share = if light[0].min(light[1]) > IS_LIGHT {
+            DARKER
+        } else {
+            1.0
+        };
+        colour.to_linear().map(|channel| channel * share)
+    }
 
     /// Its linear colour, `down` = 0 at the top edge and 1 at the bottom edge of the picture.
     pub fn at(self, down: f32) -> [f32; 3] {
@@ -107,7 +125,7 @@ pub const KEY_DIRECTION: Vec3 = Vec3::new(-0.449_595_5, 0.719_352_9, -0.529_523_
 /// Towards the fill light, low on the right.
 pub const FILL_DIRECTION: Vec3 = Vec3::new(0.903_394_1, -0.150_565_7, -0.401_508_5);
 /// Light of the key, of the fill, and from the sky and from the ground: linear red, green and blue.
-pub const KEY: Vec3 = Vec3::new(1.60, 1.55, 1.48);
+pub const KEY: Vec3 = Vec3::new(1.40, 1.36, 1.30);
 /// See [`KEY`].
 pub const FILL: Vec3 = Vec3::new(0.12, 0.14, 0.17);
 /// See [`KEY`].

@@ -184,7 +184,7 @@ fn raycast(
     build_trees(scene);
     let (ids, mut colours) = pick::raycast(scene, view, background);
     if let Some(object) = selection {
-        pick::mark(object, &ids, &mut colours);
+        pick::mark(object, &ids, &mut colours, background);
     }
     (ids, colours)
 }

@@ -17,7 +17,7 @@ pub enum Picture {
 }
 
 impl Picture {
-    /// What `draw` draws, on a backdrop. For a transparent one it draws twice: on black, and on white.
+    /// What `draw` draws, on a backdrop. For a transparent one it draws twice: on black, and on grey.
     ///
     /// # Errors
     /// Those of `draw`.
@@ -30,7 +30,7 @@ impl Picture {
     ) -> Result<Self, E> {
         Ok(match backdrop.colours() {
             Some(background) => Self::Opaque(draw(background)?),
-            None => Self::Matte(matte(&draw(Background::BLACK)?, &draw(Background::WHITE)?)),
+            None => Self::Matte(matte(&draw(Background::BLACK)?, &draw(Background::GREY)?)),
         })
     }
 
@@ -55,15 +55,16 @@ impl Picture {
     }
 }
 
-/// What stands in front of a background, from a picture of it on black and one on white. Where these are equal it is
-/// opaque; where they are black and white nothing is there. An edge or a faint line covers a part of its pixel. It is
-/// the method of two known backgrounds (Smith and Blinn, *Blue Screen Matting*, SIGGRAPH 1996), in linear light.
-fn matte(on_black: &Image<Rgb>, on_white: &Image<Rgb>) -> Image<Rgba> {
-    assert_eq!(on_black.size(), on_white.size(), "pictures of one view");
-    let pairs = on_black.pixels().iter().zip(on_white.pixels());
-    let pixels = pairs.map(|(black, white)| {
-        let [black, white] = [black, white].map(|pixel| Srgb(*pixel).to_linear());
-        let seen_through: f32 = (0..3).map(|i| white[i] - black[i]).sum::<f32>() / 3.0;
+/// What stands in front of a background, from a picture of it on black and one on grey. Where these are equal it is
+/// opaque; where they differ as the backgrounds do nothing is there. An edge or a faint line covers a part of its pixel.
+/// It is the method of two known backgrounds (Smith and Blinn, *Blue Screen Matting*, SIGGRAPH 1996), in linear light.
+fn matte(on_black: &Image<Rgb>, on_grey: &Image<Rgb>) -> Image<Rgba> {
+    assert_eq!(on_black.size(), on_grey.size(), "pictures of one view");
+    let grey: f32 = Background::GREY.at(0.0).iter().sum();
+    let pairs = on_black.pixels().iter().zip(on_grey.pixels());
+    let pixels = pairs.map(|(black, other)| {
+        let [black, other] = [black, other].map(|pixel| Srgb(*pixel).to_linear());
+        let seen_through = (0..3).map(|i| other[i] - black[i]).sum::<f32>() / grey;
         let opacity = (1.0 - seen_through).clamp(0.0, 1.0);
         let whole = |part: f32| if opacity > 0.0 { part / opacity } else { 0.0 };
         let [r, g, b] = Srgb::from_linear(black.map(whole)).0;

@@ -3,19 +3,21 @@
 use crate::{
     colour::Srgb,
     image::{Id, Image, Rgb},
-    look,
+    look::{self, Background},
 };
 
 /// Tints the pixels that show `object` (an index) and draws the outline about them. `ids` and `colours` are
-/// [`raycast`](super::raycast())'s.
+/// [`raycast`](super::raycast())'s, on this background.
 ///
 /// # Panics
 /// When the images differ in size.
-pub fn mark(object: usize, ids: &Image<Id>, colours: &mut Image<Rgb>) {
+pub fn mark(object: usize, ids: &Image<Id>, colours: &mut Image<Rgb>, background: Background) {
+    let outline = Srgb::from_linear(background.over(look::SELECTION)).0;
+
     assert_eq!(ids.size(), colours.size(), "the images are of one view");
     for (((x, y), id), colour) in ids.positions().zip(ids.pixels()).zip(colours.pixels_mut()) {
         if on_outline(object, ids, x, y) {
-            *colour = look::SELECTION.0;
+            *colour = outline;
         } else if shows(object, *id) {
             let tinted = look::tinted(Srgb(*colour).to_linear());
             *colour = Srgb::from_linear(tinted).0;

@@ -86,7 +86,7 @@ impl Renderer {
         };
         self.write_frame(scene, view);
         let bindings = self.bind(scene, &scene.tables.spheres);
-        let vertices = lines::vertices(view, lines);
+        let vertices = lines::vertices(view, lines, self.background);
         let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
         let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
         for &pass in passes {

@@ -4,7 +4,7 @@ use super::{
     shader_structs::LineVertex,
     view_units::{depth_origin, view_unit},
 };
-use crate::{camera::View, colour::Srgb};
+use crate::{camera::View, colour::Srgb, look::Background};
 use glam::DVec3;
 
 /// A line one pixel wide.
@@ -33,7 +33,7 @@ impl Line {
 }
 
 /// The ends of all lines in view space, computed relative to the eye in `f64`.
-pub(super) fn vertices(view: &View, lines: &[Line]) -> Vec<LineVertex> {
+pub(super) fn vertices(view: &View, lines: &[Line], background: Background) -> Vec<LineVertex> {
     let (origin, unit) = (depth_origin(view), view_unit(view));
     let ends = lines.iter().flat_map(|line| {
         let [at_from, at_to] = line.opacity;
@@ -48,7 +48,7 @@ pub(super) fn vertices(view: &View, lines: &[Line]) -> Vec<LineVertex> {
             let with_buffer_depth = at.truncate().extend(at.z - origin);
             (unit * with_buffer_depth.extend(at.z)).as_vec4().to_array()
         },
-        colour: colour.to_linear().map(|channel| channel * opacity),
+        colour: background.over(colour).map(|channel| channel * opacity),
         opacity,
     })
     .collect()

@@ -11,7 +11,10 @@ use super::{
     targets::Targets,
     without_depth,
 };
-use crate::{camera::View, look};
+use crate::{
+    camera::View,
+    look::{self, Background},
+};
 use glam::DVec2;
 use std::collections::HashMap;
 use wgpu::util::DeviceExt;
@@ -50,7 +53,7 @@ impl Renderer {
             hover: None,
         };
         let post = (self.post).get_or_insert_with(|| PostPasses::new(gpu));
-        post.write(gpu, &marks, outline_px);
+        post.write(gpu, &marks, outline_px, self.background);
         // What this pass writes it cannot read.
         let bindings = post.bind(gpu, targets, &targets.colour_view);
         let pipeline = post.pipeline(gpu, "outline");
@@ -71,7 +74,7 @@ impl Renderer {
     pub fn mark(&mut self, (scene, targets, view): Onto<'_>, marks: &Marks) {
         let (gpu, outline_px) = (&self.gpu, self.outline_px());
         let post = (self.post).get_or_insert_with(|| PostPasses::new(gpu));
-        post.write(gpu, marks, outline_px);
+        post.write(gpu, marks, outline_px, self.background);
         let marked = [
             ("hover", marks.hover.as_slice()),
             ("selection", &marks.selection),
@@ -143,8 +146,8 @@ impl PostPasses {
         }
     }
 
-    fn write(&mut self, gpu: &Gpu, marks: &Marks, outline_px: f32) {
-        let uniform = uniform(marks, outline_px);
+    fn write(&mut self, gpu: &Gpu, marks: &Marks, outline_px: f32, background: Background) {
+        let uniform = uniform(marks, outline_px, background);
         let bytes = bytemuck::bytes_of(&uniform);
         gpu.queue.write_buffer(&self.uniform, 0, bytes);
         if uniform.selection == SEVERAL {
@@ -176,7 +179,7 @@ impl PostPasses {
     }
 }
 
-fn uniform(marks: &Marks, outline_px: f32) -> shader_structs::Marking {
+fn uniform(marks: &Marks, outline_px: f32, background: Background) -> shader_structs::Marking {
     let of_index = |i: usize| u32::try_from(i + 1).unwrap_or(u32::MAX);
     // 0 is the background's id, so "none" is another number.
     let id = |object: Option<usize>| object.map_or(u32::MAX, of_index);
@@ -186,7 +189,7 @@ fn uniform(marks: &Marks, outline_px: f32) -> shader_structs::Marking {
         _ => SEVERAL,
     };
     shader_structs::Marking {
-        selection_colour: look::SELECTION.to_linear(),
+        selection_colour: background.over(look::SELECTION),
         tint: look::TINT,
         lit: look::LIT,
         selection,

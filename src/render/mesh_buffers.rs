@@ -192,8 +192,7 @@ fn note_spacing(vertices: &mut [Vertex], triangles: &[[u32; 3]]) {
             .max(ca.length_squared());
         let height = (ab.cross(ca).length_squared() / longest).sqrt();
         #[expect(clippy::cast_possible_truncation, reason = "opacities need no more")]
-        let bits = (height.max(0.0) as f32).to_bits();
-        let upper_half = u16::try_from(bits >> 16).unwrap_or(0);
+        let upper_half = ((height.max(0.0) as f32).to_bits() >> 16) as u16;
         for i in triangle {
             let noted = &mut vertices[*i as usize].colour[3];
             *noted = (*noted).max(upper_half);

@@ -53,7 +53,7 @@ impl Renderer {
         let gpu = &self.gpu;
         let depths: Vec<f32> = pixels.pixels().iter().map(|pixel| pixel.depth).collect();
         let depths = gpu.buffer("depths", BufferUsages::STORAGE, &depths)?;
-        let vertices = lines::vertices(view, lines);
+        let vertices = lines::vertices(view, lines, self.background);
         let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
         let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
         self.write_frame(scene, view);

@@ -44,7 +44,7 @@ fn each_background_is_drawn_and_cast_alike() {
 }
 
 /// A picture without background, laid over one, is the picture on it, edges, outline and half transparent lines
-/// included.
+/// included. Over a light one, lines of the picture on it are darker.
 #[test]
 fn a_transparent_picture_can_be_laid_over_any_background() {
     let (scene, view) = (shapes(DVec3::ZERO), overview([200, 150]));
@@ -82,7 +82,8 @@ fn a_transparent_picture_can_be_laid_over_any_background() {
         "{counts:?}"
     );
     let mut changed = 0;
-    for background in [Background::DARK, Background::LIGHT, Background::WHITE] {
+    let blue = Background([Srgb([120, 140, 180]), Srgb([20, 30, 170])]);
+    for background in [Background::DARK, blue, Background::GREY] {
         let drawn = draw(background).expect("a picture");
         for ((x, y), &[r, g, b, alpha]) in drawn.positions().zip(&pixels) {
             #[expect(clippy::cast_precision_loss, reason = "few pixels")]

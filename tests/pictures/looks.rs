@@ -68,6 +68,34 @@ fn no_two_meanings_have_colours_that_look_alike() {
     }
 }
 
+/// What lines and outlines mean can be seen on each background: the contrast ratio of WCAG 2 is at least 1.8.
+#[test]
+fn lines_show_on_each_background() {
+    let lines = [
+        look::SELECTION,
+        look::AXES[0],
+        look::AXES[1],
+        look::AXES[2],
+        look::CAMERA,
+        look::NORMALS,
+        look::BOXES,
+        look::TREE,
+    ];
+    for background in [Background::DARK, Background::LIGHT, Background::WHITE] {
+        for (colour, down) in lines
+            .into_iter()
+            .flat_map(|line| [(line, 0.0), (line, 1.0)])
+        {
+            let [line, behind] =
+                [background.over(colour), background.at(down)].map(|c| look::luminance(c) + 0.05);
+            let contrast = (line / behind).max(behind / line);
+            assert!(contrast > 1.8, "{colour:?} on {background:?}: {contrast}");
+        }
+    }
+    let [black, grey] = [Background::BLACK, Background::GREY].map(|on| on.over(look::CAMERA));
+    assert_eq!(black.map(f32::to_bits), grey.map(f32::to_bits));
+}
+
 /// Files that colour pictures use named colours of `look`.
 #[test]
 fn colours_of_pictures_stand_in_one_place() {

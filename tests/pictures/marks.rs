@@ -8,14 +8,14 @@ use crate::{
     scenes::{gpu, shapes},
     show,
 };
-use glam::{DVec3, dvec3};
+use glam::{DAffine3, DVec3, dvec3};
 use sightline::{
-    camera::{DepthMapping, Lens, View, Viewport},
+    camera::{DepthMapping, Lens, View},
     colour::Srgb,
     geometry::Placement,
     image::{Image, Rgb},
     look,
-    render::{Line, Marks, Renderer, SceneBuffers, Targets, Wireframe},
+    render::{Gpu, Line, Marks, Renderer, SceneBuffers, Targets, Wireframe},
     scene::{Object, Scene, Shape},
 };
 
@@ -228,56 +228,83 @@ fn a_wireframe_is_not_in_the_ids() {
     }
 }
 
+/// A square in the plane z = 0, two wide, of so many squares along each side. It is given smaller, and enlarged by its
+/// model matrix.
+fn squares(count: u32, enlarged: f64) -> Scene {
+    let side = count + 1;
+    #[expect(
+        clippy::cast_precision_loss,
+        clippy::cast_possible_truncation,
+        reason = "small"
+    )]
+    let place = |i| (2.0 * i as f32 / count as f32 - 1.0) / enlarged as f32;
+    let positions = (0..side * side).map(|i| [place(i % side), place(i / side), 0.0]);
+    let corners = (0..count * count).flat_map(|i| {
+        let at = i % count + i / count * side;
+        [[at, at + 1, at + side], [at + 1, at + side + 1, at + side]]
+    });
+    let shape = Shape::Mesh {
+        mesh: mesh(positions.collect(), corners.collect(), DVec3::ZERO),
+        part: 0,
+    };
+    let scale = DAffine3::from_scale(DVec3::splat(enlarged));
+    let placement = Placement::new(scale).expect("a placement");
+    Scene::from_iter([Object::new("squares", shape, placement)])
+}
+
+/// How much darker the wireframe makes the darkest pixel of a scene, and all of them in the mean.
+fn darker(gpu: &Gpu, scene: &Scene, view: &View) -> [f32; 2] {
+    let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
+    let targets = Targets::new(gpu, view.viewport, 4).expect("fits");
+    let mut renderer = Renderer::new(gpu, 4);
+    let mut light = |wireframe| {
+        renderer.wireframe = wireframe;
+        let drawn = renderer.draw((&buffers, &targets, view), &[]);
+        drawn.expect("draws");
+        let ids = targets.read_ids(gpu).expect("ids");
+        let colours = targets.read_colours(gpu).expect("colours");
+        let seen = ids.pixels().iter().zip(colours.pixels());
+        let seen = seen.filter(|(id, _)| id.object > 0);
+        let light = seen.map(|(_, pixel)| look::luminance(Srgb(*pixel).to_linear()));
+        let light: Vec<_> = light.collect();
+        assert!(light.len() > 3000);
+        let least = light.iter().copied().fold(f32::INFINITY, f32::min);
+        [least, light.iter().sum::<f32>()]
+    };
+    let [plain, wired] = [light(None), light(Some(Wireframe::OfAll))];
+    [0, 1].map(|i| 1.0 - wired[i] / plain[i])
+}
+
 /// Edges that are far apart are dark. Where they are dense they fade, so that the form of a fine mesh is seen through
-/// its wireframe.
+/// its wireframe: from near and far, at a slant, and whatever its model matrix.
 #[test]
 fn a_wireframe_fades_where_it_is_dense() {
     let gpu = &gpu();
-    let view = view(
-        [0.0, 0.0, 3.0],
-        [0.0, 0.0, 0.0],
-        perspective(40.0, 0.1, 100.0),
-        [400, 400],
-    );
-    // Squares of the plane through the target, which is 366 pixels wide.
-    let plane = |squares: u32| {
-        let side = squares + 1;
-        #[expect(clippy::cast_precision_loss, reason = "few squares")]
-        let place = |i| 2.0 * i as f32 / squares as f32 - 1.0;
-        let positions = (0..side * side).map(|i| [place(i % side), place(i / side), 0.0]);
-        let corners = (0..squares * squares).flat_map(|i| {
-            let at = i % squares + i / squares * side;
-            [[at, at + 1, at + side], [at + 1, at + side + 1, at + side]]
-        });
-        let shape = Shape::Mesh {
-            mesh: mesh(positions.collect(), corners.collect(), DVec3::ZERO),
-            part: 0,
-        };
-        Scene::from_iter([Object::new("plane", shape, Placement::IDENTITY)])
+    let lens = perspective(40.0, 0.1, 100.0);
+    let in_front = view([0.0, 0.0, 3.0], [0.0; 3], lens, [400, 400]);
+    let of = |count| darker(gpu, &squares(count, 1.0), &in_front);
+    // The square is 366 pixels wide.
+    let all = [4, 40, 180].map(of);
+    let [[sparse, few], [_, between], [dense, many]] = all;
+    assert!(sparse > 0.6, "{all:?}");
+    assert!(few > 0.01 && between < 0.3 && many < 0.1, "{all:?}");
+    assert!(dense < 0.35, "{all:?}");
+    for count in [4, 40] {
+        let [as_is, enlarged] =
+            [1.0, 1000.0].map(|times| darker(gpu, &squares(count, times), &in_front)[1]);
+        assert!((as_is - enlarged).abs() < 0.01, "{as_is} {enlarged}");
+    }
+    // At a slant, lines that run across it are a few pixels apart.
+    let beside = view([2.9, 0.0, 0.35], [0.0; 3], lens, [400, 400]);
+    let slanted = darker(gpu, &squares(40, 1.0), &beside)[1];
+    assert!(slanted < 0.3, "{slanted}");
+    let ortho = View {
+        camera: in_front
+            .camera
+            .with_lens(orthographic(2.2, 0.1, 100.0))
+            .expect("a lens"),
+        ..in_front
     };
-    // How dark the wireframe makes the darkest pixel, and all of them in the mean.
-    let darker = [4, 40, 180].map(|squares| {
-        let scene = plane(squares);
-        let buffers = SceneBuffers::upload(gpu, &scene).expect("fits");
-        let targets = Targets::new(gpu, view.viewport, 4).expect("fits");
-        let mut renderer = Renderer::new(gpu, 4);
-        let mut light = |wireframe| {
-            renderer.wireframe = wireframe;
-            let drawn = renderer.draw((&buffers, &targets, &view), &[]);
-            drawn.expect("draws");
-            let colours = targets.read_colours(gpu).expect("colours");
-            let within = colours.part([60, 60], Viewport::new(280, 280).expect("a size"));
-            let light = within.pixels().iter();
-            let light = light.map(|pixel| look::luminance(Srgb(*pixel).to_linear()));
-            let light: Vec<_> = light.collect();
-            let least = light.iter().copied().fold(f32::INFINITY, f32::min);
-            [least, light.iter().sum::<f32>()]
-        };
-        let [plain, wired] = [light(None), light(Some(Wireframe::OfAll))];
-        [0, 1].map(|i| 1.0 - wired[i] / plain[i])
-    });
-    let [[sparse, few], [_, between], [dense, many]] = darker;
-    assert!(sparse > 0.6, "{darker:?}");
-    assert!(few > 0.01 && between < 0.3 && many < 0.1, "{darker:?}");
-    assert!(dense < 0.35, "{darker:?}");
+    let [sparse, dense] = [4, 180].map(|count| darker(gpu, &squares(count, 1.0), &ortho));
+    assert!(sparse[0] > 0.6 && dense[1] < 0.1, "{sparse:?} {dense:?}");
 }

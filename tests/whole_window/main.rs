@@ -247,18 +247,14 @@ fn press_key(window: &mut Window, modifiers: Modifiers, key: Key) {
     window.send([true, false].map(|pressed| key_event(modifiers, key, pressed)));
 }
 
-/// Takes a screenshot to a file, after clicking these controls of its card, if any.
+/// Takes a screenshot to a file by Enter, after clicking these controls of its card, if any.
 #[track_caller]
 fn shoot(window: &mut Window, choices: &[&str]) {
     press_key(window, Modifiers::NONE, Key::F12);
     for choice in choices {
         click_on(window, choice);
     }
-    if choices.is_empty() {
-        press_key(window, Modifiers::NONE, Key::Enter);
-    } else {
-        click_on(window, "save the screenshot");
-    }
+    press_key(window, Modifiers::NONE, Key::Enter);
 }
 
 /// The pixel whose top left corner is nearest to a point of the window, at scale 1.

@@ -93,7 +93,9 @@ fn a_screenshot_may_be_larger_and_transparent() {
     let (mut window, folder) = open_row();
     press_key(&mut window, Modifiers::NONE, Key::G);
     let shown = window.picture().expect("a picture");
+    let view = *window.state().view();
     shoot(&mut window, &["transparent", "\u{d7} 2"]);
+    assert_eq!(*window.state().view(), view, "Enter does nothing else");
     window.send([Event::PointerGone]);
     let after = window.picture().expect("a picture");
     let (pixels, width) = read_rgba(&saved(&folder)[0]);
@@ -165,6 +167,18 @@ fn the_card_of_screenshots_closes_and_takes_none() {
         assert!(!has_control(&window, "save the screenshot"), "{key:?}");
     }
     window.picture().expect("a picture");
+    assert!(saved(&folder).is_empty());
+    // The key that ends a typed number does nothing else. Esc closes the card before it ends measuring.
+    press_key(&mut window, Modifiers::NONE, Key::Q);
+    for key in [Key::Enter, Key::Escape] {
+        press_key(&mut window, Modifiers::NONE, Key::F12);
+        type_into(&mut window, "width", "300");
+        press_key(&mut window, Modifiers::NONE, key);
+        assert!(has_control(&window, "save the screenshot"), "{key:?}");
+        press_key(&mut window, Modifiers::NONE, Key::Escape);
+        assert!(!has_control(&window, "save the screenshot"), "{key:?}");
+        assert!(window.state().measuring().is_on);
+    }
     assert!(saved(&folder).is_empty());
 }
 

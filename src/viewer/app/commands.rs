@@ -136,8 +136,6 @@ impl App {
             self.act(Action::Measure(MeasureAction::Toggle));
         } else if self.stop_loading() {
             // `stop_loading` did it.
-        } else if self.screenshots.is_open {
-            self.screenshots.is_open = false;
         } else if self.helps {
             self.helps = false;
         } else if self.dismiss_latest() {

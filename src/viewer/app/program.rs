@@ -35,7 +35,7 @@ const SAID_S: f64 = 4.0;
 pub(in crate::viewer) struct Screenshots {
     /// Whether the card for them is open.
     pub is_open: bool,
-    /// What the last one showed.
+    /// What the card asks for.
     pub shot: Shot,
     /// What the next frame is taken for.
     pub wanted: Option<(Shot, ShotTo)>,

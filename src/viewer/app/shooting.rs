@@ -18,6 +18,13 @@ impl App {
         let Some((shot, to)) = self.screenshots.wanted.take() else {
             return;
         };
+        if let Some(size) = shot.size.filter(|size| !has_room(*size)) {
+            let [width, height] = [size.width(), size.height()];
+            let text = format!(
+                "there is no memory for a picture of {width} x {height} pixels: choose a smaller one"
+            );
+            return self.failed(Attempt::Screenshot, text);
+        }
         // Nothing is lit by the cursor, which lay on the card.
         for action in [Action::Hover(None), Action::Light(None)] {
             self.state.apply(action);
@@ -74,6 +81,14 @@ impl App {
         // The window's picture may have another size or background, and the clipboard waits for a pass.
         self.context.request_repaint();
     }
+}
+
+/// Whether there seems to be memory for all that drawing a picture of this size takes.
+fn has_room(size: Viewport) -> bool {
+    const BYTES_PER_PIXEL: usize = 64;
+    let pixels = size.width() as usize * size.height() as usize;
+    let bytes = pixels.saturating_mul(BYTES_PER_PIXEL);
+    Vec::<u8>::new().try_reserve_exact(bytes).is_ok()
 }
 
 /// A picture as egui hands it to the clipboard.

@@ -1,5 +1,5 @@
-//! The system's clipboard: text both ways, pictures out. What lies there may belong to a program that hands it over late or never, so a
-//! thread asks for it, and the window goes on.
+//! The system's clipboard: text both ways, pictures out. What lies there may belong to a program that hands it over late
+//! or never, so a thread asks for it, and the window goes on.
 
 use crate::viewer::app::{Wake, Waker};
 use egui::{Event, OutputCommand};

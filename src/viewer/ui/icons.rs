@@ -2,7 +2,7 @@
 
 use egui::{ImageSource, include_image};
 
-/// A drawing, white on nothing.
+/// A drawing, white on a transparent ground.
 pub(in crate::viewer) type Icon = ImageSource<'static>;
 
 /// The sides of a drawing, in points.

@@ -1,7 +1,7 @@
 //! The menu of the right mouse button: what can be done with what is under the cursor.
 
 use super::prelude::*;
-use crate::viewer::ui::menus::keys_of;
+use crate::viewer::ui::menus::{item_of, keys_of};
 use egui::{Id, Label, PointerButton, Popup, RichText};
 use glam::DVec2;
 
@@ -126,8 +126,9 @@ fn of_nothing(picture: &Response, state: &State, commands: &mut Vec<Command>) {
         lines.ask(name, hint, Command::CopyCommandLine);
         let hint = "as a scene file writes it; Ctrl+V pastes it";
         lines.ask("Copy the camera", hint, Command::CopyCamera);
-        let hint = "of the picture or the window, on any background, to a file or the clipboard";
-        lines.ask("Screenshot\u{2026}", hint, Command::ToggleScreenshot);
+        if let Some(item) = item_of(&Command::ToggleScreenshot) {
+            lines.ask(item.name, item.hint, Command::ToggleScreenshot);
+        }
     });
 }
 

@@ -34,18 +34,9 @@ pub(super) fn show(ui: &mut Ui, shown: &mut Shown, commands: &mut Vec<Command>) 
         ui.spacing_mut().button_padding = vec2(5.0, 1.0);
         for menu in MENUS.iter() {
             let inside = |ui: &mut Ui| {
-                let asked = commands.len();
-                let room = ui.ctx().content_rect().height() - ROOM_AROUND;
-                if LINE * line_count(menu, shown) <= room {
+                opened(ui, line_count(menu, shown), commands, |ui, commands| {
                     items(ui, menu, shown, commands);
-                } else {
-                    let scrolled = ScrollArea::vertical().max_height(room);
-                    scrolled.show(ui, |ui| items(ui, menu, shown, commands));
-                }
-                if commands.len() > asked {
-                    // By a key too, where egui leaves the menu open.
-                    ui.close();
-                }
+                });
             };
             ui.menu_button(menu.name, inside).response.hint(menu.hint);
         }
@@ -79,8 +70,31 @@ pub(super) fn show(ui: &mut Ui, shown: &mut Shown, commands: &mut Vec<Command>) 
     });
 }
 
+/// An open menu of so many lines. It scrolls where the window is lower, and closes once something is asked for.
+fn opened(
+    ui: &mut Ui,
+    line_count: usize,
+    commands: &mut Vec<Command>,
+    lines: impl FnOnce(&mut Ui, &mut Vec<Command>),
+) {
+    let asked = commands.len();
+    let room = ui.ctx().content_rect().height() - ROOM_AROUND;
+    #[expect(clippy::cast_precision_loss, reason = "a few")]
+    let is_room = LINE * line_count as f32 <= room;
+    if is_room {
+        lines(ui, commands);
+    } else {
+        let scrolled = ScrollArea::vertical().max_height(room);
+        scrolled.show(ui, |ui| lines(ui, commands));
+    }
+    if commands.len() > asked {
+        // By a key too, where egui leaves the menu open.
+        ui.close();
+    }
+}
+
 /// About how many lines a menu has.
-fn line_count(menu: &Menu, shown: &Shown) -> f32 {
+fn line_count(menu: &Menu, shown: &Shown) -> usize {
     let items: usize = (menu.groups.iter())
         .map(|group| group.items.len() + 1)
         .sum();
@@ -89,9 +103,7 @@ fn line_count(menu: &Menu, shown: &Shown) -> f32 {
         Some(More::Recent) => shown.recent.len().max(1),
         Some(More::Exhibits) => GALLERY.len() + 2,
     };
-    #[expect(clippy::cast_precision_loss, reason = "a few")]
-    let lines = (items + more) as f32;
-    lines
+    items + more
 }
 
 /// What a menu holds.
@@ -113,17 +125,12 @@ fn items(ui: &mut Ui, menu: &Menu, shown: &Shown, commands: &mut Vec<Command>) {
 
 /// Items, a line for each.
 fn lines(ui: &mut Ui, items: &[Item], shown: &Shown, commands: &mut Vec<Command>) {
-    let asked = commands.len();
     for item in items {
         let is_on = item.is_on.as_ref().is_some_and(|is_on| is_on(shown));
         let line = Button::selectable(is_on, item.name).shortcut_text(item.first_keys());
         let line = ui.add_enabled((item.is_of_use)(shown), line);
         let line = line.named(item.name);
         line.asks(item.tells(shown), item.command.clone(), commands);
-    }
-    if commands.len() > asked {
-        // By a key too, where egui leaves the menu open.
-        ui.close();
     }
 }
 
@@ -247,7 +254,11 @@ fn tool(ui: &mut Ui, shown: &Shown, tool: &Tool, with_name: bool, commands: &mut
         }
         Tool::Group(name, _, items) => {
             let menu = MenuButton::from_button(dressed(button(None)));
-            let (opens, _) = menu.ui(ui, |ui| lines(ui, items, shown, commands));
+            let (opens, _) = menu.ui(ui, |ui| {
+                opened(ui, items.len(), commands, |ui, commands| {
+                    lines(ui, items, shown, commands);
+                });
+            });
             let names: Vec<_> = items.iter().map(|item| item.name).collect();
             (opens.named(name)).hint(hint(names.join(", ")));
         }

@@ -9,7 +9,8 @@ use crate::{
         focus::appears,
     },
 };
-use egui::{Context, DragValue, Key, Window};
+use egui::{Context, DragValue, Id, Key, Modifiers, Popup, Window};
+use std::mem;
 
 /// The most pixels that a side may have.
 const LARGEST_SIDE: u32 = 16_384;
@@ -29,7 +30,7 @@ const BACKDROPS: [(&str, Option<Backdrop>, &str); 5] = [
 
 /// Shown at the top of the window, so that the scene can be turned and seen beside it.
 pub(super) fn show(ctx: &Context, state: &State, shot: &mut Shot, commands: &mut Vec<Command>) {
-    let (mut open, mut escapes) = (true, false);
+    let (mut open, types) = (true, types(ctx));
     Window::new("Screenshot")
         .open(&mut open)
         .collapsible(false)
@@ -59,11 +60,6 @@ pub(super) fn show(ctx: &Context, state: &State, shot: &mut Shot, commands: &mut
             ui.add_space(6.0);
             ui.horizontal(|ui| {
                 let save = ui.button("Save").named("save the screenshot");
-                // Enter takes it, and Esc none.
-                escapes = save.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape));
-                if appears(ui.ctx(), "screenshot") {
-                    save.request_focus();
-                }
                 let hint = "as a new PNG file, sightline-1.png or the next number (Enter)";
                 save.asks(hint, Command::Shoot(*shot, ShotTo::File), commands);
                 let copy = ui.button("Copy").named("copy the screenshot");
@@ -71,9 +67,28 @@ pub(super) fn show(ctx: &Context, state: &State, shot: &mut Shot, commands: &mut
                 copy.asks(hint, Command::Shoot(*shot, ShotTo::Clipboard), commands);
             });
         });
-    if !open || escapes {
+    let is_pressed = |key| !types && ctx.input_mut(|input| input.consume_key(Modifiers::NONE, key));
+    // A control that Tab has led to takes Enter, and a menu Esc.
+    if ctx.memory(|memory| memory.focused().is_none()) && is_pressed(Key::Enter) {
+        commands.push(Command::Shoot(*shot, ShotTo::File));
+    } else if !open || (!Popup::is_any_open(ctx) && is_pressed(Key::Escape)) {
         commands.push(Command::ToggleScreenshot);
     }
+}
+
+/// Whether a number is being typed, or was in the pass before: the key that ends that does nothing else. As the card
+/// appears, what had the focus loses it.
+fn types(ctx: &Context) -> bool {
+    if appears(ctx, "screenshot") {
+        ctx.memory_mut(|memory| {
+            if let Some(id) = memory.focused() {
+                memory.surrender_focus(id);
+            }
+        });
+    }
+    let (id, now) = (Id::unique("a size is typed"), ctx.text_edit_focused());
+    let before = ctx.data_mut(|data| mem::replace(data.get_temp_mut_or_default(id), now));
+    before || now
 }
 
 /// Width and height in pixels, and sizes that are often wanted.

@@ -252,6 +252,14 @@ fn said(state: &State) -> (String, String) {
         }
         Some(PickView::Own) | None => {}
     }
+    let line = selection.pick.as_ref();
+    let in_one_place = line.and_then(|line| line.in_one_place.as_ref());
+    if let Some(all) = in_one_place.filter(|all| hit.may_be_of(all)) {
+        let whole = format!(
+            "{all} They are closer together than drawing can tell apart. The picture may show any of them; the pick's order is exact."
+        );
+        return (all.to_string(), whole);
+    }
     if let Some(ray) = state.pick_ray().filter(|ray| ray.at > 0) {
         let (number, count) = (ray.at + 1, ray.picks.len());
         let (before, first) = (&ray.picks[ray.at - 1].object, &ray.picks[0].object);
@@ -261,14 +269,6 @@ fn said(state: &State) -> (String, String) {
                 "the same pixel was clicked again, or N pressed, which leads on to the next; Shift+N leads back. The pixel shows {first}"
             ),
         );
-    }
-    let line = selection.pick.as_ref();
-    let in_one_place = line.and_then(|line| line.in_one_place.as_ref());
-    if let Some(all) = in_one_place.filter(|all| hit.may_be_of(all)) {
-        let whole = format!(
-            "{all} They are closer together than drawing can tell apart. The picture may show any of them; the pick's order is exact."
-        );
-        return (all.to_string(), whole);
     }
     let decided = if hit.exact {
         "exact arithmetic decided, since 64-bit numbers left it open"
