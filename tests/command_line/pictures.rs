@@ -129,6 +129,37 @@ fn views_are_drawn_by_the_words_that_the_window_has() {
     }
 }
 
+/// The background that is chosen is behind the scene, whoever draws it, and the ids say the same as ever.
+#[test]
+fn a_picture_is_on_the_background_that_is_chosen() {
+    let folder = Folder::new();
+    let args = "render scene.toml --size 64x48 --eye 3,2,9 --ids ids.png";
+    for by in ["--by raycast", "--by raster --pick 32,24", "--by raster"] {
+        let corners = ["dark", "light", "white", "transparent"].map(|name| {
+            let output = folder.run(&format!("{args} {by} --background {name} -o {name}.png"));
+            assert!(output.status.success(), "{by}: {output:?}");
+            let (colour, _, _, bytes) = read_png(&folder.path(&format!("{name}.png")));
+            let (.., ids) = read_png(&folder.path("ids.png"));
+            if colour == png::ColorType::Rgba {
+                let opaque = |id: &[u8], pixel: &[u8]| id[1] > 0 && pixel[3] == 255;
+                let pairs = ids.chunks(2).zip(bytes.chunks(4));
+                let opaque = pairs.filter(|(id, pixel)| opaque(id, pixel)).count();
+                assert!(opaque > 200, "{by}: {opaque}");
+                return bytes[3];
+            }
+            bytes[0]
+        });
+        let [dark, light, white, alpha] = corners;
+        assert!(
+            dark < 60 && (200..240).contains(&light),
+            "{by}: {corners:?}"
+        );
+        assert_eq!((white, alpha), (255, 0), "{by}");
+    }
+    let output = folder.run("render scene.toml --background red -o red.png");
+    assert_eq!(output.status.code(), Some(2));
+}
+
 /// Neither file is replaced unless both can be written, and one file is not taken for two.
 #[test]
 fn a_picture_stays_where_its_ids_cannot_be_written() {
