@@ -58,6 +58,14 @@ pub enum Backdrop {
 }
 
 impl Backdrop {
+    /// All, by their names.
+    pub const NAMED: [(&'static str, Self); 4] = [
+        ("dark", Self::Dark),
+        ("light", Self::Light),
+        ("white", Self::White),
+        ("transparent", Self::Transparent),
+    ];
+
     /// Its colours; `None` where it is transparent.
     pub fn colours(self) -> Option<Background> {
         match self {

@@ -20,6 +20,9 @@ impl Viewport {
         height: 720,
     };
 
+    /// The most pixels along a side that a user may ask for. More is surely a typing error.
+    pub const LARGEST_SIDE: u32 = 16_384;
+
     /// Takes width and height in pixels.
     ///
     /// # Errors

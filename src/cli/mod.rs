@@ -35,6 +35,7 @@ pub use window::WindowArgs;
 
 use crate::{
     camera::Viewport,
+    image,
     render::{Gpu, GpuError},
     scene::{self, Detail, Loaded, Progress},
 };
@@ -201,14 +202,5 @@ fn build_trees(scene: &scene::Scene) {
 
 /// Refuses a picture that does not fit into memory with this many bytes per pixel, before any work.
 fn check_memory(size: Viewport, bytes_per_pixel: usize) -> Result<(), CliError> {
-    let pixels = size.width() as usize * size.height() as usize;
-    let bytes = pixels.saturating_mul(bytes_per_pixel);
-    Vec::<u8>::new().try_reserve_exact(bytes).map_err(|_| {
-        CliError::usage(format!(
-            "a picture of {}x{} needs {} MB, more memory than is available: draw a smaller one",
-            size.width(),
-            size.height(),
-            bytes / 1_000_000
-        ))
-    })
+    image::check_memory(size, bytes_per_pixel).map_err(CliError::usage)
 }

@@ -39,7 +39,7 @@ pub struct RenderArgs {
     #[arg(long, value_name = "VIEWS", value_parser = value::word(value::VIEWS), conflicts_with_all = ["ids", "by"])]
     pub views: Option<Views>,
     /// What is behind the scene
-    #[arg(long, value_name = "BACKGROUND", value_parser = value::word(value::BACKDROPS), default_value = "dark")]
+    #[arg(long, value_name = "BACKGROUND", value_parser = value::word(Backdrop::NAMED), default_value = "dark")]
     pub background: Backdrop,
     /// How to look at it.
     #[command(flatten)]

@@ -3,15 +3,11 @@
 use crate::{
     camera::Viewport,
     geometry::range,
-    look::Backdrop,
     viewer::model::{Stage, Views},
 };
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use glam::{DVec2, DVec3};
 use std::path::PathBuf;
-
-/// The most pixels that a side may have. More is surely a typing error.
-const LARGEST_SIDE: u32 = 16_384;
 
 /// A number in range.
 pub(super) fn number(text: &str) -> Result<f64, String> {
@@ -47,14 +43,6 @@ pub(super) const VIEWS: [(&str, Views); 6] = [
     ("world", Views::One(Stage::World)),
     ("view", Views::One(Stage::View)),
     ("ndc", Views::One(Stage::Ndc)),
-];
-
-/// What is behind a scene.
-pub(super) const BACKDROPS: [(&str, Backdrop); 4] = [
-    ("dark", Backdrop::Dark),
-    ("light", Backdrop::Light),
-    ("white", Backdrop::White),
-    ("transparent", Backdrop::Transparent),
 ];
 
 /// One of these words, for the value beside it.
@@ -102,10 +90,14 @@ pub(super) fn size(text: &str) -> Result<Viewport, String> {
     let sides = text.split_once(['x', 'X']);
     let side = |text: &str| {
         let side: u32 = text.parse().ok()?;
-        (1..=LARGEST_SIDE).contains(&side).then_some(side)
+        (1..=Viewport::LARGEST_SIDE).contains(&side).then_some(side)
     };
     let sides = sides.and_then(|(width, height)| Some((side(width)?, side(height)?)));
-    let (width, height) =
-        sides.ok_or_else(|| format!("expected WxH with 1 to {LARGEST_SIDE} pixels a side"))?;
+    let (width, height) = sides.ok_or_else(|| {
+        format!(
+            "expected WxH with 1 to {} pixels a side",
+            Viewport::LARGEST_SIDE
+        )
+    })?;
     Viewport::new(width, height).map_err(|error| error.to_string())
 }

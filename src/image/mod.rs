@@ -11,6 +11,23 @@ pub use self::png::ImageError;
 
 use crate::camera::Viewport;
 
+/// Refuses, in a line, a picture that does not fit into memory with this many bytes per pixel.
+///
+/// # Errors
+/// When there is less memory.
+pub fn check_memory(size: Viewport, bytes_per_pixel: usize) -> Result<(), String> {
+    let pixels = size.width() as usize * size.height() as usize;
+    let bytes = pixels.saturating_mul(bytes_per_pixel);
+    Vec::<u8>::new().try_reserve_exact(bytes).map_err(|_| {
+        format!(
+            "a picture of {}x{} needs {} MB, more memory than is available: draw a smaller one",
+            size.width(),
+            size.height(),
+            bytes / 1_000_000
+        )
+    })
+}
+
 /// A picture: one value per pixel, rows from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image<T> {

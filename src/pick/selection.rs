@@ -12,9 +12,8 @@ use crate::{
 /// # Panics
 /// When the images differ in size.
 pub fn mark(object: usize, ids: &Image<Id>, colours: &mut Image<Rgb>, background: Background) {
-    let outline = Srgb::from_linear(background.over(look::SELECTION)).0;
-
     assert_eq!(ids.size(), colours.size(), "the images are of one view");
+    let outline = Srgb::from_linear(background.over(look::SELECTION)).0;
     for (((x, y), id), colour) in ids.positions().zip(ids.pixels()).zip(colours.pixels_mut()) {
         if on_outline(object, ids, x, y) {
             *colour = outline;

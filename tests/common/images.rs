@@ -9,6 +9,11 @@ use std::path::Path;
 
 /// The picture in a PNG file of 8-bit colours.
 pub fn read(path: &Path) -> Image<Rgb> {
+    read_channels(path)
+}
+
+/// The picture in a PNG file of 8 bits for each of so many channels.
+pub fn read_channels<const N: usize>(path: &Path) -> Image<[u8; N]> {
     let file = std::fs::File::open(path).unwrap_or_else(|error| {
         panic!(
             "{}: {error}; SIGHTLINE_GOLDENS=write makes it",
@@ -20,6 +25,7 @@ pub fn read(path: &Path) -> Image<Rgb> {
         .expect("a PNG");
     let mut bytes = vec![0; reader.output_buffer_size().expect("a small picture")];
     let info = reader.next_frame(&mut bytes).expect("pixels");
+    assert_eq!(info.color_type.samples(), N, "{}", path.display());
     let size = Viewport::new(info.width, info.height).expect("a size");
     Image::new(size, bytes.as_chunks().0.to_vec())
 }

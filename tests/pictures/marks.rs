@@ -133,6 +133,13 @@ fn a_line_may_fade_into_what_is_behind_it() {
     assert!(!apart(faint, at_first, 12) && !apart(strong, whole, 12));
 }
 
+/// The same view in orthographic projection, so high.
+fn in_parallel(view: &View, height: f64) -> View {
+    let lens = orthographic(height, 0.1, 100.0);
+    let camera = view.camera.with_lens(lens).expect("a lens");
+    View { camera, ..*view }
+}
+
 #[test]
 fn lines_are_in_the_picture_and_not_in_the_ids() {
     let gpu = gpu();
@@ -148,13 +155,7 @@ fn lines_are_in_the_picture_and_not_in_the_ids() {
             ]
         })
         .collect();
-    let orthographic_view = View {
-        camera: view
-            .camera
-            .with_lens(orthographic(5.0, 0.1, 100.0))
-            .expect("a lens"),
-        ..view
-    };
+    let orthographic_view = in_parallel(&view, 5.0);
     for view in [view, orthographic_view] {
         let (plain_ids, plain, _) = draw(&gpu, &scene, &view, &[], &Marks::default(), 1);
         for samples in [1, 4] {
@@ -298,13 +299,7 @@ fn a_wireframe_fades_where_it_is_dense() {
     let beside = view([2.9, 0.0, 0.35], [0.0; 3], lens, [400, 400]);
     let slanted = darker(gpu, &squares(40, 1.0), &beside)[1];
     assert!(slanted < 0.3, "{slanted}");
-    let ortho = View {
-        camera: in_front
-            .camera
-            .with_lens(orthographic(2.2, 0.1, 100.0))
-            .expect("a lens"),
-        ..in_front
-    };
+    let ortho = in_parallel(&in_front, 2.2);
     let [sparse, dense] = [4, 180].map(|count| darker(gpu, &squares(count, 1.0), &ortho));
     assert!(sparse[0] > 0.6 && dense[1] < 0.1, "{sparse:?} {dense:?}");
 }

@@ -160,13 +160,18 @@ fn control<'a>(window: &'a Window, name: &str) -> &'a Control {
             .filter(|control| control.name == name)
     };
     let of_use = || named().filter(|control| control.role != Role::Label);
-    let below_the_bar = of_use().find(|control| control.rect.top() > 25.0);
+    let below_the_bar = of_use().find(|control| is_below_the_bar(control));
     let of_use = below_the_bar.or_else(|| of_use().next());
     of_use.or_else(|| named().next()).unwrap_or_else(|| {
         let all = window.controls().iter();
         let names: Vec<_> = all.map(|control| &control.name).collect();
         panic!("no {name:?} among {names:?}")
     })
+}
+
+/// Whether a control is none of the menus and tools at the top.
+fn is_below_the_bar(control: &Control) -> bool {
+    control.rect.top() > 25.0
 }
 
 fn has_control(window: &Window, name: &str) -> bool {

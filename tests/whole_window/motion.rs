@@ -9,7 +9,7 @@ use sightline::{
 };
 
 /// The top left corner of the scene's rectangle, which is centred in the window's room for it.
-fn corner(window: &Window) -> [u32; 2] {
+pub(super) fn corner(window: &Window) -> [u32; 2] {
     let size = window.state().view().viewport;
     [590 - size.width() / 2, 360 - size.height() / 2]
 }

@@ -175,7 +175,7 @@ fn it_is_saved_and_opened_again_and_no_gallery_scene_has_it() {
     assert_eq!(section(&window), None);
     press_key(&mut window, Modifiers::NONE, Key::Z);
     assert_eq!(section(&window), None);
-    let is_heading = |control: &Control| control.name == "Section" && control.rect.top() > 25.0;
+    let is_heading = |control: &Control| control.name == "Section" && is_below_the_bar(control);
     assert!(!window.controls().iter().any(is_heading));
     let tool = window
         .controls()

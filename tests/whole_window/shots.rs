@@ -1,7 +1,9 @@
 //! Screenshots: of the picture or the whole window, on any background, of any size, to a file or the clipboard.
 
 use super::*;
-use std::{fs, io::BufReader};
+use motion::corner;
+use sightline::image::Rgba;
+use std::fs;
 
 /// A window that saves screenshots in a folder, and the folder.
 fn open_row() -> (Window, TempDir) {
@@ -20,23 +22,6 @@ fn saved(folder: &TempDir) -> Vec<PathBuf> {
         .collect();
     files.sort();
     files
-}
-
-/// Pixels with opacity, row by row, and the number of columns.
-fn read_rgba(path: &Path) -> (Vec<[u8; 4]>, u32) {
-    let file = BufReader::new(fs::File::open(path).expect("a file"));
-    let mut reader = png::Decoder::new(file).read_info().expect("a PNG");
-    let mut bytes = vec![0; reader.output_buffer_size().expect("small")];
-    let info = reader.next_frame(&mut bytes).expect("whole");
-    assert_eq!(info.color_type, png::ColorType::Rgba);
-    (bytes.as_chunks().0.to_vec(), info.width)
-}
-
-/// The pixel of the window at the picture's top left.
-fn corner(window: &Window) -> [u32; 2] {
-    let left = control(window, "edge of the left side").rect.right();
-    let height = window.state().view().viewport.height();
-    [whole(pos2(left, 0.0))[0], 720 - height - 25]
 }
 
 /// F12, Enter.
@@ -98,7 +83,8 @@ fn a_screenshot_may_be_larger_and_transparent() {
     assert_eq!(*window.state().view(), view, "Enter does nothing else");
     window.send([Event::PointerGone]);
     let after = window.picture().expect("a picture");
-    let (pixels, width) = read_rgba(&saved(&folder)[0]);
+    let larger: Image<Rgba> = images::read_channels(&saved(&folder)[0]);
+    let (pixels, width) = (larger.pixels(), larger.size().width());
     let viewport = window.state().view().viewport;
     assert_eq!(width, 2 * viewport.width());
     assert_eq!(

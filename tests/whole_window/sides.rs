@@ -60,8 +60,9 @@ fn what_unfolds_moves_only_what_is_below() {
         window.resize(px([1280, 1400], 1.0));
         let heading = |window: &Window, name: &str| {
             let mut all = window.controls().iter();
-            let is_there = |rect: Rect| rect.left() > 970.0 && rect.top() > 25.0;
-            let here = all.find(|control| control.name == name && is_there(control.rect));
+            let is_there =
+                |control: &Control| control.rect.left() > 970.0 && is_below_the_bar(control);
+            let here = all.find(|control| control.name == name && is_there(control));
             here.expect("a heading").rect
         };
         let above = |window: &Window| {

@@ -3,7 +3,7 @@
 use super::program::App;
 use crate::{
     camera::Viewport,
-    image::Picture,
+    image::{Picture, check_memory},
     viewer::{
         model::Action,
         screen::{Canvas, Laid, SceneRect, write_screenshot},
@@ -12,17 +12,16 @@ use crate::{
 };
 use egui::{ColorImage, OutputCommand};
 
+/// Bytes per pixel that drawing a picture takes, with its samples and ids, and handing it on.
+const DRAWING_BYTES: usize = 64;
+
 impl App {
     /// Takes the screenshot that was asked for, if one was, of the frame that was just drawn.
     pub(super) fn take_screenshot(&mut self, canvas: &mut Canvas, laid: &Laid, size: Viewport) {
         let Some((shot, to)) = self.screenshots.wanted.take() else {
             return;
         };
-        if let Some(size) = shot.size.filter(|size| !has_room(*size)) {
-            let [width, height] = [size.width(), size.height()];
-            let text = format!(
-                "there is no memory for a picture of {width} x {height} pixels: choose a smaller one"
-            );
+        if let Some(Err(text)) = shot.size.map(|size| check_memory(size, DRAWING_BYTES)) {
             return self.failed(Attempt::Screenshot, text);
         }
         // Nothing is lit by the cursor, which lay on the card.
@@ -81,14 +80,6 @@ impl App {
         // The window's picture may have another size or background, and the clipboard waits for a pass.
         self.context.request_repaint();
     }
-}
-
-/// Whether there seems to be memory for all that drawing a picture of this size takes.
-fn has_room(size: Viewport) -> bool {
-    const BYTES_PER_PIXEL: usize = 64;
-    let pixels = size.width() as usize * size.height() as usize;
-    let bytes = pixels.saturating_mul(BYTES_PER_PIXEL);
-    Vec::<u8>::new().try_reserve_exact(bytes).is_ok()
 }
 
 /// A picture as egui hands it to the clipboard.

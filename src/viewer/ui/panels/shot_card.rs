@@ -10,23 +10,7 @@ use crate::{
     },
 };
 use egui::{Context, DragValue, Id, Key, Modifiers, Popup, Window};
-use std::mem;
-
-/// The most pixels that a side may have.
-const LARGEST_SIDE: u32 = 16_384;
-
-/// What may be behind the scene.
-const BACKDROPS: [(&str, Option<Backdrop>, &str); 5] = [
-    ("as on screen", None, "what is behind the scene now"),
-    ("dark", Some(Backdrop::Dark), "as with dark panels"),
-    ("light", Some(Backdrop::Light), "as with light panels"),
-    ("white", Some(Backdrop::White), "for paper"),
-    (
-        "transparent",
-        Some(Backdrop::Transparent),
-        "nothing: the scene alone, to be laid over anything",
-    ),
-];
+use std::{iter, mem};
 
 /// Shown at the top of the window, so that the scene can be turned and seen beside it.
 pub(super) fn show(ctx: &Context, state: &State, shot: &mut Shot, commands: &mut Vec<Command>) {
@@ -47,8 +31,10 @@ pub(super) fn show(ctx: &Context, state: &State, shot: &mut Shot, commands: &mut
                 ui.end_row();
                 ui.label("Background");
                 ui.horizontal(|ui| {
-                    for (name, backdrop, hint) in BACKDROPS {
-                        (ui.selectable_value(&mut shot.backdrop, backdrop, name)).hint(hint);
+                    let named = Backdrop::NAMED.map(|(name, backdrop)| (name, Some(backdrop)));
+                    for (name, backdrop) in iter::once(("as on screen", None)).chain(named) {
+                        let choice = ui.selectable_value(&mut shot.backdrop, backdrop, name);
+                        choice.hint(about(backdrop));
                     }
                 });
                 ui.end_row();
@@ -76,6 +62,17 @@ pub(super) fn show(ctx: &Context, state: &State, shot: &mut Shot, commands: &mut
     }
 }
 
+/// What a choice of background means.
+fn about(backdrop: Option<Backdrop>) -> &'static str {
+    match backdrop {
+        None => "what is behind the scene now",
+        Some(Backdrop::Dark) => "as with dark panels",
+        Some(Backdrop::Light) => "as with light panels",
+        Some(Backdrop::White) => "for paper",
+        Some(Backdrop::Transparent) => "nothing: the scene alone, to be laid over anything",
+    }
+}
+
 /// Whether a number is being typed, or was in the pass before: the key that ends that does nothing else. As the card
 /// appears, what had the focus loses it.
 fn types(ctx: &Context) -> bool {
@@ -98,12 +95,14 @@ fn size(ui: &mut Ui, state: &State, shot: &mut Shot) {
     let mut sides = [shown.width(), shown.height()];
     ui.horizontal(|ui| {
         for (side, name) in sides.iter_mut().zip(["width", "height"]) {
-            let field = DragValue::new(side).range(1..=LARGEST_SIDE).suffix(" px");
+            let field = DragValue::new(side)
+                .range(1..=Viewport::LARGEST_SIDE)
+                .suffix(" px");
             ui.add(field).named(name).hint("drag, or click and type");
         }
         let [width, height] = [now.width(), now.height()];
         for (name, times) in [("as on screen", 1), ("\u{d7} 2", 2), ("\u{d7} 4", 4)] {
-            let is_room = width.max(height) * times <= LARGEST_SIDE;
+            let is_room = width.max(height) * times <= Viewport::LARGEST_SIDE;
             let sized = ui.add_enabled(is_room, Button::new(name));
             let hint = format!("{} x {} px", width * times, height * times);
             if sized.hint(hint).clicked() {
