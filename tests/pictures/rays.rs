@@ -155,3 +155,30 @@ fn a_face_in_the_plane_is_drawn_as_a_whole() {
         assert!(differ < shown / 10, "{differ} of {shown}");
     }
 }
+
+/// A picture by rays alone has the tint and the outline that drawing gives, as wide and as smooth.
+#[test]
+fn rays_mark_the_selection_as_drawing_does() {
+    let (gpu, scene, view) = (gpu(), shapes(DVec3::ZERO), overview([640, 400]));
+    for object in [3, 7] {
+        let marks = Marks {
+            selection: vec![object],
+            hover: None,
+        };
+        let (drawn_ids, plain, drawn) = draw(&gpu, &scene, &view, &[], &marks, 1);
+        let (ids, mut by_rays) = pick::raycast(&scene, &view, Background::DARK);
+        pick::mark(object, &ids, &mut by_rays, Background::DARK);
+        let [mut outline, mut differ] = [0; 2];
+        for (x, y) in drawn.positions() {
+            let is_selected = ids.at(x, y).object as usize == object + 1;
+            outline += u32::from(!is_selected && apart(drawn.at(x, y), plain.at(x, y), 2));
+            let is_alike = !apart(by_rays.at(x, y), drawn.at(x, y), 2);
+            differ += u32::from(!is_alike || ids.at(x, y) != drawn_ids.at(x, y));
+        }
+        assert!(outline > 100, "{object}: {outline} pixels of outline");
+        assert!(
+            differ < outline / 4,
+            "{object}: {differ} pixels differ, {outline} are outline"
+        );
+    }
+}

@@ -2,6 +2,7 @@
 //! grid's step.
 
 use super::*;
+use std::collections::BTreeSet;
 
 fn demo(points: [u32; 2]) -> Window {
     Window::open(Options::default(), px(points, 1.0), 1.0)
@@ -40,6 +41,51 @@ fn the_bar_names_no_group_before_one_without_names() {
         named += names.iter().filter(|has| **has).count();
     }
     assert!(named > 5, "{named}");
+}
+
+/// Each tool that a narrow row has no room for is in the menu at its end, and no tool lies under the last buttons.
+#[test]
+fn the_bar_hands_every_tool_out() {
+    let tools = [
+        "Open\u{2026}",
+        "Save\u{2026}",
+        "Reload",
+        "Screenshot\u{2026}",
+        "Undo",
+        "Redo",
+        "Frame all",
+        "Views",
+        "Orthographic",
+        "Section",
+        "Overlays",
+        "Freeze",
+        "Measure",
+    ];
+    let mut moved = BTreeSet::new();
+    for width in [500, 640, 700, 800, 1000, 1280] {
+        let mut window = demo(SIZE);
+        window.resize(px([width, 400], 1.0));
+        // Menus are laid out once they are open: what is there now is in the row.
+        let in_row = tools.map(|tool| has_control(&window, tool));
+        let end = control(&window, "left side").rect;
+        for (tool, _) in tools.iter().zip(in_row).filter(|(_, in_row)| *in_row) {
+            let rect = control(&window, tool).rect;
+            assert!(rect.right() < end.left(), "{width}: {tool} {rect} {end}");
+        }
+        assert_eq!(has_control(&window, "more tools"), in_row.contains(&false));
+        if in_row.contains(&false) {
+            // The widest tool does not fit there.
+            let gap = end.left() - control(&window, "more tools").rect.right();
+            assert!((0.0..70.0).contains(&gap), "{width}: {gap} points are free");
+            click_on(&mut window, "more tools");
+        }
+        for tool in tools {
+            assert!(has_control(&window, tool), "{width}: {tool}");
+        }
+        let rest = in_row.iter().filter(|in_row| !**in_row).count();
+        moved.insert(rest);
+    }
+    assert!(moved.len() > 2, "{moved:?}");
 }
 
 /// The grid's step is told where a line of the grid is in the picture, and nothing lies over it.

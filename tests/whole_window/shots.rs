@@ -143,6 +143,66 @@ fn a_screenshot_is_copied_on_any_background() {
     assert_eq!(transparent, [0; 4]);
 }
 
+/// A size as a multiple of the window's goes with the window. One that is none stays in the field, and the one before it
+/// in force.
+#[test]
+fn the_size_follows_the_window_or_is_refused() {
+    let (mut window, folder) = open_row();
+    shoot(&mut window, &["\u{d7} 2"]);
+    let sizes = |window: &mut Window, folder: &TempDir| {
+        window.picture().expect("a picture");
+        let last = saved(folder).pop().expect("a file");
+        let now = window.state().view().viewport;
+        let [size, now] =
+            [images::read(&last).size(), now].map(|size| [size.width(), size.height()]);
+        (size, now)
+    };
+    let (size, before) = sizes(&mut window, &folder);
+    assert_eq!(size, before.map(|side| 2 * side));
+    window.resize(px([900, 500], 1.0));
+    shoot(&mut window, &[]);
+    let (size, now) = sizes(&mut window, &folder);
+    assert_ne!(now, before);
+    assert_eq!(size, now.map(|side| 2 * side));
+
+    press_key(&mut window, Modifiers::NONE, Key::F12);
+    for text in ["0", "16385", "many"] {
+        type_into(&mut window, "width", text);
+        press_key(&mut window, Modifiers::NONE, Key::Enter);
+        let refused = control(&window, "width");
+        assert_eq!(refused.value, text);
+        assert!(!refused.description.is_empty());
+    }
+    type_into(&mut window, "height", "300");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    let (size, now) = sizes(&mut window, &folder);
+    assert_eq!(size, [2 * now[0], 300]);
+    assert_eq!(saved(&folder).len(), 3);
+}
+
+/// The key of a card closes the menu that would lie over it.
+#[test]
+fn a_key_closes_an_open_menu() {
+    let (mut window, _folder) = open_row();
+    click_on(&mut window, "Overlays");
+    assert!(has_control(&window, "Wireframe"));
+    press_key(&mut window, Modifiers::NONE, Key::F12);
+    assert!(has_control(&window, "save the screenshot") && !has_control(&window, "Wireframe"));
+}
+
+/// F12, Ctrl+C.
+#[test]
+fn two_keys_copy_the_picture() {
+    let (mut window, folder) = open_row();
+    press_key(&mut window, Modifiers::NONE, Key::F12);
+    window.send([Event::Copy]);
+    window.picture().expect("a picture");
+    window.send([]);
+    assert!(window.copied_picture().is_some());
+    assert!(!has_control(&window, "save the screenshot") && saved(&folder).is_empty());
+}
+
 #[test]
 fn the_card_of_screenshots_closes_and_takes_none() {
     let (mut window, folder) = open_row();

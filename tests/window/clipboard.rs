@@ -2,6 +2,8 @@
 
 use super::{APART, Screen, Viewer, scene, value};
 use std::{
+    fs,
+    io::Cursor,
     path::Path,
     process::Command,
     thread,
@@ -46,6 +48,47 @@ fn a_camera_that_one_window_copies_another_pastes() {
     let [_from, to] = one_that_copied_and_another(&screen, folder.path());
     screen.xdotool("key ctrl+v");
     assert!(shows_the_pasted_camera(&screen, &to));
+}
+
+/// F12 and Ctrl+C put on the clipboard, for any program, what F12 and Enter write to a file.
+#[test]
+fn a_copied_screenshot_is_the_saved_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let screen = Screen::new(1280, 720);
+    let viewer = open(&screen, folder.path(), &FROM);
+    screen.xdotool("mousemove 640 700");
+    for (keys, done) in [
+        (["key F12", "key Return"], "saved"),
+        (["key F12", "key ctrl+c"], "the screenshot is copied"),
+    ] {
+        for key in keys {
+            screen.xdotool(key);
+        }
+        viewer.wait_for(done);
+    }
+    let copied = Command::new("xclip")
+        .args(["-selection", "clipboard", "-t", "image/png", "-o"])
+        .env("DISPLAY", &screen.display)
+        .output()
+        .expect("xclip runs (Debian, Ubuntu: apt-get install xclip)");
+    let saved = fs::read(folder.path().join("sightline-1.png")).expect("saved");
+    let [saved, copied] = [saved, copied.stdout].map(|bytes| {
+        let mut reader = png::Decoder::new(Cursor::new(bytes))
+            .read_info()
+            .expect("a PNG");
+        let mut pixels = vec![0; reader.output_buffer_size().expect("small")];
+        let frame = reader.next_frame(&mut pixels).expect("whole");
+        let channels = frame.color_type.samples();
+        let colours = pixels
+            .chunks(channels)
+            .map(|pixel| [pixel[0], pixel[1], pixel[2]]);
+        (frame.width, colours.collect::<Vec<_>>())
+    });
+    let mut kinds = saved.1.clone();
+    kinds.sort_unstable();
+    kinds.dedup();
+    assert!(kinds.len() > 100, "{} colours", kinds.len());
+    assert!(saved == copied);
 }
 
 /// The window lives on while the clipboard's owner does not answer, says so, and pastes once it does.

@@ -16,6 +16,7 @@ use crate::{
         ui::{Attempt, Command, Intent, Reply},
     },
 };
+use egui::OutputCommand;
 
 /// The part of a clipboard's text that is used; the rest may be objects.
 #[derive(serde::Deserialize)]
@@ -153,11 +154,24 @@ impl App {
         }
     }
 
-    /// Puts a text on the clipboard, and says so.
-    fn copy(&mut self, text: String, done: &str) {
-        self.copied = Some(egui::OutputCommand::CopyText(text));
-        self.succeeded(Attempt::Copy);
-        self.say(done.into());
+    /// Puts a text on the clipboard. Once it is there, `done` says so.
+    fn copy(&mut self, text: String, done: &'static str) {
+        self.to_copy = Some((OutputCommand::CopyText(text), done));
+    }
+
+    /// What was copied is on the clipboard, or why it is not.
+    pub fn was_copied(&mut self, result: Result<(), String>) {
+        // What a text field copies is not spoken of.
+        let done = self.copying.take();
+        match result {
+            Ok(()) => {
+                self.succeeded(Attempt::Copy);
+                if let Some(done) = done {
+                    self.say(done.into());
+                }
+            }
+            Err(reason) => self.failed(Attempt::Copy, format!("nothing is copied: {reason}")),
+        }
     }
 
     /// Takes the answer of a file dialog. One that is no longer waited for changes nothing: it was about what was on show

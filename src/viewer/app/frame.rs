@@ -216,8 +216,13 @@ impl App {
         if self.underway().is_some() {
             context.request_repaint_after(PROGRESS_EVERY);
         }
-        if let Some(copied) = self.copied.take() {
-            context.send_cmd(copied);
+        if let Some((copies, done)) = self.to_copy.take() {
+            context.send_cmd(copies);
+            self.copying = Some(done);
+            if self.host == Host::Picture {
+                // There is no clipboard that could refuse it.
+                self.was_copied(Ok(()));
+            }
         }
     }
 
@@ -301,7 +306,7 @@ fn is_idle(command: &Command) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::viewer::options::Options;
+    use crate::viewer::{app::program::SAID_S, options::Options};
     use egui::{Event, Key, Modifiers, OutputCommand, RawInput};
     use std::sync::Arc;
 
@@ -334,5 +339,36 @@ mod tests {
             _ => None,
         });
         assert_eq!(copies.collect::<Vec<_>>(), [true]);
+    }
+
+    /// A message goes when its time is over, though nothing else calls for a frame then.
+    #[test]
+    fn a_message_asks_for_the_frame_without_it() {
+        let context = egui::Context::default();
+        let mut app = App::start(Options::default(), Arc::new(drop), Host::Picture, context);
+        let run = |app: &mut App, time_s| {
+            let input = RawInput {
+                time: Some(time_s),
+                ..RawInput::default()
+            };
+            let output = app.run(input);
+            let delays = output.viewport_output.values();
+            delays.map(|viewport| viewport.repaint_delay).min()
+        };
+        // A scene that comes takes the messages about the one before away.
+        while app.is_busy() {
+            run(&mut app, 1.0);
+        }
+        app.say("done".into());
+        // Frames for another reason come in between.
+        for time_s in [1.1, 1.2, 2.0, 2.5] {
+            run(&mut app, time_s);
+        }
+        let delay = run(&mut app, 3.0).expect("a window");
+        assert!(!app.notices.is_empty());
+        let left = Duration::from_secs_f64(SAID_S - 2.0);
+        assert!(delay <= left, "{delay:?}");
+        run(&mut app, 1.0 + SAID_S + 0.01);
+        assert!(app.notices.is_empty());
     }
 }

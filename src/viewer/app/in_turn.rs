@@ -3,7 +3,7 @@
 use egui::{Event, Key, RawInput};
 
 /// Splits an input into one or more, in order. Within one pass egui moves the focus first and gives all text to the
-/// field that has it then. So a key that moves the focus begins an input, and so does what is typed after it.
+/// field that has it then. So a key that moves the focus begins an input, and so does what is typed after it, or copied.
 pub(in crate::viewer) fn in_turn(mut input: RawInput) -> Vec<RawInput> {
     let mut events = std::mem::take(&mut input.events).into_iter().peekable();
     let mut inputs = Vec::new();
@@ -38,7 +38,9 @@ fn begins(next: &Event, before: &[Event]) -> bool {
         next,
         Event::Text(_) | Event::Paste(_) | Event::Key { pressed: true, .. }
     );
-    moves_focus(next) && !before.is_empty() || is_typed && before.iter().any(moves_focus)
+    // What a key opens can be copied.
+    let is_apart = moves_focus(next) || matches!(next, Event::Copy);
+    is_apart && !before.is_empty() || is_typed && before.iter().any(moves_focus)
 }
 
 #[cfg(test)]
@@ -76,5 +78,6 @@ mod tests {
         ];
         assert_eq!(counts(typed), [2, 1, 1, 1]);
         assert_eq!(counts(vec![key(Key::Tab), key(Key::A), text("4")]), [1, 2]);
+        assert_eq!(counts(vec![key(Key::F12), Event::Copy]), [1, 1]);
     }
 }

@@ -22,13 +22,10 @@ use crate::{
         },
     },
 };
-use std::{
-    path::PathBuf,
-    time::{Duration, Instant},
-};
+use std::{path::PathBuf, time::Duration};
 
 /// How long a confirmation is shown, in seconds.
-const SAID_S: f64 = 4.0;
+pub(super) const SAID_S: f64 = 4.0;
 
 /// Screenshots.
 #[derive(Default)]
@@ -117,8 +114,10 @@ pub(in crate::viewer) struct App {
     announced: u64,
     pub host: Host,
     pub statistics: Statistics,
-    /// What is to go on the clipboard.
-    pub copied: Option<egui::OutputCommand>,
+    /// What is to go on the clipboard, and what to say once it is there.
+    pub(super) to_copy: Option<(egui::OutputCommand, &'static str)>,
+    /// What to say once the host has copied.
+    pub(super) copying: Option<&'static str>,
     /// Whether the window covers all of the screen.
     pub fills_screen: bool,
     /// Where the panels leave room for the scene; `None` where there is none.
@@ -175,7 +174,8 @@ impl App {
             announced: 0,
             host,
             statistics: Statistics::default(),
-            copied: None,
+            to_copy: None,
+            copying: None,
             fills_screen: false,
             place: None,
             panes: Vec::new(),
@@ -250,8 +250,6 @@ impl App {
         log::info!("{text}");
         let until_s = self.context.input(|input| input.time) + SAID_S;
         self.post(text, Kind::Done { until_s });
-        let gone = Instant::now() + Duration::from_secs_f64(SAID_S);
-        (self.wake)(Wake::RepaintAt(gone));
     }
 
     /// Shows a warning, which stays until it is closed.
@@ -280,12 +278,18 @@ impl App {
         self.notices.extend(shown.chain(more).map(notice));
     }
 
-    /// Removes confirmations that have been shown long enough.
+    /// Removes confirmations that have been shown long enough, and asks for a frame when the next one has.
     pub(super) fn forget_said(&mut self, now_s: f64) {
         self.notices.retain(|notice| match notice.kind {
             Kind::Done { until_s } => now_s < until_s,
             Kind::Warning | Kind::Error(_) => true,
         });
+        for notice in &self.notices {
+            if let Kind::Done { until_s } = notice.kind {
+                let left = Duration::from_secs_f64(until_s - now_s);
+                self.context.request_repaint_after(left);
+            }
+        }
     }
 
     /// Wakes the host once a job has a result.

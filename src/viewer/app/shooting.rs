@@ -21,7 +21,9 @@ impl App {
         let Some((shot, to)) = self.screenshots.wanted.take() else {
             return;
         };
-        if let Some(Err(text)) = shot.size.map(|size| check_memory(size, DRAWING_BYTES)) {
+        let on_screen = laid.place.map(|place| place.viewport);
+        let wanted = on_screen.and_then(|on_screen| shot.size.of(on_screen));
+        if let Some(Err(text)) = wanted.map(|size| check_memory(size, DRAWING_BYTES)) {
             return self.failed(Attempt::Screenshot, text);
         }
         // Nothing is lit by the cursor, which lay on the card.
@@ -35,7 +37,7 @@ impl App {
             };
             match laid.place.filter(|_| !shot.has_panels) {
                 Some(place) if laid.panes.is_empty() => {
-                    let viewport = shot.size.unwrap_or(place.viewport);
+                    let viewport = wanted.unwrap_or(place.viewport);
                     let times = viewport.size_px().y / place.viewport.size_px().y;
                     #[expect(clippy::cast_possible_truncation, reason = "widths of lines")]
                     let pixels_per_point = laid.pixels_per_point * times as f32;
@@ -64,16 +66,19 @@ impl App {
         let picture = picture.map_err(|error| error.to_string());
         let done = picture.and_then(|picture| match to {
             ShotTo::File => write_screenshot(&self.screenshots.folder, &picture)
-                .map(|path| format!("saved {}", path.display())),
+                .map(|path| Some(format!("saved {}", path.display()))),
             ShotTo::Clipboard => {
-                self.copied = Some(OutputCommand::CopyImage(copy_of(&picture)));
-                Ok("the screenshot is copied".into())
+                let copies = OutputCommand::CopyImage(copy_of(&picture));
+                self.to_copy = Some((copies, "the screenshot is copied"));
+                Ok(None)
             }
         });
         match done {
-            Ok(text) => {
+            Ok(saved) => {
                 self.succeeded(Attempt::Screenshot);
-                self.say(text);
+                if let Some(text) = saved {
+                    self.say(text);
+                }
             }
             Err(text) => self.failed(Attempt::Screenshot, text),
         }

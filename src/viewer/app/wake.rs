@@ -20,8 +20,8 @@ pub(in crate::viewer) enum Wake {
     Answered(u64, PathFor, Answer),
     /// What is to be pasted, or why nothing is.
     Pasted(Result<String, &'static str>),
-    /// Why nothing was copied.
-    NotCopied(String),
+    /// What was copied is on the clipboard, or why it is not.
+    Copied(Result<(), String>),
     /// egui wants a frame at this time.
     RepaintAt(Instant),
     /// The desktop is dark, or light.

@@ -1,15 +1,15 @@
 //! The system's clipboard: text both ways, pictures out. What lies there may belong to a program that hands it over late
-//! or never, so a thread asks for it, and the window goes on.
+//! or never, and a large picture takes a while, so threads read and write, and the window goes on.
 
 use crate::viewer::app::{Wake, Waker};
 use egui::{Event, OutputCommand};
 use std::{
     sync::{
         Arc,
-        mpsc::{Receiver, SyncSender, TrySendError, sync_channel},
+        mpsc::{Receiver, Sender, SyncSender, channel, sync_channel},
     },
-    thread,
-    time::{Duration, Instant},
+    thread::{self, JoinHandle},
+    time::Duration,
 };
 use winit::{
     event_loop::OwnedDisplayHandle,
@@ -24,13 +24,11 @@ const SILENT: &str = "nothing is pasted: the program that owns the clipboard doe
 
 /// The clipboard, as the window's thread has it.
 pub(super) struct Clipboard {
-    /// Wayland's, for text.
-    wayland: Option<Box<egui_winit::State>>,
-    /// For all else; `None` if there is none, or none was needed yet.
-    other: Option<arboard::Clipboard>,
     /// Asks the thread that reads. It takes one question at a time.
     questions: SyncSender<()>,
-    wake: Waker,
+    /// What is copied goes to the thread that writes; `None` once there is no more.
+    copies: Option<Sender<OutputCommand>>,
+    writer: Option<JoinHandle<()>>,
 }
 
 /// egui's side of a window, without a clipboard of its own.
@@ -48,17 +46,16 @@ pub(super) fn without_clipboard(
 }
 
 impl Clipboard {
-    /// The clipboard of a display. [`Wake::Pasted`] brings what is pasted.
+    /// The clipboard of a display. [`Wake::Pasted`] brings what is pasted, and [`Wake::Copied`] tells what was copied.
     pub fn new(display: OwnedDisplayHandle, wake: Waker) -> Self {
-        let wayland = of_wayland(&display).map(Box::new);
         let (questions, asked) = sync_channel(0);
-        let answer = Arc::clone(&wake);
-        thread::spawn(move || read(&display, &asked, &answer));
+        let (reads_on, answer) = (display.clone(), Arc::clone(&wake));
+        thread::spawn(move || read(&reads_on, &asked, &answer));
+        let (copies, copied) = channel();
         Self {
-            wayland,
-            other: None,
             questions,
-            wake,
+            copies: Some(copies),
+            writer: Some(thread::spawn(move || write(&display, &copied, &wake))),
         }
     }
 
@@ -66,52 +63,34 @@ impl Clipboard {
     pub fn paste(&self, events: &mut Vec<Event>) {
         let asks = |event: &mut Event| matches!(event, Event::Paste(text) if text == STAND_IN);
         let pastes = events.extract_if(.., asks);
-        if pastes.count() > 0
-            && let Err(TrySendError::Full(())) = self.questions.try_send(())
-        {
-            (self.wake)(Wake::Pasted(Err(SILENT)));
+        if pastes.count() > 0 {
+            // It fails while the answer to the question before is waited for, which will do.
+            let _ = self.questions.try_send(());
         }
     }
 
-    /// Executes egui's commands that copy, and removes them.
-    pub fn copy(&mut self, commands: &mut Vec<OutputCommand>) {
-        commands.retain(|command| {
-            let copied = match (command, &mut self.wayland) {
-                (OutputCommand::CopyText(text), Some(board)) => {
-                    board.set_clipboard_text(text.clone());
-                    Ok(())
-                }
-                (OutputCommand::CopyText(text), None) => {
-                    self.other().and_then(|board| board.set_text(text))
-                }
-                (OutputCommand::CopyImage(picture), _) => {
-                    let [width, height] = picture.size;
-                    let pixels = picture.pixels.iter();
-                    let bytes = pixels
-                        .flat_map(egui::Color32::to_srgba_unmultiplied)
-                        .collect();
-                    let picture = arboard::ImageData {
-                        width,
-                        height,
-                        bytes,
-                    };
-                    self.other().and_then(|board| board.set_image(picture))
-                }
-                _ => return true,
-            };
-            if let Err(error) = copied {
-                (self.wake)(Wake::NotCopied(format!("nothing is copied: {error}")));
+    /// Takes egui's commands that copy out, and executes them.
+    pub fn copy(&self, commands: &mut Vec<OutputCommand>) {
+        let copies = |command: &mut OutputCommand| {
+            let is_text = matches!(command, OutputCommand::CopyText(_));
+            is_text || matches!(command, OutputCommand::CopyImage(_))
+        };
+        for command in commands.extract_if(.., copies) {
+            if let Some(copies) = &self.copies {
+                // It fails only once the thread that writes has panicked.
+                let _ = copies.send(command);
             }
-            false
-        });
+        }
     }
+}
 
-    /// It is kept: it answers for what was copied to it.
-    fn other(&mut self) -> Result<&mut arboard::Clipboard, arboard::Error> {
-        Ok(match self.other.take() {
-            Some(board) => self.other.insert(board),
-            None => self.other.insert(arboard::Clipboard::new()?),
-        })
+/// Waits until what was copied is on the clipboard.
+impl Drop for Clipboard {
+    fn drop(&mut self) {
+        self.copies = None;
+        if let Some(writer) = self.writer.take() {
+            let _ = writer.join();
+        }
     }
 }
 
@@ -127,20 +106,79 @@ fn of_wayland(display: &OwnedDisplayHandle) -> Option<egui_winit::State> {
 fn read(display: &OwnedDisplayHandle, asked: &Receiver<()>, wake: &Waker) {
     let mut wayland = of_wayland(display);
     for () in asked {
-        let start = Instant::now();
-        let text = match &mut wayland {
-            Some(board) => board.clipboard_text(),
-            // One is opened each time: the last one that closes hands copies on, and must not be a silent reader.
-            None => arboard::Clipboard::new()
-                .and_then(|mut board| board.get_text())
-                .inspect_err(|error| log::info!("nothing is pasted: {error}"))
-                .ok(),
-        };
-        let text = text.unwrap_or_default().replace("\r\n", "\n");
-        if start.elapsed() > PATIENCE {
-            wake(Wake::Pasted(Err(SILENT)));
-        } else if !text.is_empty() {
-            wake(Wake::Pasted(Ok(text)));
+        let (sender, answer) = channel();
+        thread::scope(|scope| {
+            scope.spawn(|| sender.send(text(wayland.as_mut())));
+            match answer.recv_timeout(PATIENCE) {
+                Ok(text) if text.is_empty() => {}
+                Ok(text) => wake(Wake::Pasted(Ok(text))),
+                Err(_) => wake(Wake::Pasted(Err(SILENT))),
+            }
+        });
+    }
+}
+
+/// The clipboard's text; empty if there is none. It is waited for for as long as its owner takes.
+fn text(wayland: Option<&mut egui_winit::State>) -> String {
+    let text = match wayland {
+        Some(board) => board.clipboard_text(),
+        // One is opened each time: the last one that closes hands copies on, and must not be a silent reader.
+        None => arboard::Clipboard::new()
+            .and_then(|mut board| board.get_text())
+            .inspect_err(|error| log::info!("nothing is pasted: {error}"))
+            .ok(),
+    };
+    text.unwrap_or_default().replace("\r\n", "\n")
+}
+
+/// Puts on the clipboard what is copied, and keeps it there. It tells about the last of several: the others are gone.
+fn write(display: &OwnedDisplayHandle, copied: &Receiver<OutputCommand>, wake: &Waker) {
+    let mut boards = Boards {
+        wayland: of_wayland(display),
+        other: None,
+    };
+    let mut next = copied.recv().ok();
+    while let Some(command) = next {
+        let done = boards.put(command).map_err(|error| error.to_string());
+        next = copied.try_recv().ok().or_else(|| {
+            wake(Wake::Copied(done));
+            copied.recv().ok()
+        });
+    }
+}
+
+/// The clipboards that copies go to.
+struct Boards {
+    /// Wayland's, for text.
+    wayland: Option<egui_winit::State>,
+    /// For all else; `None` if there is none, or none was needed yet. It is kept: it answers for what was copied to it.
+    other: Option<arboard::Clipboard>,
+}
+
+impl Boards {
+    fn put(&mut self, command: OutputCommand) -> Result<(), arboard::Error> {
+        match (command, &mut self.wayland) {
+            (OutputCommand::CopyText(text), Some(board)) => board.set_clipboard_text(text),
+            (OutputCommand::CopyText(text), None) => self.other()?.set_text(text)?,
+            (OutputCommand::CopyImage(picture), _) => {
+                let [width, height] = picture.size;
+                let pixels = picture.pixels.iter();
+                let bytes = pixels.flat_map(egui::Color32::to_srgba_unmultiplied);
+                self.other()?.set_image(arboard::ImageData {
+                    width,
+                    height,
+                    bytes: bytes.collect(),
+                })?;
+            }
+            _ => {}
         }
+        Ok(())
+    }
+
+    fn other(&mut self) -> Result<&mut arboard::Clipboard, arboard::Error> {
+        Ok(match self.other.take() {
+            Some(board) => self.other.insert(board),
+            None => self.other.insert(arboard::Clipboard::new()?),
+        })
     }
 }

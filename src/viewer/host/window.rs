@@ -157,8 +157,8 @@ impl ApplicationHandler<Wake> for Program {
                 self.app.failed(Attempt::Paste, reason.to_owned());
                 self.request_redraw();
             }
-            Wake::NotCopied(reason) => {
-                self.app.failed(Attempt::Copy, reason);
+            Wake::Copied(result) => {
+                self.app.was_copied(result);
                 self.request_redraw();
             }
             Wake::Desktop { is_dark } => {

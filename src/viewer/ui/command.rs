@@ -108,8 +108,36 @@ pub(in crate::viewer) struct Shot {
     pub has_panels: bool,
     /// What is behind the scene; `None` for what is there on screen.
     pub backdrop: Option<Backdrop>,
-    /// Its size; `None` for that on screen, which the four views and the panels always have.
-    pub size: Option<Viewport>,
+    /// Its size. The four views and the panels always have that on screen.
+    pub size: ShotSize,
+}
+
+/// The size of a screenshot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::viewer) enum ShotSize {
+    /// As many times that on screen, whatever that is then.
+    OnScreen(u32),
+    /// This size.
+    Fixed(Viewport),
+}
+
+impl ShotSize {
+    /// The size where the picture on screen has this one; `None` if it would be larger than a picture may be.
+    pub fn of(self, on_screen: Viewport) -> Option<Viewport> {
+        let times = match self {
+            Self::OnScreen(times) => times,
+            Self::Fixed(size) => return Some(size),
+        };
+        let sides = [on_screen.width(), on_screen.height()].map(|side| side.checked_mul(times));
+        let [width, height] = sides.map(|side| side.filter(|side| *side <= Viewport::LARGEST_SIDE));
+        Viewport::new(width?, height?).ok()
+    }
+}
+
+impl Default for ShotSize {
+    fn default() -> Self {
+        Self::OnScreen(1)
+    }
 }
 
 /// Where a screenshot goes.

@@ -108,7 +108,12 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     if has_menu {
         keys::take_escape(ui.ctx());
     }
-    commands.extend(keys::pressed(ui.ctx(), shown.question.is_some()));
+    let pressed = keys::pressed(ui.ctx(), shown.question.is_some());
+    if !pressed.is_empty() {
+        // What a key asks for is not to lie under a menu.
+        Popup::close_all(ui.ctx());
+    }
+    commands.extend(pressed);
     let (place, panes) = place.inner.unzip();
     Asked {
         place,

@@ -1,5 +1,5 @@
 //! The row at the top: the menus, and the tools, which are what has an icon in the menus. As the row gets narrower, names
-//! go first, then groups of tools: the menus have all of them.
+//! go first; then the last tools move into a menu at the end.
 
 use super::{arrangement::Side, exhibit, field::text_width, prelude::*, shown::Shown};
 use crate::{
@@ -10,14 +10,13 @@ use crate::{
     },
 };
 use egui::{Atoms, Image, MenuBar, ScrollArea, TextStyle, containers::menu::MenuButton};
+use std::slice;
 
-/// How much of a group of tools shows.
-#[derive(Clone, Copy, PartialEq)]
-enum Shows {
-    Names,
-    Icons,
-    Nothing,
-}
+/// Marks a tool that opens a menu.
+const OPENS: &str = "\u{23f7}";
+
+/// The button of the tools that the row has no room for.
+const MORE: &str = "\u{bb}";
 
 /// Width in points of the buttons at the end, which fold sides.
 const END: f32 = 70.0;
@@ -41,15 +40,23 @@ pub(super) fn show(ui: &mut Ui, shown: &mut Shown, commands: &mut Vec<Command>) 
             ui.menu_button(menu.name, inside).response.hint(menu.hint);
         }
         let groups = tools();
-        let shows = fit(ui, &groups, ui.available_width() - END);
-        for (group, how) in groups.iter().zip(shows) {
-            if how == Shows::Nothing {
-                break;
+        let (named, mut room_for) = fit(ui, &groups, ui.available_width() - END);
+        let mut rest = Vec::new();
+        for (group, named) in groups.iter().zip(named) {
+            let (fits, over) = group.split_at(room_for.min(group.len()));
+            room_for -= fits.len();
+            if !fits.is_empty() {
+                ui.separator();
             }
-            ui.separator();
-            for each in group {
-                tool(ui, shown, each, how == Shows::Names, commands);
+            for each in fits {
+                tool(ui, shown, each, named, commands);
             }
+            if !over.is_empty() {
+                rest.push(over);
+            }
+        }
+        if !rest.is_empty() {
+            more(ui, shown, &rest, commands);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             for (side, drawing, name) in [
@@ -187,38 +194,71 @@ fn tools() -> Vec<Vec<Tool>> {
     groups.filter(|group: &Vec<_>| !group.is_empty()).collect()
 }
 
-/// How much of each group shows in `room` points. Groups whose icons say least stand last and keep their names longest:
-/// no group has names while a later one has none.
-fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> Vec<Shows> {
-    let mut shows = vec![Shows::Names; groups.len()];
+/// Which groups have names in `room` points, and how many tools show. Groups whose icons say least stand last and keep
+/// their names longest: no group has names while a later one has none.
+fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> (Vec<bool>, usize) {
     let spacing = ui.spacing();
     let (gap, padding) = (spacing.item_spacing.x, 2.0 * spacing.button_padding.x);
     let font = TextStyle::Button.resolve(ui.style());
-    let width = |group: &[Tool], named: bool| -> f32 {
-        let tool = |tool: &Tool| {
-            let name = || text_width(ui, tool.name(), &font) + spacing.icon_spacing;
-            padding + gap + icons::SIDE + if named { name() } else { 0.0 }
+    let text = |text: &str| text_width(ui, text, &font) + spacing.icon_spacing;
+    let bare = |tool: &Tool| {
+        let arrow = match tool {
+            Tool::Item(..) => 0.0,
+            Tool::Group(..) => text(OPENS),
         };
-        group.iter().map(tool).sum::<f32>() + 6.0 + gap
+        gap + padding + icons::SIDE + arrow
     };
-    let named: Vec<_> = groups.iter().map(|group| width(group, true)).collect();
-    let bare: Vec<_> = groups.iter().map(|group| width(group, false)).collect();
-    let all = 0..groups.len();
-    let names = all.clone().map(|at| (at, Shows::Icons));
-    let groups = all.rev().map(|at| (at, Shows::Nothing));
-    let mut total: f32 = named.iter().sum();
-    for (at, how) in names.chain(groups) {
-        if total <= room {
-            break;
+    let separator = 6.0 + gap;
+    let count: usize = groups.iter().map(Vec::len).sum();
+    let mut named = vec![true; groups.len()];
+    let width = |(group, named): (&Vec<Tool>, &bool)| -> f32 {
+        let tool = |tool: &Tool| bare(tool) + if *named { text(tool.name()) } else { 0.0 };
+        separator + group.iter().map(tool).sum::<f32>()
+    };
+    for at in 0..=groups.len() {
+        if groups.iter().zip(&named).map(width).sum::<f32>() <= room {
+            return (named, count);
         }
-        total -= if how == Shows::Nothing {
-            bare[at]
-        } else {
-            named[at] - bare[at]
-        };
-        shows[at] = how;
+        if let Some(named) = named.get_mut(at) {
+            *named = false;
+        }
     }
-    shows
+    let mut left = room - gap - padding - text_width(ui, MORE, &font);
+    let fitting = groups.iter().flat_map(|group| {
+        let before = |at| if at == 0 { separator } else { 0.0 };
+        (group.iter().enumerate()).map(move |(at, tool)| before(at) + bare(tool))
+    });
+    let fitting = fitting.take_while(|width| {
+        left -= width;
+        left >= 0.0
+    });
+    let shown = fitting.count();
+    (named, shown)
+}
+
+/// Opens the tools that the row has no room for.
+fn more(ui: &mut Ui, shown: &Shown, rest: &[&[Tool]], commands: &mut Vec<Command>) {
+    let names: Vec<_> = rest.iter().copied().flatten().map(Tool::name).collect();
+    let count = rest.iter().map(|group| group.len() + 1).sum();
+    let inside = |ui: &mut Ui| {
+        opened(ui, count, commands, |ui, commands| {
+            for (at, group) in rest.iter().enumerate() {
+                if at > 0 {
+                    ui.separator();
+                }
+                for tool in *group {
+                    match tool {
+                        Tool::Item(item, _) => lines(ui, slice::from_ref(*item), shown, commands),
+                        Tool::Group(name, _, items) => {
+                            ui.menu_button(*name, |ui| lines(ui, items, shown, commands));
+                        }
+                    }
+                }
+            }
+        });
+    };
+    let opens = ui.menu_button(MORE, inside).response;
+    opens.named("more tools").hint(names.join(", "));
 }
 
 /// An icon in the colour of the text beside it.
@@ -231,6 +271,9 @@ fn tool(ui: &mut Ui, shown: &Shown, tool: &Tool, with_name: bool, commands: &mut
     let mut atoms = Atoms::new(picture(tool.icon()));
     if with_name {
         atoms.push_right(tool.name());
+    }
+    if let Tool::Group(..) = tool {
+        atoms.push_right(OPENS);
     }
     let button = |is_on: Option<bool>| match is_on {
         Some(is_on) => Button::selectable(is_on, atoms.clone()).frame_when_inactive(true),

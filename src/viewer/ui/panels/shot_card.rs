@@ -1,16 +1,16 @@
 //! The card that screenshots are taken from: what they show, on which background, how large, and where they go.
 
-use super::prelude::*;
+use super::{field::Field, gesture::Gesture, prelude::*};
 use crate::{
     camera::Viewport,
     look::Backdrop,
     viewer::ui::{
-        command::{Shot, ShotTo},
+        command::{Shot, ShotSize, ShotTo},
         focus::appears,
     },
 };
-use egui::{Context, DragValue, Id, Key, Modifiers, Popup, Window};
-use std::{iter, mem};
+use egui::{Context, Event, Id, Key, Modifiers, Popup, Window};
+use std::{array, iter, mem};
 
 /// Shown at the top of the window, so that the scene can be turned and seen beside it.
 pub(super) fn show(ctx: &Context, state: &State, shot: &mut Shot, commands: &mut Vec<Command>) {
@@ -49,7 +49,7 @@ pub(super) fn show(ctx: &Context, state: &State, shot: &mut Shot, commands: &mut
                 let hint = "as a new PNG file, sightline-1.png or the next number (Enter)";
                 save.asks(hint, Command::Shoot(*shot, ShotTo::File), commands);
                 let copy = ui.button("Copy").named("copy the screenshot");
-                let hint = "put it on the clipboard";
+                let hint = "put it on the clipboard (Ctrl+C)";
                 copy.asks(hint, Command::Shoot(*shot, ShotTo::Clipboard), commands);
             });
         });
@@ -57,6 +57,8 @@ pub(super) fn show(ctx: &Context, state: &State, shot: &mut Shot, commands: &mut
     // A control that Tab has led to takes Enter, and a menu Esc.
     if ctx.memory(|memory| memory.focused().is_none()) && is_pressed(Key::Enter) {
         commands.push(Command::Shoot(*shot, ShotTo::File));
+    } else if !types && ctx.input(|input| input.events.contains(&Event::Copy)) {
+        commands.push(Command::Shoot(*shot, ShotTo::Clipboard));
     } else if !open || (!Popup::is_any_open(ctx) && is_pressed(Key::Escape)) {
         commands.push(Command::ToggleScreenshot);
     }
@@ -77,6 +79,8 @@ fn about(backdrop: Option<Backdrop>) -> &'static str {
 /// appears, what had the focus loses it.
 fn types(ctx: &Context) -> bool {
     if appears(ctx, "screenshot") {
+        // Only the next pass knows how wide the card is.
+        ctx.request_discard("the card of screenshots appears");
         ctx.memory_mut(|memory| {
             if let Some(id) = memory.focused() {
                 memory.surrender_focus(id);
@@ -91,25 +95,49 @@ fn types(ctx: &Context) -> bool {
 /// Width and height in pixels, and sizes that are often wanted.
 fn size(ui: &mut Ui, state: &State, shot: &mut Shot) {
     let now = state.view().viewport;
-    let shown = shot.size.unwrap_or(now);
-    let mut sides = [shown.width(), shown.height()];
+    let shown = shot.size.of(now).unwrap_or(now);
+    let sides = [shown.width(), shown.height()];
     ui.horizontal(|ui| {
-        for (side, name) in sides.iter_mut().zip(["width", "height"]) {
-            let field = DragValue::new(side)
-                .range(1..=Viewport::LARGEST_SIDE)
-                .suffix(" px");
-            ui.add(field).named(name).hint("drag, or click and type");
+        let asked: [Option<f64>; 2] = array::from_fn(|at| {
+            let (name, side) = (["width", "height"][at], f64::from(sides[at]));
+            let field = Field::new(name, "in pixels", at as u64, 56.0, side);
+            field.show(ui, 1.0, &mut Gesture::default(), |side| {
+                pixels(side).map(drop)
+            })
+        });
+        ui.label("px");
+        if asked != [None; 2] {
+            let [width, height] = array::from_fn(|at| {
+                let asked = asked[at].and_then(|side| pixels(side).ok());
+                asked.unwrap_or(sides[at])
+            });
+            if let Ok(size) = Viewport::new(width, height) {
+                shot.size = ShotSize::Fixed(size);
+            }
         }
-        let [width, height] = [now.width(), now.height()];
         for (name, times) in [("as on screen", 1), ("\u{d7} 2", 2), ("\u{d7} 4", 4)] {
-            let is_room = width.max(height) * times <= Viewport::LARGEST_SIDE;
-            let sized = ui.add_enabled(is_room, Button::new(name));
-            let hint = format!("{} x {} px", width * times, height * times);
+            let choice = ShotSize::OnScreen(times);
+            let sized = Button::selectable(shot.size == choice, name);
+            let sized = ui.add_enabled(choice.of(now).is_some(), sized);
+            let hint = format!("{} x {} px now", now.width() * times, now.height() * times);
             if sized.hint(hint).clicked() {
-                sides = [width * times, height * times];
+                shot.size = choice;
             }
         }
     });
-    let chosen = Viewport::new(sides[0], sides[1]).ok();
-    shot.size = chosen.filter(|chosen| *chosen != now);
+}
+
+/// A side of a picture from a number that was typed or dragged.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "within the range"
+)]
+fn pixels(side: f64) -> Result<u32, String> {
+    let (side, most) = (side.round(), Viewport::LARGEST_SIDE);
+    if (1.0..=f64::from(most)).contains(&side) {
+        Ok(side as u32)
+    } else {
+        Err(format!("it must be from 1 to {most} pixels"))
+    }
 }
