@@ -378,12 +378,15 @@ fn the_help_is_searched() {
         rows.map(|row| has_control(window, row))
     };
     assert_eq!(rows(&window), [true; 3]);
+    let field = control(&window, "search the help").rect;
     type_into(&mut window, "search the help", "LAST change");
     assert_eq!(rows(&window), [true, false, false]);
+    assert_eq!(control(&window, "search the help").rect, field, "it stays");
     let keys = control(&window, "Ctrl+Z").rect;
     assert!((keys.center().y - control(&window, undo).rect.center().y).abs() < 2.0);
     type_into(&mut window, "search the help", "no such words");
     assert!(has_control(&window, "nothing has these words"));
+    assert_eq!(control(&window, "search the help").rect, field, "it stays");
     press_key(&mut window, NONE, Key::Escape);
     assert!(!has_control(&window, "Keys and mouse"));
     // The words are forgotten. What is typed at once goes into the field, and does nothing else.

@@ -235,3 +235,32 @@ fn the_grid_s_step_stays_when_objects_are_hidden() {
     }
     assert_eq!(control(&window, "grid step 1 unit").rect, before);
 }
+
+/// A key whose lines cannot be seen yet says why, and one whose lines can be seen says nothing.
+#[test]
+fn an_overlay_without_lines_says_why() {
+    let (mut window, _folder) = row(1.0);
+    let mut said = |key: Key, held: Modifiers| {
+        let before: Vec<_> = window.messages().map(str::to_owned).collect();
+        press_key(&mut window, held, key);
+        let mut new = window
+            .messages()
+            .filter(|text| !before.iter().any(|old| old == text));
+        new.next().map(str::to_owned)
+    };
+    let none = Modifiers::NONE;
+    let distance = said(Key::D, none).expect("a message");
+    assert!(distance.contains("two points are picked"), "{distance}");
+    let trees = said(Key::K, none).expect("a message");
+    assert!(trees.contains("search tree"), "{trees}");
+    assert_eq!(said(Key::K, Modifiers::SHIFT), None, "they are off again");
+    assert_eq!(said(Key::D, none), None, "it is off again");
+    for at in [MIDDLE, MIDDLE + vec2(10.0, 5.0)] {
+        click(&mut window, at);
+        window.wait_s(1.0);
+    }
+    window.wait_s(5.0);
+    assert_eq!(window.messages().count(), 0);
+    press_key(&mut window, none, Key::D);
+    assert_eq!(window.messages().count(), 0);
+}

@@ -228,3 +228,16 @@ fn the_size_of_all_that_is_selected_follows_a_move() {
     press_key(&mut window, Modifiers::NONE, Key::Enter);
     assert!(has_control(&window, "5 x 1 x 3"));
 }
+
+/// What several objects are made of is said if all of them are made of the same.
+#[test]
+fn a_material_that_all_share_is_told() {
+    let (mut window, _folder) = row(1.0);
+    let neutral = "#e8e8ec";
+    select_both(&mut window, ["front", "middle"]);
+    assert!(!has_control(&window, neutral) && !has_control(&window, "#d1495b"));
+    select_both(&mut window, ["front", "back"]);
+    assert!(has_control(&window, neutral));
+    click_on(&mut window, "middle");
+    assert!(has_control(&window, "#d1495b"));
+}

@@ -5,6 +5,8 @@
 mod clipboard;
 #[cfg(target_os = "linux")]
 mod display_gone;
+#[path = "../common/images.rs"]
+mod images;
 mod refusals;
 
 use std::{
@@ -329,19 +331,14 @@ fn panels_follow_the_desktop() {
         screen.xdotool("key Return");
         viewer.wait_for("saved");
         let file = folder.path().join(format!("sightline-{number}.png"));
-        let file = fs::File::open(file).expect("saved");
-        let mut reader = png::Decoder::new(BufReader::new(file))
-            .read_info()
-            .expect("a PNG");
-        let mut pixels = vec![0; reader.output_buffer_size().expect("small")];
-        reader.next_frame(&mut pixels).expect("whole");
-        if pixels.len() < 3 * 1280 * 720 {
+        let picture = images::read(&file);
+        if picture.size().width() < 1280 {
             continue;
         }
         // A pixel of the panel at the right, and one of what is behind the scene.
         break [[1270, 500], [930, 60]].map(|[x, y]| {
-            let at = 3 * (y * 1280 + x);
-            pixels[at..at + 3].iter().copied().max().expect("three")
+            let channels = picture.at(x, y);
+            channels.into_iter().max().expect("three")
         });
     };
     let light = shot();

@@ -23,6 +23,9 @@ impl App {
         let start = Instant::now();
         let (method, scene) = (self.state.method(), self.state.scene_revision());
         let picked = self.state.apply(action);
+        if let Some(why) = self.state.shows_nothing(action) {
+            self.say(why.into());
+        }
         if self.state.scene_revision() != scene {
             self.build_trees();
         }

@@ -67,7 +67,8 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
         .collapsible(false)
         .default_height(room.y)
         .resizable(false)
-        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
+        // However few rows a search leaves, its field stays where it is.
+        .anchor(Align2::CENTER_TOP, [0.0, MARGIN.y / 2.0])
         .show(ctx, |ui| {
             let searched = ui.horizontal_wrapped(|ui| {
                 if ui.button("Take the tour").hint(tour_card::ABOUT).clicked() {
@@ -76,6 +77,9 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
                 }
                 search(ui)
             });
+            #[expect(clippy::cast_precision_loss, reason = "one or two")]
+            let all = columns as f32 * (width + ui.spacing().item_spacing.x);
+            ui.set_min_width(all);
             let words;
             (words, escapes) = searched.inner;
             let sections = sections(&words);

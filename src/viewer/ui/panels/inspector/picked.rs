@@ -26,6 +26,8 @@ pub(in crate::viewer) struct Sums {
     of: Option<([u64; 2], usize, Arc<BTreeSet<usize>>)>,
     bounds: Aabb,
     triangles: usize,
+    /// The name, where there is one, and the colour of all of them, if they have the same.
+    material: Option<(Option<String>, Srgb)>,
 }
 
 impl Sums {
@@ -41,6 +43,12 @@ impl Sums {
                 .all_selected()
                 .map(|index| state.scene().objects()[index].shape.triangles());
             self.triangles = shapes.flatten().map(|triangles| triangles.len()).sum();
+            let mut all = state
+                .all_selected()
+                .map(|index| state.scene().objects()[index].one_material());
+            let first = all.next().flatten();
+            let shared = first.filter(|first| all.all(|other| other == Some(*first)));
+            self.material = shared.map(|(name, colour)| (name.map(str::to_owned), colour));
             self.of = Some(of);
         }
     }
@@ -49,11 +57,19 @@ impl Sums {
 pub(super) fn show(ui: &mut Ui, state: &State, sums: &mut Sums, commands: &mut Vec<Command>) {
     let selection = state.selection();
     title(ui, state, selection);
-    material(ui, state);
     let several = selection.filter(|selection| !selection.others.is_empty());
     if let Some(selection) = several {
         sums.update(state, selection);
     }
+    let own = || {
+        let (name, colour) = state.material()?;
+        Some((name.map(str::to_owned), colour))
+    };
+    let made_of = match several {
+        Some(_) => sums.material.clone(),
+        None => own(),
+    };
+    material(ui, made_of);
     let bounds = match several {
         Some(_) => sums.bounds,
         None => state.bounds_of_selection(),
@@ -124,18 +140,18 @@ fn shape(state: &State, selection: Option<&Selection>, sums: &Sums) -> String {
     }
 }
 
-/// The name and the colour of what the picked surface is made of.
-fn material(ui: &mut Ui, state: &State) {
-    let hint = "what the picked surface is made of, as its file calls it, and its colour";
+/// The name and the colour of what the picked surface, or all that is selected, is made of.
+fn material(ui: &mut Ui, of: Option<(Option<String>, Srgb)>) {
+    let hint = "what the picked surface, or all that is selected, is made of, as its file calls it, and its colour";
     in_row(ui, "material", hint, |ui| {
-        let Some((name, colour)) = state.material() else {
+        let Some((name, colour)) = of else {
             ui.label(value_text(NOTHING)).hint(hint);
             return;
         };
         swatch(ui, colour);
         let Srgb([r, g, b]) = colour;
         let colour = format!("#{r:02x}{g:02x}{b:02x}");
-        let text = name.map_or(colour.clone(), str::to_owned);
+        let text = name.unwrap_or_else(|| colour.clone());
         ui.add(Label::new(value_text(text)).truncate())
             .hint(format!("{hint}: {colour}"));
     });
