@@ -206,7 +206,7 @@ fn tab_walks_in_reading_order() {
         "show front",
         "front",
         "show back",
-        "copy JSON",
+        "Copy the pick",
         "perspective",
         "fov",
         "near",

@@ -155,7 +155,7 @@ fn all_of_the_menus_can_be_reached_at_any_width() {
         tools.push(row.len() - menus.len());
         for (menu, item) in menus.into_iter().zip([
             "Quit",
-            "Copy the pick",
+            "Copy the camera",
             "Full screen",
             "Wireframe",
             "Four views",

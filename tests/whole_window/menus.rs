@@ -13,7 +13,7 @@ fn on_an_object_it_does_what_applies_to_it() {
     let (mut window, _folder) = row(1.0);
     open_menu(&mut window, MIDDLE);
     assert_eq!(selected(&window), None, "opening it picks nothing");
-    assert!(!has_control(&window, "Copy the pick"), "nothing is picked");
+    assert!(!has_control(&window, "Copy its pick"), "nothing is picked");
     click_on(&mut window, "Hide it");
     assert!(!window.state().scene().objects()[0].visible);
     // The entries that show now.
@@ -32,7 +32,7 @@ fn on_an_object_it_does_what_applies_to_it() {
     assert_eq!(selected(&window), Some("front"));
     assert!(picked_px(&window).is_some());
     open_menu(&mut window, MIDDLE);
-    click_on(&mut window, "Copy the pick");
+    click_on(&mut window, "Copy its pick");
     assert!(
         window
             .copied()

@@ -18,7 +18,7 @@ fn what_is_picked_is_said_first_and_moves_nothing() {
         let names = [
             "position",
             "nearest edge",
-            "copy JSON",
+            "Copy the pick",
             "Camera",
             "fov",
             "Depth buffer",
@@ -38,7 +38,7 @@ fn what_is_picked_is_said_first_and_moves_nothing() {
     control(&window, "3 x 3 x 0");
     // The remark that the view has changed is longer than this panel is wide.
     window.resize(px([560, 420], 1.0));
-    let copy = |window: &Window| control(window, "copy JSON").rect;
+    let copy = |window: &Window| control(window, "Copy the pick").rect;
     let long = copy(&window);
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     assert_eq!(copy(&window), long);
@@ -66,7 +66,7 @@ fn what_unfolds_moves_only_what_is_below() {
             here.expect("a heading").rect
         };
         let above = |window: &Window| {
-            let names = ["copy JSON", "fov", "Pose"]
+            let names = ["Copy the pick", "fov", "Pose"]
                 .into_iter()
                 .chain(topics[..=at].iter().copied());
             names.map(|name| heading(window, name)).collect::<Vec<_>>()

@@ -99,7 +99,7 @@ pub(super) fn of_object(
         lines.ui.separator();
         if state.selected() == Some(index) && state.picked().is_some() {
             let hint = "the full record of its picked point, as JSON";
-            lines.ask("Copy the pick", hint, Command::CopyPick);
+            lines.ask("Copy its pick", hint, Command::CopyPick);
         }
         let copy = Command::Copy(object.name.clone());
         lines.ask("Copy its name", "as it stands in the list", copy);

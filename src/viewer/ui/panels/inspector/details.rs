@@ -62,7 +62,7 @@ fn record(hit: &Pick, digits: Digits) -> Vec<Row> {
     let hint = "the direction at a right angle to the surface, outward, of length 1";
     row("  normal", Digits::UNIT.vector(hit.normal_world), hint);
     let hint = "from the eye to the point, in world units";
-    row("distance", digits.length(hit.distance), hint);
+    row("eye distance", digits.length(hit.distance), hint);
     let hint = "how far in front of the eye the point is, measured along the direction of view";
     row("depth", digits.length(hit.depth), hint);
     let gap = match hit.gap {

@@ -9,7 +9,10 @@ use crate::{
     colour::Srgb,
     geometry::Aabb,
     pick::Pick,
-    viewer::model::{PickView, Selection},
+    viewer::{
+        model::{PickView, Selection},
+        ui::menus::item_of,
+    },
 };
 use egui::UiBuilder;
 use std::{collections::BTreeSet, sync::Arc};
@@ -299,10 +302,15 @@ fn said(state: &State) -> (String, String) {
 fn copies(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let has_pick = state.pick_ray().is_some();
     ui.horizontal(|ui| {
-        let hint = "the pick's full record (J)";
-        let json = ui.add_enabled(has_pick, Button::new("copy JSON"));
-        json.asks(hint, Command::CopyPick, commands);
-        let hint = "a command line that repeats this pick in its own view, or where nothing is picked the view (C)";
-        (ui.button("copy command")).asks(hint, Command::CopyCommandLine, commands);
+        for (command, is_of_use) in [
+            (Command::CopyPick, has_pick),
+            (Command::CopyCommandLine, true),
+        ] {
+            if let Some(item) = item_of(&command) {
+                let hint = format!("{} ({})", item.hint, item.all_keys());
+                let copy = ui.add_enabled(is_of_use, Button::new(item.name));
+                copy.asks(hint, command, commands);
+            }
+        }
     });
 }
