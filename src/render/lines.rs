@@ -4,7 +4,11 @@ use super::{
     shader_structs::LineVertex,
     view_units::{depth_origin, view_unit},
 };
-use crate::{camera::View, colour::Srgb, look::Background};
+use crate::{
+    camera::{DepthMapping, View},
+    colour::Srgb,
+    look::Background,
+};
 use glam::DVec3;
 
 /// A line one pixel wide.
@@ -18,38 +22,77 @@ pub struct Line {
     pub colour: Srgb,
     /// How much of what is behind each end it covers, from 0 to 1; in between it fades from the one to the other.
     pub opacity: [f32; 2],
+    /// Whether it ends at the near and the far plane, as surfaces do. Else the parts of it before near and beyond far
+    /// are drawn over the background alone: never over a surface.
+    pub is_clipped: bool,
 }
 
 impl Line {
-    /// A line from one end to the other that covers what is behind it.
+    /// A line from one end to the other that covers what is behind it, between near and far.
     pub const fn new(from: DVec3, to: DVec3, colour: Srgb) -> Self {
         Self {
             from,
             to,
             colour,
             opacity: [1.0; 2],
+            is_clipped: true,
         }
     }
 }
 
-/// The ends of all lines in view space, computed relative to the eye in `f64`.
+/// The ends of all lines in view space, computed relative to the eye in `f64`. A line that is not clipped is in up to
+/// three parts: the one between near and far has depths of its own, and those outside lie just before the background.
 pub(super) fn vertices(view: &View, lines: &[Line], background: Background) -> Vec<LineVertex> {
-    let (origin, unit) = (depth_origin(view), view_unit(view));
-    let ends = lines.iter().flat_map(|line| {
-        let [at_from, at_to] = line.opacity;
-        [
-            (line.from, line.colour, at_from),
-            (line.to, line.colour, at_to),
-        ]
-    });
-    ends.map(|(end_world, colour, opacity)| LineVertex {
-        position: {
-            let at = view.camera.to_view(end_world);
-            let with_buffer_depth = at.truncate().extend(at.z - origin);
-            (unit * with_buffer_depth.extend(at.z)).as_vec4().to_array()
-        },
-        colour: background.over(colour).map(|channel| channel * opacity),
-        opacity,
-    })
-    .collect()
+    let (origin, unit, lens) = (depth_origin(view), view_unit(view), view.camera.lens());
+    let mut vertices = Vec::with_capacity(2 * lines.len());
+    for line in lines {
+        let [from, to] = [line.from, line.to].map(|end_world| view.camera.to_view(end_world));
+        let colour = background.over(line.colour);
+        let vertex = |share: f64, is_between: bool| {
+            let at = from.lerp(to, share);
+            let [at_from, at_to] = line.opacity.map(f64::from);
+            #[expect(clippy::cast_possible_truncation, reason = "of a colour")]
+            let opacity = (at_from + (at_to - at_from) * share) as f32;
+            let buffer_depth = if is_between {
+                at.z - origin
+            } else {
+                before_background(lens.depth) * lens.w(at.z) / lens.depth_row().0
+            };
+            let position = at.truncate().extend(buffer_depth).extend(at.z);
+            LineVertex {
+                position: (unit * position).as_vec4().to_array(),
+                colour: colour.map(|channel| channel * opacity),
+                opacity,
+            }
+        };
+        let mut between = [0.0, 1.0];
+        if !line.is_clipped {
+            let crossing = |depth: f64| {
+                let share = (depth - from.z) / (to.z - from.z);
+                // It is no number where the line lies in the plane.
+                if share > 0.0 { share.min(1.0) } else { 0.0 }
+            };
+            between = [lens.near, lens.far].map(crossing);
+            between.sort_by(f64::total_cmp);
+        }
+        let [first, second] = between;
+        for (ends, is_between) in [
+            ([0.0, first], false),
+            ([first, second], true),
+            ([second, 1.0], false),
+        ] {
+            if ends[0] < ends[1] {
+                vertices.extend(ends.map(|share| vertex(share, is_between)));
+            }
+        }
+    }
+    vertices
+}
+
+/// The depth in NDC of what only the background is behind. It must not round to the background's own.
+fn before_background(depth: DepthMapping) -> f64 {
+    match depth {
+        DepthMapping::Reversed => libm::exp2(-60.0),
+        DepthMapping::Standard => 1.0 - libm::exp2(-21.0),
+    }
 }

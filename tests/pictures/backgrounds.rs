@@ -49,11 +49,10 @@ fn each_background_is_drawn_and_cast_alike() {
 fn a_transparent_picture_can_be_laid_over_any_background() {
     let (scene, view) = (shapes(DVec3::ZERO), overview([200, 150]));
     let gpu = gpu();
+    let [from, to] = [DVec3::new(-9.0, 2.0, 0.0), DVec3::new(9.0, 2.0, 1.0)];
     let line = Line {
-        from: DVec3::new(-9.0, 2.0, 0.0),
-        to: DVec3::new(9.0, 2.0, 1.0),
-        colour: Srgb([20, 200, 90]),
         opacity: [0.2, 0.9],
+        ..Line::new(from, to, Srgb([20, 200, 90]))
     };
     let draw = |background| {
         let targets = Targets::new(&gpu, view.viewport, SMOOTH_SAMPLES)?;

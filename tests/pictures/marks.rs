@@ -3,7 +3,7 @@
 use crate::{
     common::{mesh, orthographic, perspective, view},
     differing, draw,
-    images::apart,
+    images::{apart, differing_where},
     overview,
     scenes::{gpu, shapes},
     show,
@@ -172,6 +172,77 @@ fn lines_are_in_the_picture_and_not_in_the_ids() {
             assert!(on_ball.count() < 100, "the grid lies behind the mesh");
         }
         assert!(!plain.pixels().contains(&colour.0));
+    }
+}
+
+/// Lines that near and far do not clip look as if these were far apart, and no object is covered by what lies before
+/// near or beyond far: neither by the floor that it stands on, nor by a line right before it.
+#[test]
+fn lines_that_are_not_clipped_go_on_before_near_and_beyond_far() {
+    let gpu = gpu();
+    let cube = Object::new("cube", Shape::Cube, Placement::IDENTITY);
+    let scene = Scene::from_iter([cube]);
+    let (near, far) = (4.2, 6.2);
+    let mut lines: Vec<_> = (-8..=8)
+        .flat_map(|i| {
+            let (a, y) = (0.4 * f64::from(i), -0.51);
+            // Along z they begin behind the eye.
+            [
+                [dvec3(a, y, 9.0), dvec3(a, y, -20.0)],
+                [dvec3(-9.0, y, a), dvec3(9.0, y, a)],
+            ]
+        })
+        .collect();
+    lines.push([dvec3(-1.7, 0.3, 1.5), dvec3(2.4, 0.3, 1.5)]);
+    let lines = |is_clipped| -> Vec<_> {
+        let line = |[from, to]: &[DVec3; 2]| Line {
+            is_clipped,
+            opacity: [1.0, 0.2],
+            ..Line::new(*from, *to, Srgb([255, 0, 255]))
+        };
+        lines.iter().map(line).collect()
+    };
+    for (is_parallel, depth) in [
+        (false, DepthMapping::Reversed),
+        (false, DepthMapping::Standard),
+        (true, DepthMapping::Reversed),
+        (true, DepthMapping::Standard),
+    ] {
+        let seen = |near, far| {
+            let lens = if is_parallel {
+                orthographic(3.0, near, far)
+            } else {
+                perspective(40.0, near, far)
+            };
+            let lens = Lens { depth, ..lens };
+            view([1.2, 1.0, 5.0], [0.0; 3], lens, [320, 240])
+        };
+        let (fitted, wide) = (seen(near, far), seen(0.1, 100.0));
+        for samples in [1, 4] {
+            let drawn = |view, lines: &[Line]| {
+                let (ids, picture, _) = draw(&gpu, &scene, view, lines, &Marks::default(), samples);
+                (ids, picture)
+            };
+            let (ids, bare) = drawn(&fitted, &[]);
+            let (_, open) = drawn(&fitted, &lines(false));
+            let (_, clipped) = drawn(&fitted, &lines(true));
+            let (_, whole) = drawn(&wide, &lines(true));
+            show("before-near-and-beyond-far", &open);
+            let case = format!("{is_parallel} {depth} {samples}");
+            let is_beside = |at: [u32; 2]| ids.at(at[0], at[1]).object == 0;
+            let beside = |a, b| differing_where(a, b, |a, b, at| apart(a, b, 8) && is_beside(at));
+            let (all, missing) = (beside(&whole, &bare), beside(&whole, &clipped));
+            assert!(missing > 400, "{case}: near and far clip {missing}");
+            let off = beside(&whole, &open);
+            // Which of two lines that cross is seen may change.
+            assert!(40 * off < all, "{case}: {off} of {all}");
+            // Where edges are smooth, a pixel of the outline shows the cube and the floor.
+            let covered = differing_where(&open, &bare, |a, b, [x, y]| {
+                let mut around = (0..9).map(|i| [x + i % 3 - 1, y + i / 3 - 1]);
+                a != b && !is_beside([x, y]) && (samples == 1 || !around.any(is_beside))
+            });
+            assert_eq!(covered, 0, "{case}");
+        }
     }
 }
 

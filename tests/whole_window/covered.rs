@@ -1,7 +1,8 @@
-//! No tooltip lies over Help, no group of the toolbar with names stands before one without, and nothing lies over the
-//! grid's step.
+//! No tooltip lies over Help, no group of the toolbar with names stands before one without, nothing lies over the grid's
+//! step, and the grid over no object.
 
 use super::*;
+use sightline::{look::Background, pick};
 use std::collections::BTreeSet;
 
 fn demo(points: [u32; 2]) -> Window {
@@ -118,4 +119,45 @@ fn the_step_of_a_grid_in_view_is_told() {
     let up = up.replace("target = [0, 0, 0]", "target = [0, 50, 9]");
     let (window, _folder) = row_as(&up, 1.0);
     assert_eq!(step(&window), None);
+}
+
+/// Seen from low, the demo's ground goes on before the fitted near plane, down to the picture's lower edge, and beyond the
+/// far plane. It lies over no object.
+#[test]
+fn the_ground_goes_on_before_near_and_beyond_far_and_covers_no_object() {
+    let mut window = demo(SIZE);
+    press_key(&mut window, Modifiers::NONE, Key::Num1);
+    window.send([Event::PointerGone]);
+    let with_ground = window.picture().expect("a picture");
+    press_key(&mut window, Modifiers::NONE, Key::G);
+    let bare = window.picture().expect("a picture");
+    let (scene, view) = (window.state().scene(), window.state().view());
+    let (ids, _) = pick::raycast(scene, view, Background::DARK);
+    let (lens, eye, lowest) = (view.camera.lens(), view.camera.eye(), scene.bounds().min.y);
+    let [width, height] = [ids.size().width(), ids.size().height()];
+    let [left, top] = motion::corner(&window);
+    let [mut before, mut beyond, mut last_row] = [0; 3];
+    // Right of what is written in the corner.
+    for (x, y) in ids.positions().filter(|(x, _)| *x > 200) {
+        let [now, then] = [&with_ground, &bare].map(|all| all.at(left + x, top + y));
+        if !images::apart(now, then, 3) {
+            continue;
+        }
+        if ids.at(x, y).object > 0 {
+            // A smooth outline shows what is beside the object.
+            let mut around = (0..9).map(|i| [x + i % 3, y + i / 3].map(|at| at.max(1) - 1));
+            let is_outline =
+                around.any(|[x, y]| ids.at(x.min(width - 1), y.min(height - 1)).object == 0);
+            assert!(is_outline, "({x}, {y})");
+            continue;
+        }
+        let px = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        let depth = (lowest - eye.y) / view.offset_from_eye(px, 1.0).y;
+        before += u32::from(depth < lens.near);
+        beyond += u32::from(depth > lens.far);
+        last_row = last_row.max(y);
+    }
+    assert!(before > 1000 && beyond > 100, "{before}, {beyond}");
+    // A panel's border may lie over the last row.
+    assert!(last_row + 2 >= height, "{last_row} of {height}");
 }

@@ -4,7 +4,7 @@ use super::{box_edges::edges, frozen::pixel_grid};
 use crate::{
     camera::{Framed, NdcSpace, UpAxis, View, Viewport},
     colour::Srgb,
-    geometry::Aabb,
+    geometry::{Aabb, clip_points},
     look,
     render::Line,
     viewer::model::State,
@@ -33,32 +33,16 @@ pub(in crate::viewer) fn grid_step(state: &State) -> Option<f64> {
     step(bounds.radius()).filter(|_| lines.iter().any(|line| is_in_picture(view, line)))
 }
 
-/// Whether a part of a line is between near and far within the picture, whatever hides it there.
+/// Whether a part of a line is within the picture, whatever its depth and whatever hides it there.
 fn is_in_picture(view: &View, line: &Line) -> bool {
-    let camera = &view.camera;
-    let Some([a, b]) = view.project_segment(line.from, line.to) else {
-        return false;
-    };
-    let depth = |point| camera.to_view(point).z;
-    if depth(line.from).min(depth(line.to)) > camera.lens().far {
-        return false;
+    let (half, lens) = (view.half_extent(), view.camera.lens());
+    let mut part = [line.from, line.to]
+        .map(|end| view.camera.to_view(end))
+        .to_vec();
+    for outwards in [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y] {
+        part = clip_points(&part, |p| lens.w(p.z) - outwards.dot(p.truncate() / half));
     }
-    let size = DVec2::new(view.viewport.width().into(), view.viewport.height().into());
-    // The part of the line, from 0 to 1, that is within both ranges of pixels.
-    let (mut from, mut to) = (0.0_f64, 1.0_f64);
-    for axis in 0..2 {
-        let (start, along) = (a[axis], b[axis] - a[axis]);
-        if along == 0.0 {
-            if !(0.0..=size[axis]).contains(&start) {
-                return false;
-            }
-            continue;
-        }
-        let ends = [-start / along, (size[axis] - start) / along];
-        from = from.max(ends[0].min(ends[1]));
-        to = to.min(ends[0].max(ends[1]));
-    }
-    from <= to
+    !part.is_empty()
 }
 
 fn step(radius: f64) -> Option<f64> {
@@ -69,7 +53,8 @@ fn step(radius: f64) -> Option<f64> {
 
 /// A round grid under all of `bounds_world`, at multiples of its step, that fades towards its border. Two lines have
 /// the colours of the world's axes; they cross at the origin's foot. Whatever looks down on the ground sees the scene
-/// before it; from below, and edge on, it is left out. So it never covers an object.
+/// before it; from below, and edge on, it is left out. So it never covers an object, and near and far, which are fitted
+/// to the scene, need not clip it.
 pub(super) fn ground(bounds_world: &Aabb, up_axis: UpAxis, view: &View) -> Vec<Line> {
     let frame = up_axis.frame();
     let [right, up, front] = [frame.x_axis, frame.y_axis, frame.z_axis];
@@ -124,7 +109,11 @@ pub(super) fn ground(bounds_world: &Aabb, up_axis: UpAxis, view: &View) -> Vec<L
                 if at_from + at_to > 0.0 {
                     let opacity = [at_from, at_to];
                     let line = Line::new(from, to, colour);
-                    all.push(Line { opacity, ..line });
+                    all.push(Line {
+                        opacity,
+                        is_clipped: false,
+                        ..line
+                    });
                 }
             }
         }
@@ -249,6 +238,33 @@ mod tests {
         assert!(from(ABOVE) > 100);
         assert_eq!(from(DVec3::new(1.0, -0.8, 1.6)), 0);
         assert_eq!(from(DVec3::NEG_Y), 0);
+    }
+
+    #[test]
+    fn a_line_is_in_the_picture_whatever_near_and_far_clip() {
+        let bounds = about(DVec3::ZERO, 1.0);
+        let view = view(&bounds, UpAxis::Y, DVec3::Z);
+        let (eye, right) = (view.camera.eye(), DVec3::X);
+        for projection in [
+            Projection::Perspective { fov_y: 0.8 },
+            Projection::Orthographic { height: 2.0 },
+        ] {
+            let lens = Lens {
+                projection,
+                near: 1.0,
+                far: 2.0,
+                ..*view.camera.lens()
+            };
+            let camera = view.camera.with_lens(lens).expect("a lens");
+            let view = View { camera, ..view };
+            for depth in [0.5, 1.5, 2.5] {
+                let at = eye - DVec3::Z * depth;
+                let is_in = |from, to| is_in_picture(&view, &Line::new(from, to, look::GRID));
+                assert!(is_in(at, at + 9.0 * right), "{depth}");
+                assert!(is_in(at - 9.0 * right, at + 9.0 * right), "{depth}");
+                assert!(!is_in(at + 8.0 * right, at + 9.0 * right), "{depth}");
+            }
+        }
     }
 
     #[test]
