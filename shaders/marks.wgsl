@@ -52,11 +52,6 @@ fn outline(@builtin(position) position: vec4<f32>) -> @location(0) f32 {
     return smoothstep(0.0, 0.35, min(share, 1.0 - share));
 }
 
-// The same as look::luminance.
-fn luminance(colour: vec3<f32>) -> f32 {
-    return dot(colour, vec3<f32>(0.2126, 0.7152, 0.0722));
-}
-
 // A pixel with its marks, without the outline: look::tinted where it is selected, brighter where it is hovered.
 fn marked(px: vec2<i32>) -> vec3<f32> {
     let colour = textureLoad(picture, px, 0).rgb;

@@ -104,8 +104,12 @@ fn colour(in: ColourCorner, @builtin(front_facing) front: bool) -> @location(0) 
     return vec4<f32>(shade(in.albedo, select(-in.normal_view, in.normal_view, front)), 1.0);
 }
 
-// Edges of triangles, dark and thin. They fade where they are dense, so that the faces are seen between them.
-const EDGE = vec3<f32>(0.005, 0.005, 0.008);
+// Edges of triangles are thin, dark on bright faces and light on dark ones. They fade where they are dense, so that the
+// faces are seen between them.
+const EDGE_ON_BRIGHT = vec3<f32>(0.005, 0.005, 0.008);
+const EDGE_ON_DARK = vec3<f32>(0.33, 0.34, 0.37);
+// A face whose luminance is below this is dark. There both lines stand out as much.
+const DARK_FACE = 0.1;
 // An edge of two triangles is drawn by both, and so covers 0.84 of what is behind it.
 const MOST_OPAQUE = 0.6;
 // Edges this many pixels apart have faded, and have not begun to.
@@ -114,7 +118,11 @@ const SPARSE_PX = 14.0;
 
 struct EdgeCorner {
     @invariant @builtin(position) clip: vec4<f32>,
-    @location(0) opacity: f32,
+    // As in Corner.
+    @location(0) normal_view: vec3<f32>,
+    @location(1) albedo: vec3<f32>,
+    @location(2) @interpolate(flat) own: vec3<u32>,
+    @location(3) opacity: f32,
 }
 
 // How far apart the edges about a vertex look, in view units. The vertex holds the upper half of the bits of that length
@@ -145,27 +153,29 @@ fn edge_vertex(in: Vertex, batch: Batch) -> EdgeCorner {
     let sight = select(vec3<f32>(0.0, 0.0, 1.0), view.xyw, frame.perspective == 1u);
     let aside = spacing(in, batch, all.normal_view, sight);
     let beside = project(view.xyz + vec3<f32>(aside, 0.0, 0.0), view.w);
-    return EdgeCorner(all.clip, edge_opacity(all.clip, beside));
+    return EdgeCorner(all.clip, all.normal_view, all.albedo, all.own, edge_opacity(all.clip, beside));
 }
 
 @vertex
 fn edge_vertex_in_ndc(in: Vertex, batch: Batch) -> EdgeCorner {
-    let clip = corner_in_ndc(in, batch, 0u).clip;
+    let all = corner_in_ndc(in, batch, 0u);
     let at = in_view(in, batch).xyw;
     // As the camera sees it, which is what its NDC shows from the front.
     let aside = spacing(in, batch, corner(in, batch, 0u).normal_view, at);
     let beside = frame.ndc_clip * vec4<f32>(at + vec3<f32>(aside, 0.0, 0.0), 1.0);
-    return EdgeCorner(clip, edge_opacity(clip, beside));
+    return EdgeCorner(all.clip, all.normal_view, all.albedo, all.own, edge_opacity(all.clip, beside));
 }
 
 // Times the opacity.
-fn edge_colour(opacity: f32) -> vec4<f32> {
-    return vec4<f32>(EDGE * opacity, opacity);
+fn edge_colour(in: EdgeCorner, winding_front: bool, is_cut: bool) -> vec4<f32> {
+    let face = shaded(Corner(in.clip, in.normal_view, in.albedo, in.own), winding_front, is_cut);
+    let is_dark = luminance(face.rgb) < DARK_FACE;
+    return vec4<f32>(select(EDGE_ON_BRIGHT, EDGE_ON_DARK, is_dark) * in.opacity, in.opacity);
 }
 
 @fragment
-fn edge(in: EdgeCorner) -> @location(0) vec4<f32> {
-    return edge_colour(in.opacity);
+fn edge(in: EdgeCorner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+    return edge_colour(in, front, false);
 }
 
 // The same entry points for a world that a section cuts, and for NDC, which ends at the near plane.
@@ -186,7 +196,7 @@ fn colour_cut(in: Corner, @builtin(front_facing) front: bool) -> @location(0) ve
 }
 
 @fragment
-fn edge_cut(in: EdgeCorner) -> @location(0) vec4<f32> {
+fn edge_cut(in: EdgeCorner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     cut(in.clip);
-    return edge_colour(in.opacity);
+    return edge_colour(in, front, frame.shows_inside == 1u);
 }

@@ -18,15 +18,18 @@ macro_rules! indexed {
 pub const SHADERS: [(&str, &str); 8] = [
     (
         "mesh by primitive",
-        indexed!("head", "mesh", "mesh_by_primitive"),
+        indexed!("head", "luminance", "mesh", "mesh_by_primitive"),
     ),
-    ("mesh by corner", wgsl!("head", "mesh", "mesh_by_corner")),
+    (
+        "mesh by corner",
+        wgsl!("head", "luminance", "mesh", "mesh_by_corner"),
+    ),
     ("sphere", wgsl!("head", "sphere")),
     (
         "background and lines",
         wgsl!("head", "cover", "background_and_lines"),
     ),
-    ("marks", wgsl!("cover", "marks")),
+    ("marks", wgsl!("cover", "luminance", "marks")),
     ("resolve", wgsl!("cover", "resolve")),
     (
         "probe by primitive",

@@ -324,6 +324,57 @@ fn squares(count: u32, enlarged: f64) -> Scene {
     Scene::from_iter([Object::new("squares", shape, placement)])
 }
 
+/// Lines are dark on bright faces, from in front and from behind, and light on dark ones: on both they can be seen.
+#[test]
+fn a_wireframe_is_seen_on_bright_and_on_dark_faces() {
+    let gpu = &gpu();
+    let cube = Scene::from_iter([Object::new("cube", Shape::Cube, Placement::IDENTITY)]);
+    let of_colour = |scene: &Scene, colour| -> Scene {
+        let object = scene.objects()[0].clone();
+        let colour = Some(colour);
+        Scene::from_iter([Object { colour, ..object }])
+    };
+    let lens = perspective(40.0, 0.1, 100.0);
+    let aside = view([1.2, 1.5, 2.2], [0.0; 3], lens, [400, 400]);
+    let behind = view([0.0, 0.0, -3.0], [0.0; 3], lens, [400, 400]);
+    // How many pixels are that much lighter, and darker, than the faces.
+    let seen = |scene: &Scene, view: &View| {
+        let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
+        let targets = Targets::new(gpu, view.viewport, 1).expect("fits");
+        let mut renderer = Renderer::new(gpu, 1);
+        let [plain, wired] = [None, Some(Wireframe::OfAll)].map(|wireframe| {
+            renderer.wireframe = wireframe;
+            let drawn = renderer.draw((&buffers, &targets, view), &[]);
+            drawn.expect("draws");
+            targets.read_colours(gpu).expect("colours")
+        });
+        let ids = targets.read_ids(gpu).expect("ids");
+        show("wired", &wired);
+        let green = |picture: &Image<Rgb>, x, y| i32::from(picture.at(x, y)[1]);
+        let count = |holds: fn(i32) -> bool| {
+            let inside = ids.positions().filter(|&(x, y)| ids.at(x, y).object > 0);
+            let lighter = inside.map(|(x, y)| green(&wired, x, y) - green(&plain, x, y));
+            lighter.filter(|lighter| holds(*lighter)).count()
+        };
+        [
+            count(|lighter| lighter > 40),
+            count(|lighter| lighter < -40),
+        ]
+    };
+    for dark in [Srgb([0; 3]), Srgb([10, 12, 70]), Srgb([40; 3])] {
+        let [light, dark] = seen(&of_colour(&cube, dark), &aside);
+        assert!(light > 800 && dark == 0, "{light} {dark}");
+    }
+    // The second is bright only on the side that is seen.
+    for (scene, bright, view) in [
+        (cube, Srgb([250; 3]), aside),
+        (squares(4, 1.0), Srgb([150; 3]), behind),
+    ] {
+        let [light, dark] = seen(&of_colour(&scene, bright), &view);
+        assert!(dark > 800 && light == 0, "{light} {dark}");
+    }
+}
+
 /// How much darker the wireframe makes the darkest pixel of a scene, and all of them in the mean.
 fn darker(gpu: &Gpu, scene: &Scene, view: &View) -> [f32; 2] {
     let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
