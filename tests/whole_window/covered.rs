@@ -1,5 +1,5 @@
-//! No tooltip lies over Help, no group of the toolbar with names stands before one without, nothing lies over the grid's
-//! step, and the grid over no object.
+//! No tooltip lies over Help, no group of the toolbar with names stands before one without, nothing lies over the
+//! grid's step, and the grid lies over no object.
 
 use super::*;
 use sightline::{look::Background, pick};
@@ -121,8 +121,8 @@ fn the_step_of_a_grid_in_view_is_told() {
     assert_eq!(step(&window), None);
 }
 
-/// Seen from low, the demo's ground goes on before the fitted near plane, down to the picture's lower edge, and beyond the
-/// far plane. It lies over no object.
+/// Seen from low, the demo's ground goes on before the fitted near plane, down to the picture's lower edge, and beyond
+/// the far plane. It lies over no object.
 #[test]
 fn the_ground_goes_on_before_near_and_beyond_far_and_covers_no_object() {
     let mut window = demo(SIZE);
