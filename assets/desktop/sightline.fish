@@ -121,7 +121,7 @@ complete -c sightline -n "__fish_sightline_using_subcommand list" -l json -d 'Pr
 complete -c sightline -n "__fish_sightline_using_subcommand list" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c sightline -n "__fish_sightline_using_subcommand study" -s o -l out -d 'A folder for study.csv, summary.csv and the charts; created if missing' -r -F
 complete -c sightline -n "__fish_sightline_using_subcommand study" -l seed -d 'The seed of the random numbers; the same seed gives the same verdicts on every machine' -r
-complete -c sightline -n "__fish_sightline_using_subcommand study" -l budget -d 'Instead of the study, say which precision keeps SCENE\'s errors within PX pixels' -r
+complete -c sightline -n "__fish_sightline_using_subcommand study" -l budget -d 'Instead of the study, say which is the simplest way to pick in SCENE within PX pixels' -r
 complete -c sightline -n "__fish_sightline_using_subcommand study" -l size -d 'Size of the picture, or of the window, in pixels [default: 1280x720]' -r
 complete -c sightline -n "__fish_sightline_using_subcommand study" -l eye -d 'Where the eye stands' -r
 complete -c sightline -n "__fish_sightline_using_subcommand study" -l target -d 'The point that the eye looks at' -r

@@ -123,7 +123,7 @@ _arguments "${_arguments_options[@]}" : \
 '-o+[A folder for study.csv, summary.csv and the charts; created if missing]:DIR:_files' \
 '--out=[A folder for study.csv, summary.csv and the charts; created if missing]:DIR:_files' \
 '--seed=[The seed of the random numbers; the same seed gives the same verdicts on every machine]:N:_default' \
-'(-o --out --quick)--budget=[Instead of the study, say which precision keeps SCENE'\''s errors within PX pixels]:PX:_default' \
+'(-o --out --quick)--budget=[Instead of the study, say which is the simplest way to pick in SCENE within PX pixels]:PX:_default' \
 '--size=[Size of the picture, or of the window, in pixels \[default\: 1280x720\]]:WxH:_default' \
 '--eye=[Where the eye stands]:X,Y,Z:_default' \
 '--target=[The point that the eye looks at]:X,Y,Z:_default' \

@@ -1,7 +1,7 @@
 //! `sightline study`: measures the speed and the accuracy of the known methods.
 
 use super::{CliError, SceneArgs, ViewArgs, load, print, terminal::start_log, value};
-use crate::study::{self, Effort, SceneRays};
+use crate::study::{self, Effort};
 use clap::Arg;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::{path::PathBuf, time::Duration};
@@ -22,7 +22,7 @@ pub struct StudyArgs {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = value::seed)]
     #[arg(allow_hyphen_values = true)]
     pub seed: u64,
-    /// Instead of the study, say which precision keeps SCENE's errors within PX pixels
+    /// Instead of the study, say which is the simplest way to pick in SCENE within PX pixels
     #[arg(long, value_name = "PX", value_parser = value::number, allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["out", "quick"])]
     pub budget: Option<f64>,
@@ -42,9 +42,6 @@ pub(super) fn for_a_budget(arg: Arg) -> Arg {
         arg
     }
 }
-
-/// How many rays of a scene `--budget` studies.
-const BUDGET_RAYS: usize = 2000;
 
 /// Runs the study and prints its table.
 pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
@@ -80,7 +77,7 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     Ok(())
 }
 
-/// Prints the precision that the scene (or the demo) needs.
+/// Prints which ways to pick suffice for the scene (or the demo).
 fn budget(args: &StudyArgs, px: f64) -> Result<(), CliError> {
     if args.view.section.is_some() {
         return Err(CliError::usage(
@@ -91,19 +88,13 @@ fn budget(args: &StudyArgs, px: f64) -> Result<(), CliError> {
         return Err(CliError::usage("--budget takes pixels above 0"));
     }
     let mut loaded = load(&args.scene)?;
-    let mut view = args.view.apply(&mut loaded)?;
+    let view = args.view.apply(&mut loaded)?;
     if view.section.is_some() {
         log::warn!("the scene file's section is ignored: the studied methods support none");
-        view = view.uncut();
     }
-    let rays = SceneRays::new(&loaded.scene, view, BUDGET_RAYS, args.seed);
-    study::has_budget(&rays).map_err(|error| CliError::usage(error.to_string()))?;
-    let effort = Effort {
-        seed: args.seed,
-        ..Effort::SCENE_ONLY
-    };
-    let report = study::run(effort, Some(&rays), &|_, _| {});
-    print(&study::budget(&rays, &view, &report, px))
+    let budget = study::Budget::new(&loaded.scene, &view, px, args.seed);
+    let budget = budget.map_err(|error| CliError::usage(error.to_string()))?;
+    print(&budget.page())
 }
 
 /// A progress bar on stderr, if that is a terminal.

@@ -71,7 +71,7 @@ pub(crate) use edge::face_of;
 pub use narrowed::narrowed;
 pub(crate) use nearest::all_near;
 #[doc(hidden)] // public for tests
-pub use nearest::closest_by;
+pub use nearest::{ShapeTest, closest_by};
 pub use nearest::{all, closest};
 #[doc(hidden)] // public for tests
 pub use one_place::MOST_NAMED;

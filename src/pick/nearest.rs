@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     geometry::{
-        Cuboid, Entry, HALF_OF_THE_DIGITS, Hit, LocalRay, Sides, Sphere, Square, TriangleTest,
+        Cuboid, Entry, HALF_OF_THE_DIGITS, Hit, LocalRay, Ray, Sides, Sphere, Square, TriangleTest,
         WorldRay,
     },
     scene::{Object, Scene, Shape},
@@ -65,34 +65,46 @@ pub(super) fn nearest(
     best
 }
 
-/// [`closest`] by another triangle test. On meshes, a section only shortens the ray's interval, rounded outwards.
+/// [`closest`] by another test of triangles and, with `shape`, of other shapes. The walk is the same, but triangles are
+/// tested one at a time. A section only shortens the ray's interval on meshes, rounded outwards.
 pub fn closest_by<'a>(
     scene: &Scene,
     ray: impl Into<WorldRay<'a>>,
     sides: Sides,
-    test: TriangleTest,
+    triangle: TriangleTest,
+    shape: Option<ShapeTest>,
 ) -> Option<SceneHit> {
     let ray = &ray.into();
-    let mut best = None;
-    // Another test may hit what the ray misses, so no batch is skipped.
-    for batch in scene.batches() {
+    let (mut best, mut limit) = (None, ray.t_max);
+    scene.visit_batches(ray, |batch| {
         let first = &scene.objects()[batch.start];
         let placed = first.placement.local_ray(ray);
-        let local = LocalRay::from(&placed);
-        let found = match &first.shape {
-            Shape::Mesh { mesh, part } => {
+        let local = placed.until(limit);
+        let found = match (&first.shape, shape) {
+            (Shape::Mesh { mesh, part }, _) => {
                 let accept = |part_hit| shown_object(scene, batch, *part, part_hit).is_some();
-                let hit = mesh.closest_by(local, sides, test, accept);
+                let hit = mesh.closest_by(local, sides, triangle, accept);
                 hit.map(|hit| of_mesh(scene, batch, hit))
+            }
+            (_, Some(test)) if first.visible => {
+                let hits = [test(first, ray), None];
+                shown(batch.start, hits, sides).find(|found| is_kept(scene, ray, found))
             }
             _ => in_batch(scene, batch, None, &local, sides, |found| {
                 is_kept(scene, ray, found)
             }),
         };
         best = lesser(scene, ray, best, found);
-    }
+        if let Some(best) = &best {
+            limit = best.limit();
+        }
+        limit
+    });
     best
 }
+
+/// Where a world-space ray first meets an object that is no mesh.
+pub type ShapeTest = fn(&Object, &Ray) -> Option<Hit>;
 
 /// All hits of a world-space ray on the visible objects, from front to back.
 pub fn all<'a>(scene: &Scene, ray: impl Into<WorldRay<'a>>, sides: Sides) -> Vec<SceneHit> {

@@ -3,7 +3,8 @@
 //!
 //! ```text
 //! methods (the registry), their workloads -> run -> Report -> table, csv, chart
-//!                  truth (exact numbers) --^        its rays + Report -> estimates -> budget
+//!                  truth (exact numbers) --^
+//! a scene + chains (whole picks in the numbers that programs hold) -> budget
 //! a scene, often of the gallery + swap (a method) -> a pick with the method's mistakes
 //! ```
 //!
@@ -53,10 +54,11 @@
 
 pub mod breaks;
 mod budget;
+mod budget_page;
+pub mod chains;
 pub mod chart;
 mod csv;
 mod effort;
-mod estimates;
 pub mod exact;
 mod folder;
 pub mod methods;
@@ -72,10 +74,9 @@ mod table;
 mod timing;
 pub mod truth;
 
-pub use budget::{NoBudget, budget, has_budget, measured};
+pub use budget::{Budget, Depths, Growth, NothingHit, Reach, Tried};
 pub use csv::{COLUMNS, SUMMARY_COLUMNS, csv, summary_csv};
 pub use effort::Effort;
-pub use estimates::{Estimate, estimates};
 pub use folder::{SaveError, save, save_chart};
 pub use run::{Report, Row, SCENE, run};
 pub use scene_rays::SceneRays;

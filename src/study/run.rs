@@ -70,14 +70,6 @@ pub struct Report {
     pub rows: Vec<Row>,
 }
 
-impl Report {
-    /// The rows of a scene's own rays, by a step's key.
-    pub(super) fn of_scene(&self, step: &str) -> impl Iterator<Item = &Row> {
-        let own = self.rows.iter().filter(|row| row.family == SCENE);
-        own.filter(move |row| row.info.step.key == step)
-    }
-}
-
 /// The name of the family that a scene's own rays form.
 pub const SCENE: &str = "this scene";
 

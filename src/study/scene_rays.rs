@@ -46,11 +46,6 @@ impl SceneRays {
         px_angle(&self.world.view, distance.abs())
     }
 
-    /// How many pixels a step of one unit in the world may be, at most, where a ray has this `t`, which is its depth.
-    pub(super) fn px_per_unit(&self, ray: &Ray, t: f64) -> f64 {
-        ray.direction.length() / (t.abs() * self.px(t))
-    }
-
     /// Every ray that hits, with the object and the hit.
     pub(super) fn objects(&self) -> impl Iterator<Item = (&Ray, &Object, &SceneHit)> {
         let (objects, hits) = (self.world.scene.objects(), self.hits.iter());

@@ -153,7 +153,7 @@ impl<'a> Click<'a> {
 /// The first hit in a ray's interval, by a method that finds the first hit at or after a ray's start. The method first
 /// runs from `t = 0`, or from `t_min` if that is negative. If its hit lies before the interval, it runs again from
 /// `t_min`.
-fn first(ray: &Ray, method: impl Fn(&Ray) -> Option<f64>) -> Option<f64> {
+pub(super) fn first(ray: &Ray, method: impl Fn(&Ray) -> Option<f64>) -> Option<f64> {
     let from = |start: f64| {
         let origin = ray.at(start);
         Some(start + method(&Ray { origin, ..*ray })?)
@@ -257,13 +257,17 @@ impl Step for BoxCase {
         let is_cube = |shape: &Shape| matches!(shape, Shape::Cube);
         click.nearest(is_cube, |_, local| {
             let t = first(local, |ray| run(&Self::of_object(ray, 1.0)))?;
-            let point = local.at(t);
-            let depth = |axis: &DVec3| point.dot(*axis).abs();
-            let axes = DVec3::AXES.into_iter();
-            let face = axes.max_by(|a, b| depth(a).total_cmp(&depth(b)))?;
-            Some(analytic(local, t, face * point.dot(face).signum()))
+            Some(analytic(local, t, cube_normal(local.at(t))?))
         })
     }
+}
+
+/// The outward normal of the unit cube's face that a point is on.
+pub(super) fn cube_normal(point: DVec3) -> Option<DVec3> {
+    let depth = |axis: &DVec3| point.dot(*axis).abs();
+    let axes = DVec3::AXES.into_iter();
+    let face = axes.max_by(|a, b| depth(a).total_cmp(&depth(b)))?;
+    Some(face * point.dot(face).signum())
 }
 
 impl Step for SquareCase {
@@ -277,7 +281,7 @@ impl Step for SquareCase {
 }
 
 /// The hit at the `t` that a method found, on a surface with this outward normal.
-fn analytic(local: &Ray, t: f64, normal: DVec3) -> Hit {
+pub(super) fn analytic(local: &Ray, t: f64, normal: DVec3) -> Hit {
     Hit {
         t,
         t_error: 0.0,

@@ -13,7 +13,6 @@ mod no_adapter;
 mod readme;
 #[path = "../common/real_files.rs"]
 mod real_files;
-mod rounded;
 mod summary;
 mod views;
 

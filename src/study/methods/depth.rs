@@ -29,11 +29,16 @@ impl DepthCase {
         Self { depth, lens }
     }
 
+    /// A view depth, rounded to `f32`, as a lens stores it.
+    pub(in crate::study) fn between(depth: f64, lens: Lens) -> Self {
+        let depth = f32::of(depth);
+        Self { depth, lens }
+    }
+
     /// The depth of a hit at `t` on a ray that a camera cast.
     pub(in crate::study) fn of_hit(camera: &Camera, ray: &Ray, t: f64) -> Self {
-        let depth = f32::of(t * ray.direction.dot(camera.forward()));
-        let lens = *camera.lens();
-        Self { depth, lens }
+        let depth = t * ray.direction.dot(camera.forward());
+        Self::between(depth, *camera.lens())
     }
 }
 

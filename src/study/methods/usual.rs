@@ -7,16 +7,18 @@
 
 use crate::{
     camera::View,
-    geometry::{Ray, TriangleHit, VertexRay},
+    geometry::Ray,
     pick::{self, SceneHit},
     scene::Scene,
+    study::chains::moeller_trumbore,
 };
-use glam::{DVec2, DVec3, Vec3};
+use glam::DVec2;
 
 /// The hit that the usual way finds at a pixel position. Spheres, cubes and squares are tested in `f64`: for them only
 /// the ray differs from Sightline's.
 pub fn closest(scene: &Scene, view: &View, px: DVec2) -> Option<SceneHit> {
-    pick::closest_by(scene, ray(view, px)?, view.sides, moeller_trumbore)
+    let test = moeller_trumbore::<f32>;
+    pick::closest_by(scene, ray(view, px)?, view.sides, test, None)
 }
 
 /// The world-space ray from the near to the far plane; `None` where the inverse has no finite answer.
@@ -36,34 +38,4 @@ fn ray(view: &View, px: DVec2) -> Option<Ray> {
         t_max: f64::from(along.length()),
     };
     (ray.origin.is_finite() && ray.direction.is_finite()).then_some(ray)
-}
-
-/// Moeller & Trumbore's test in `f32`, without culling and without an epsilon.
-fn moeller_trumbore(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
-    let ray = &ray.ray;
-    let [a, b, c] = corners.map(DVec3::as_vec3);
-    let (origin, direction): (Vec3, Vec3) = (ray.origin.as_vec3(), ray.direction.as_vec3());
-    let (edge_b, edge_c) = (b - a, c - a);
-    let p = direction.cross(edge_c);
-    let determinant = edge_b.dot(p);
-    if determinant == 0.0 {
-        return None;
-    }
-    let s = origin - a;
-    let v = s.dot(p) / determinant;
-    if !(0.0..=1.0).contains(&v) {
-        return None;
-    }
-    let q = s.cross(edge_b);
-    let w = direction.dot(q) / determinant;
-    if !(w >= 0.0 && v + w <= 1.0) {
-        return None;
-    }
-    let t = f64::from(edge_c.dot(q) / determinant);
-    ray.contains(t).then(|| TriangleHit {
-        t,
-        t_error: 0.0,
-        front: determinant > 0.0,
-        barycentric: [1.0 - v - w, v, w].map(f64::from),
-    })
 }

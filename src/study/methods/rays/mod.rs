@@ -146,11 +146,21 @@ impl PixelCase {
 
     /// The case of a pixel of a view; its axes are taken as exact.
     pub fn of_view(view: &View, px: DVec2) -> Self {
+        Self::about(view, view.camera.eye(), px)
+    }
+
+    /// The same, with the eye at another place in the world.
+    pub(in crate::study) fn about(view: &View, eye: DVec3, px: DVec2) -> Self {
         let (camera, lens) = (&view.camera, view.camera.lens());
         let axes = [camera.right(), camera.up(), camera.forward()].map(V3::from);
         let picture = Picture {
-            eye: camera.eye().into(),
-            target: camera.target().into(),
+            eye: eye.into(),
+            target: (if eye == camera.eye() {
+                camera.target()
+            } else {
+                eye + (camera.target() - camera.eye())
+            })
+            .into(),
             length: camera.target().distance(camera.eye()),
             axes,
             tan: camera.half_height(),
@@ -262,8 +272,24 @@ impl<T: Real> Pixel<T> {
 
     /// From -1 to 1, y upwards.
     fn ndc(&self) -> [T; 2] {
-        let [x, y] = [0, 1].map(|axis| self.px[axis] * self.per_px[axis]);
+        self.ndc_at(self.px)
+    }
+
+    fn ndc_at(&self, px: [T; 2]) -> [T; 2] {
+        let [x, y] = [0, 1].map(|axis| px[axis] * self.per_px[axis]);
         [x - T::one(), T::one() - y]
+    }
+
+    /// [`eye_basis`] at another position of the same picture.
+    pub(in crate::study) fn eye_basis_at(&self, px: [T; 2]) -> PixelRay {
+        let [sx, sy] = self.ndc_at(px);
+        let [right, up] = self.basis;
+        let aside = right * sx + up * sy;
+        let Picture { eye, axes, .. } = self.picture;
+        if self.picture.parallel {
+            return self.towards(eye + aside);
+        }
+        PixelRay::new(eye, axes[2] + aside)
     }
 
     /// The ray from the eye through a point of the picture; where rays are parallel, the ray from the point along F.
@@ -285,14 +311,7 @@ pub fn course<T: Real>(pixel: &Pixel<T>) -> PixelRay {
 
 /// The ray by a sum of directions.
 pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> PixelRay {
-    let [sx, sy] = pixel.ndc();
-    let [right, up] = pixel.basis;
-    let aside = right * sx + up * sy;
-    let Picture { eye, axes, .. } = pixel.picture;
-    if pixel.picture.parallel {
-        return pixel.towards(eye + aside);
-    }
-    PixelRay::new(eye, axes[2] + aside)
+    pixel.eye_basis_at(pixel.px)
 }
 
 /// The distance between a parallel ray and the true one at the target's depth, in world units.
