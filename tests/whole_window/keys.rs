@@ -388,7 +388,7 @@ fn the_help_is_searched() {
     assert!(has_control(&window, "nothing has these words"));
     assert_eq!(control(&window, "search the help").rect, field, "it stays");
     press_key(&mut window, NONE, Key::Escape);
-    assert!(!has_control(&window, "Keys and mouse"));
+    assert!(!has_control(&window, "nothing has these words"));
     // The words are forgotten. What is typed at once goes into the field, and does nothing else.
     press_key(&mut window, NONE, Key::H);
     assert_eq!(rows(&window), [true; 3]);

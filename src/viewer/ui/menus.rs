@@ -494,7 +494,7 @@ fn show() -> Menu {
             "with its corners and barycentrics",
         ),
         (
-            "Distance",
+            "Last distance",
             Key::D,
             Overlay::Distance,
             "between the last two picks, in world units",

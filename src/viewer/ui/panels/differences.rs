@@ -38,7 +38,7 @@ pub(super) fn show(
 
 fn table(ui: &mut Ui, check: &Check, found: &Checked) {
     let report = &found.report;
-    ui.label(RichText::new(format!("Drawn against picked{}", check.by())).strong())
+    ui.label(RichText::new(format!("Compare: drawn against picked{}", check.by())).strong())
         .hint("each pixel of the picture is compared with what a click on it picks, and marked where they differ");
     Grid::new("classes").num_columns(3).show(ui, |ui| {
         let mut row = |colour, name, hint: &str, pixels: usize| {

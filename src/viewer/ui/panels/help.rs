@@ -62,7 +62,7 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
     } else {
         (1, room.x.min(ROW))
     };
-    Window::new("Keys and mouse")
+    Window::new("Help")
         .open(&mut open)
         .collapsible(false)
         .default_height(room.y)
