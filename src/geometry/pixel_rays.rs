@@ -86,12 +86,6 @@ impl PixelRays {
         }
     }
 
-    /// The same without its bounds.
-    #[inline]
-    pub fn rounded(&self, px: DVec2) -> Ray {
-        self.rounded_with_aside(px).0
-    }
-
     /// The rounded ray, and the two products that are summed in it.
     #[inline]
     fn rounded_with_aside(&self, px: DVec2) -> (Ray, [DVec3; 2]) {

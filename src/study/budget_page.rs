@@ -30,7 +30,8 @@ impl Budget {
             } else {
                 ""
             };
-            line(&mut page, [tried.chain.name(), &differ, &off, &ns], verdict);
+            let name = format!("{}, {}", tried.chain.precision(), tried.chain.name());
+            line(&mut page, [&name, &differ, &off, &ns], verdict);
         }
         let lines = [
             self.saving(),

@@ -34,7 +34,7 @@ pub enum Chain {
     Mesh,
     /// Everything in `f32` about the eye, from which vertices were subtracted in `f64`.
     Eye,
-    /// Everything in `f64`.
+    /// Everything in `f64`, by Moeller & Trumbore.
     Double,
     /// Sightline's: `f64` with bounds, and exact arithmetic where these leave a decision open.
     Sightline,
@@ -50,14 +50,23 @@ impl Chain {
         Self::Sightline,
     ];
 
-    /// What it is called in tables.
-    pub fn name(self) -> &'static str {
+    /// What it is called in tables, after its precision.
+    pub const fn name(self) -> &'static str {
         match self {
-            Self::World => "f32, world coordinates",
-            Self::Mesh => "f32, about each file's origin",
-            Self::Eye => "f32, about the eye",
-            Self::Double => "f64, Moeller & Trumbore",
-            Self::Sightline => "Sightline, exact decisions",
+            Self::World => "world coordinates",
+            Self::Mesh => "about each file's origin",
+            Self::Eye => "about the eye",
+            Self::Double => "throughout",
+            Self::Sightline => "Sightline's",
+        }
+    }
+
+    /// The arithmetic that finds its hits.
+    pub const fn precision(self) -> Precision {
+        match self {
+            Self::World | Self::Mesh | Self::Eye => F32,
+            Self::Double => F64,
+            Self::Sightline => Precision::Exact,
         }
     }
 }
@@ -261,9 +270,14 @@ fn triangle<T: Real>(
     let of = |v: DVec3| V3::<T>::of(v.into());
     let (ray, [a, b, c]) = (&ray.ray, corners.map(of));
     let direction = of(ray.direction);
-    let t = first(ray, |from| {
-        test(&RayTriangle::new(of(from.origin), direction, [a, b, c]))
-    })?;
+    // The tests look from the ray's start on, which parallel rays may have in their middle.
+    let before = ray.t_min.min(0.0);
+    let origin = if before < 0.0 {
+        ray.at(before)
+    } else {
+        ray.origin
+    };
+    let t = before + test(&RayTriangle::new(of(origin), direction, [a, b, c]))?;
     ray.contains(t).then(|| TriangleHit {
         t,
         t_error: 0.0,

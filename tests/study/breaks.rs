@@ -201,8 +201,13 @@ fn standard_depth_is_used_up_at_once() {
     assert!(good.iter().all(|row| row.worst_error < 1e-6), "{good:?}");
 }
 
+/// In the world's coordinates, `f32` is lost far from the origin; about the mesh or the eye it is not.
 #[test]
-fn the_courses_pick_is_lost_far_from_the_origin() {
-    let bad = row("pick", "the course's", F32, "a ball of 5120 triangles", 1e5);
-    assert!(bad.wrong_percent() > 5.0, "{bad:?}");
+fn f32_in_the_world_is_lost_far_from_the_origin() {
+    let wrong = |name| {
+        let row = row("pick", name, F32, "a ball of 5120 triangles", 5e6);
+        row.wrong_percent()
+    };
+    assert!(wrong("world coordinates") > 30.0);
+    assert!(wrong("about each file's origin") < 5.0 && wrong("about the eye") < 5.0);
 }

@@ -110,10 +110,6 @@ where
     }
 }
 
-/// The name of a method as a pick uses it: it also computes the error bounds that later exact decisions need. The
-/// bounds are no part of the step.
-const WITH_BOUNDS: &str = "Sightline's, with its bounds";
-
 /// The placement with a linear part and a translation; `None` where the matrix has no inverse.
 fn placement(linear: M3<f64>, translation: V3<f64>) -> Option<Placement> {
     let [x, y, z] = linear.0.map(DVec3::from);

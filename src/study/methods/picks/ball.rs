@@ -13,7 +13,7 @@ use glam::DVec3;
 use std::sync::{Arc, OnceLock};
 
 /// The ball's distances from the world's origin, in its radii.
-const OFFSETS: [f64; 3] = [0.0, 1e3, 1e5];
+const OFFSETS: [f64; 3] = [0.0, 1e3, 5e6];
 
 /// Every family.
 pub const FAMILIES: &[Family<PickCase>] = &[

@@ -6,19 +6,16 @@ mod truth;
 pub(super) use ball::icosahedron;
 pub use ball::{ball_scene, gpu};
 
-use super::{
-    rays::{PixelCase, PixelRay, course, far_less_near},
-    triangles::{RayTriangle, areas, moeller_trumbore},
-};
 use crate::{
     camera::View,
-    geometry::{Mesh, Sides},
     image::{Id, Image},
     look::Background,
-    pick,
     render::{self, Renderer, SceneBuffers, Targets},
-    scene::{Object, Scene, Shape},
-    study::prelude::*,
+    scene::Scene,
+    study::{
+        chains::{Chain, Held},
+        prelude::*,
+    },
 };
 use glam::DVec2;
 use num_traits::ToPrimitive;
@@ -35,35 +32,9 @@ pub struct PickWorld {
     pub scene: Scene,
     /// The view.
     pub view: View,
-    treeless: OnceLock<Scene>,
+    /// The scene as each of [`Chain::ALL`] holds it.
+    held: [OnceLock<Held>; Chain::ALL.len()],
     ids: OnceLock<Option<Image<Id>>>,
-    flat: OnceLock<Vec<(usize, Flat)>>,
-}
-
-/// An object as a program in `f32` world coordinates holds it.
-#[derive(Debug)]
-enum Flat {
-    /// A mesh: its triangles in the world, counter-clockwise from outside.
-    Triangles(Vec<[V3<f32>; 3]>),
-    /// Another shape alone in a scene, which Sightline tests.
-    Shape(Scene),
-}
-
-impl Flat {
-    fn new(object: &Object) -> Self {
-        let Shape::Mesh { mesh, part } = &object.shape else {
-            return Self::Shape(Scene::new(vec![object.clone()]));
-        };
-        let corners = |triangle: u32| {
-            let mut corners = mesh.corners(triangle);
-            if object.placement.mirrors() {
-                corners.swap(1, 2);
-            }
-            corners.map(|corner| V3::of(object.placement.point_to_world(corner).into()))
-        };
-        let triangles = mesh.part_triangles(*part);
-        Self::Triangles(triangles.map(corners).collect())
-    }
 }
 
 impl PickWorld {
@@ -73,15 +44,14 @@ impl PickWorld {
         Self {
             scene: scene.clone(),
             view,
-            treeless: OnceLock::new(),
+            held: [const { OnceLock::new() }; Chain::ALL.len()],
             ids: OnceLock::new(),
-            flat: OnceLock::new(),
         }
     }
 
-    /// The scene without any tree.
-    fn treeless(&self) -> &Scene {
-        self.treeless.get_or_init(|| copy(&self.scene))
+    /// The scene as a chain holds it.
+    fn held(&self, chain: Chain) -> &Held {
+        self.held[chain as usize].get_or_init(|| Held::new(chain, &self.scene, &self.view))
     }
 
     /// The ids that a graphics adapter draws; `None` where there is no adapter.
@@ -93,37 +63,6 @@ impl PickWorld {
         };
         self.ids.get_or_init(draw).as_ref()
     }
-
-    /// The visible objects in `f32`, with their indices.
-    fn flat(&self) -> &[(usize, Flat)] {
-        self.flat.get_or_init(|| {
-            let visible = (0..).zip(self.scene.objects());
-            let visible = visible.filter(|(_, object)| object.visible);
-            let flat = visible.map(|(index, object)| (index, Flat::new(object)));
-            flat.collect()
-        })
-    }
-}
-
-/// The same objects over meshes of their own, which have no trees yet.
-fn copy(scene: &Scene) -> Scene {
-    let mut meshes: Vec<(Arc<Mesh>, Arc<Mesh>)> = Vec::new();
-    let mut own = |mesh: &Arc<Mesh>| {
-        if let Some((_, copy)) = meshes.iter().find(|(known, _)| Arc::ptr_eq(known, mesh)) {
-            return Arc::clone(copy);
-        }
-        // A valid mesh's copy is valid.
-        let copy = Mesh::new(mesh.data().clone()).map_or_else(|_| Arc::clone(mesh), Arc::new);
-        meshes.push((Arc::clone(mesh), Arc::clone(&copy)));
-        copy
-    };
-    let objects = scene.objects().iter().cloned().map(|mut object| {
-        if let Shape::Mesh { mesh, .. } = &mut object.shape {
-            *mesh = own(mesh);
-        }
-        object
-    });
-    objects.collect()
 }
 
 /// A click.
@@ -133,51 +72,60 @@ pub struct PickCase {
     pub world: Arc<PickWorld>,
     /// The centre of a pixel.
     pub px: DVec2,
-    /// The pixel as methods of the first step take it.
-    pixel: PixelCase,
 }
 
 /// Object index and, on a mesh, the triangle within that object.
 pub type Picked = Option<(usize, Option<u32>)>;
 
-const COURSE: &str = "courses: every step as they teach it, over all triangles";
-const USUAL: &str = "most viewers and tutorials: through the inverse of P * V, then Moeller & Trumbore over all triangles";
+const CHAINS: &str = "study::chains: a sum of directions, then Embree's robust test or Moeller & Trumbore's, over trees";
 const IDS: &str = "picking by colour: draw ids for the click, read the picture back";
 const ID: &str = "picking by colour: ids are drawn with each frame; one pixel is read back";
-
 const OURS: &str = "pick::closest, over trees";
+
+/// A chain of rounded numbers as a method.
+macro_rules! chain {
+    ($chain:ident) => {
+        Method::new(
+            Chain::$chain.name(),
+            Chain::$chain.precision(),
+            CHAINS,
+            |c| c.by(Chain::$chain),
+        )
+    };
+}
 
 impl Case for PickCase {
     type Answer = Picked;
     type Truth = Picked;
     const ABOUT: About = about!(
         "Whole pick" "pick", off by "", wrong by "";
-        "a click on a scene that is ready to be picked from: object and triangle"
+        "a click on a scene that is ready to be picked from, with trees: object and triangle"
     );
-    const TIMED: usize = 24;
-    const MOST_ROUNDS: usize = 11;
+    const TIMED: usize = 256;
+    const MOST_ROUNDS: usize = 21;
 
     fn count(effort: Effort) -> usize {
         effort.picks
     }
 
     const METHODS: Methods<Self> = &[&[
-        Method::new("the course's", F32, COURSE, |c| {
-            c.cast_f32(course(&c.pixel.narrow), areas)
-        }),
-        Method::new("unproject, Moeller-Trumbore", F32, USUAL, |c| {
-            let ray = far_less_near(&c.pixel.narrow);
-            c.cast_f32(ray, |case| moeller_trumbore(case, 0.0))
-        }),
-        Method::new(GPU_IDS, F32, IDS, PickCase::drawn),
-        Method::new(GPU_ID, F32, ID, PickCase::drawn),
+        chain!(World),
+        chain!(Mesh),
+        chain!(Eye),
+        chain!(Double),
+        Method::new(ADAPTER_IDS, F32, IDS, PickCase::drawn),
+        Method::new(ADAPTER_ID, F32, ID, PickCase::drawn),
         Method::new(
-            "Sightline's without its tree",
+            "Sightline's, a triangle at a time",
             Precision::Exact,
-            "pick::closest",
-            |c| sightlines(c.world.treeless(), c),
+            OURS,
+            |c| {
+                let world = &c.world;
+                let hit = world.held(Chain::Sightline).pick_one_by_one(c.px)?;
+                Some((hit.object, hit.triangle_of_object(&world.scene)))
+            },
         ),
-        Method::ours(Precision::Exact, OURS, |c| sightlines(&c.world.scene, c)),
+        Method::ours(Precision::Exact, OURS, |c| c.by(Chain::Sightline)),
     ]];
     const FAMILIES: &'static [Family<Self>] = ball::FAMILIES;
 
@@ -189,14 +137,14 @@ impl Case for PickCase {
     }
 
     fn can_run(&self, method: &Method<Self>) -> bool {
-        ![GPU_IDS, GPU_ID].contains(&method.info.name) || self.world.ids().is_some()
+        ![ADAPTER_IDS, ADAPTER_ID].contains(&method.info.name) || self.world.ids().is_some()
     }
 
     fn whole_picture(cases: &[Self], method: &Method<Self>) -> Option<f64> {
         let case = cases.first()?;
         match method.info.name {
-            GPU_IDS => ids_latency(case, true),
-            GPU_ID => ids_latency(case, false),
+            ADAPTER_IDS => ids_latency(case, true),
+            ADAPTER_ID => ids_latency(case, false),
             _ => None,
         }
     }
@@ -241,8 +189,8 @@ fn ids_latency(case: &PickCase, draws: bool) -> Option<f64> {
 }
 
 /// The names of the methods that the graphics adapter runs.
-const GPU_IDS: &str = "the GPU's ids, drawn and read back";
-const GPU_ID: &str = "the GPU's ids, one pixel read back";
+const ADAPTER_IDS: &str = "the adapter's ids, drawn and read back";
+const ADAPTER_ID: &str = "the adapter's ids, one pixel read back";
 
 impl PickCase {
     /// A click on the centre of a pixel.
@@ -250,7 +198,6 @@ impl PickCase {
         Self {
             world: Arc::clone(world),
             px,
-            pixel: PixelCase::of_view(&world.view, px),
         }
     }
 
@@ -266,45 +213,11 @@ impl PickCase {
         self.px.to_array().map(|at| at.to_u32().unwrap_or(0))
     }
 
-    /// The nearest hit of a ray in `f32` world coordinates by a triangle test in `f32`, over all triangles.
-    fn cast_f32(&self, pixel_ray: PixelRay, test: fn(&RayTriangle<f32>) -> Option<f64>) -> Picked {
-        let sides = self.world.view.sides;
-        let (origin, direction) = (V3::<f32>::of(pixel_ray.from), V3::of(pixel_ray.along));
-        let world = pixel_ray.ray(&self.world.view)?;
-        let mut best: Option<(f64, usize, Option<u32>)> = None;
-        for (index, object) in self.world.flat() {
-            let triangles = match object {
-                Flat::Triangles(triangles) => triangles,
-                Flat::Shape(scene) => {
-                    if let Some(hit) = pick::closest(scene, world, sides)
-                        && best.is_none_or(|best| hit.hit.t < best.0)
-                    {
-                        best = Some((hit.hit.t, *index, None));
-                    }
-                    continue;
-                }
-            };
-            for (triangle, &corners) in (0..).zip(triangles) {
-                let case = RayTriangle::new(origin, direction, corners);
-                let [a, b, c] = corners;
-                let is_front = || direction.dot((b - a).cross(c - a)) < 0.0;
-                if let Some(t) = test(&case)
-                    && world.contains(t)
-                    && (sides == Sides::Both || is_front())
-                    && best.is_none_or(|best| t < best.0)
-                {
-                    best = Some((t, *index, Some(triangle)));
-                }
-            }
-        }
-        best.map(|(_, object, triangle)| (object, triangle))
+    /// What a chain finds. A pick ignores the view's section.
+    fn by(&self, chain: Chain) -> Picked {
+        let hit = self.world.held(chain).pick(self.px)?.hit;
+        Some((hit.object, hit.triangle_of_object(&self.world.scene)))
     }
-}
-
-fn sightlines(scene: &Scene, case: &PickCase) -> Picked {
-    let view = &case.world.view;
-    let hit = pick::closest(scene, view.ray(case.px), view.sides)?;
-    Some((hit.object, hit.triangle_of_object(scene)))
 }
 
 #[cfg(test)]
@@ -312,18 +225,24 @@ mod tests {
     use super::*;
     use crate::study::run::family;
 
-    /// Cases of one triangle are taken from a scene that nobody draws or copies.
+    /// Cases of one triangle are taken from a scene that nobody draws or holds in other numbers.
     #[test]
-    fn only_whole_picks_draw_the_scene_and_copy_it() {
+    fn only_whole_picks_draw_the_scene_and_hold_it() {
         let (scene, view) = ball_scene(0.0);
         let rays = SceneRays::new(&scene, view, 20, 1);
         let world = &rays.world;
-        let copied = || (world.treeless.get().is_some(), world.flat.get().is_some());
+        let held = || {
+            world
+                .held
+                .iter()
+                .filter(|held| held.get().is_some())
+                .count()
+        };
         let rows = family::<TriangleCase>(SCENE, Effort::QUICK, Some(&rays), &|| true);
         assert!(rows.is_some_and(|rows| !rows.is_empty()));
-        assert_eq!((copied(), world.ids.get()), ((false, false), None));
+        assert_eq!((held(), world.ids.get()), (0, None));
         let rows = family::<PickCase>(SCENE, Effort::QUICK, Some(&rays), &|| true);
         assert!(rows.is_some_and(|rows| !rows.is_empty()));
-        assert!(copied() == (true, true) && world.ids.get().is_some());
+        assert!(held() == Chain::ALL.len() && world.ids.get().is_some());
     }
 }

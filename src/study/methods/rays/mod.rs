@@ -7,7 +7,6 @@ mod workloads;
 pub use unproject::far_less_near;
 pub(super) use workloads::turned;
 
-use super::WITH_BOUNDS;
 use crate::{
     camera::View,
     geometry::{PixelGrid, PixelRays, Ray},
@@ -185,7 +184,8 @@ const UNPROJECT: &str = "gluUnProject, three.js, many engines: through the inver
 const THREE: &str =
     "three.js, Raycaster.setFromCamera: inverse(P) at depth 0.5, the camera's matrix, less the eye";
 const BEVY: &str = "Bevy, Camera::viewport_to_world: camera's matrix * inverse(P), reversed and endless, from depth 1 to f32's epsilon";
-const OURS: &str = "geometry::PixelRays::rounded: eye basis, by steps of a pixel";
+const OURS: &str =
+    "geometry::PixelRays::ray: eye basis, by steps of a pixel, with bounds on its errors";
 
 impl Case for PixelCase {
     type Answer = PixelRay;
@@ -203,11 +203,11 @@ impl Case for PixelCase {
         &both!("unproject, as three.js": THREE, as_three),
         &both!("unproject, as Bevy": BEVY, as_bevy),
         &[
-            Method::new(WITH_BOUNDS, F64, "geometry::PixelRays::ray", |c| {
+            // As a pick makes it: with the bounds of its errors, which later decisions need.
+            Method::ours(F64, OURS, |c| {
                 let ray = black_box(c.rays.ray(DVec2::from(c.wide.px)));
                 of(&ray)
             }),
-            Method::ours(F64, OURS, |c| of(&c.rays.rounded(DVec2::from(c.wide.px)))),
         ],
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::FAMILIES;
