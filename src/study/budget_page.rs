@@ -30,8 +30,7 @@ impl Budget {
             } else {
                 ""
             };
-            let name = format!("{}, {}", tried.chain.precision(), tried.chain.name());
-            line(&mut page, [&name, &differ, &off, &ns], verdict);
+            line(&mut page, [tried.chain.name(), &differ, &off, &ns], verdict);
         }
         let lines = [
             self.saving(),

@@ -50,13 +50,13 @@ impl Chain {
         Self::Sightline,
     ];
 
-    /// What it is called in tables, after its precision.
+    /// What it is called in tables and charts.
     pub const fn name(self) -> &'static str {
         match self {
-            Self::World => "world coordinates",
-            Self::Mesh => "about each file's origin",
-            Self::Eye => "about the eye",
-            Self::Double => "throughout",
+            Self::World => "f32 in the world",
+            Self::Mesh => "f32 about each file's origin",
+            Self::Eye => "f32 about the eye",
+            Self::Double => "f64 throughout",
             Self::Sightline => "Sightline's",
         }
     }
@@ -261,7 +261,8 @@ fn robust<T: Real>(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> 
     triangle::<T>(ray, corners, triangles::pluecker)
 }
 
-#[inline]
+#[expect(clippy::inline_always, reason = "each test becomes one function")]
+#[inline(always)]
 fn triangle<T: Real>(
     ray: &VertexRay,
     corners: [DVec3; 3],

@@ -14,7 +14,7 @@
 //!
 //! Workloads use only sums, products, quotients and square roots, which every machine rounds alike: one seed gives one
 //! workload everywhere. The results are rounded to `f32`, so that methods of both precisions get the same numbers; only
-//! a camera's axes, and what is computed from them, stay `f64`.
+//! a camera's axes, what is computed from them, and the family *f64 rays at edges* keep all digits of `f64`.
 //!
 //! # What the charts teach
 //!
@@ -34,9 +34,11 @@
 //! **A mesh leaks where two of its triangles disagree.** Each of them may miss a ray at their edge by a rounding. A
 //! test that computes the same number for the edge from either triangle closes this leak; a corner needs more.
 //!
-//! **Rounding fails at edges, exact arithmetic does not.** In `f64` only ties are still decided wrongly: rays exactly
-//! through an edge, which whole-number coordinates produce. A bound on the rounding says when a sign is certain.
-//! Otherwise exact arithmetic decides. This is so rare that it costs next to nothing.
+//! **Rounding fails at edges, exact arithmetic does not.** Products of numbers that fit `f32` are nearly exact in `f64`,
+//! which then decides only ties wrongly: rays exactly through an edge, which whole-number coordinates produce. A
+//! viewer's rays have all digits of `f64`. Aimed at an edge, up to a rounding, they are decided wrongly in `f64` too, a
+//! ten millionth of a millionth of a pixel off. A bound on the rounding says when a sign is certain. Otherwise exact
+//! arithmetic decides. Away from edges this is so rare that it costs next to nothing.
 //!
 //! **Subtract squares late.** `b^2 - 4ac` loses a far sphere's outline; the distance of the centre from the line keeps
 //! it. A surface seen edge-on has a poor distance by any formula: that problem is ill-conditioned, and only more digits

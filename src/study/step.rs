@@ -137,7 +137,7 @@ pub struct Family<C> {
     /// Its values, harmless first.
     pub values: &'static [f64],
     /// Makes a case at a value of the parameter. Its numbers fit in `f32`, so that methods of both precisions get the
-    /// same; only a camera's axes, and what is computed from them, do not.
+    /// same; only a camera's axes, what is computed from them, and rays that are named so do not.
     pub make: fn(&mut Random, f64) -> C,
 }
 

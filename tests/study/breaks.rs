@@ -208,6 +208,6 @@ fn f32_in_the_world_is_lost_far_from_the_origin() {
         let row = row("pick", name, F32, "a ball of 5120 triangles", 5e6);
         row.wrong_percent()
     };
-    assert!(wrong("world coordinates") > 30.0);
-    assert!(wrong("about each file's origin") < 5.0 && wrong("about the eye") < 5.0);
+    assert!(wrong("f32 in the world") > 30.0);
+    assert!(wrong("f32 about each file's origin") < 5.0 && wrong("f32 about the eye") < 5.0);
 }

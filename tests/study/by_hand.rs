@@ -135,7 +135,10 @@ fn cases_are_the_same_numbers_for_both_precisions() {
                 let mut random = Random::named(3, &[family.name]);
                 for _ in 0..20 {
                     let [narrow, wide] = fields(&(family.make)(&mut random, value));
-                    assert_eq!(narrow, wide, "{} {} {value}", C::ABOUT.key, family.name);
+                    let same = narrow == wide;
+                    // These rays keep digits that `f32` has no room for.
+                    let has_more = family.name == "f64 rays at edges";
+                    assert_eq!(same, !has_more, "{} {} {value}", C::ABOUT.key, family.name);
                 }
             }
         }

@@ -56,7 +56,8 @@ fn each_star_is_on_the_front_or_says_what_it_offers() {
         assert!(*on_front || !reason.is_empty(), "{step} is off the front");
     }
     let reasons = ours.iter().filter(|line| !line.reason.is_empty());
-    assert!(reasons.count() <= 3);
+    // Rays are measured as a pick makes them: with bounds, which no other method has.
+    assert!(reasons.count() <= 4);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use plotters::prelude::{ColorMap, ViridisRGB};
 /// The powers of ten, in pixels, at which the colours begin and end.
 const SCALE: [f64; 2] = [-12.0, 3.0];
 /// Width of half a cell: a formula in `f32` on the left, in `f64` or exact on the right.
-const HALF: f64 = 32.0;
+const HALF: f64 = 28.0;
 const ROW: f64 = 25.0;
 /// Width of the methods' names, and height of the lines above a block's cells.
 const NAMES: f64 = 202.0;

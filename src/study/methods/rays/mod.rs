@@ -204,10 +204,11 @@ impl Case for PixelCase {
         &both!("unproject, as Bevy": BEVY, as_bevy),
         &[
             // As a pick makes it: with the bounds of its errors, which later decisions need.
-            Method::ours(F64, OURS, |c| {
+            Method::ours(F64, OURS, |c: &Self| {
                 let ray = black_box(c.rays.ray(DVec2::from(c.wide.px)));
                 of(&ray)
-            }),
+            })
+            .because("Bounds on its errors, which exact decisions need."),
         ],
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::FAMILIES;

@@ -232,6 +232,7 @@ pub fn areas<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
 
 /// Cramer's rule on `o + t d = a + u e1 + v e2`. Rays with a determinant smaller than `epsilon` miss. This is an
 /// absolute number that ignores the scene's scale; it is studied because it is in use.
+#[inline]
 pub fn moeller_trumbore<T: Real>(case: &RayTriangle<T>, epsilon: f64) -> Option<f64> {
     let [a, b, c] = case.corners;
     let (e1, e2) = (b - a, c - a);
@@ -296,6 +297,7 @@ pub(super) fn shewchuk(given: &RayTriangle<f64>) -> Option<f64> {
 
 /// Signed volumes from the edges and the sums of their corners, with an ulp of the volumes' sum as slack. Each
 /// component of the normal comes from the two edges whose products cancel less.
+#[inline]
 pub fn pluecker<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
     let [a, b, c] = case.corners.map(|corner| corner - case.origin);
     let (ca, ab, bc) = (c - a, a - b, b - c);

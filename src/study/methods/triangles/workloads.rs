@@ -9,6 +9,7 @@ pub const FAMILIES: &[Family<TriangleCase>] = &[
     Family::HIT_RATE,
     family!("aimed at edges", "distance / size" [1.0, 1e1, 1e2, 1e3, 1e4, 1e5] =>
         |random, distance| aim(random, [1.0; 2], edge_weights, distance)),
+    family!("f64 rays at edges", "distance / size" [1.0, 1e2, 1e4] => with_all_digits),
     family!("grazing", "angle to the plane (rad)" [1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] =>
         grazing),
     family!("slivers", "height / length" [1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7] =>
@@ -34,6 +35,15 @@ fn aim(
     let weights = weights(random);
     let towards = random.direction();
     through(random, corners, weights, towards * distance)
+}
+
+/// A ray as a viewer has it: all of its digits count, while vertices are `f32`.
+fn with_all_digits(random: &mut Random, distance: f64) -> TriangleCase {
+    let corners = corners(random, 1.0, 1.0);
+    let weights = edge_weights(random);
+    let point = corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2];
+    let origin = point - random.direction() * distance;
+    TriangleCase::new(RayTriangle::new(origin, point - origin, corners), PX)
 }
 
 fn grazing(random: &mut Random, angle: f64) -> TriangleCase {
