@@ -207,7 +207,10 @@ impl<'a> Sample<'a> {
         let mut radius_px = FARTHEST_PX * 0.5_f64.powi(50);
         while radius_px <= FARTHEST_PX {
             let turns = (0..DIRECTIONS).map(|i| f64::from(i) / f64::from(DIRECTIONS));
-            let mut directions = turns.map(|turn| DVec2::from_angle(turn * std::f64::consts::TAU));
+            let mut directions = turns.map(|turn| {
+                let (sin, cos) = libm::sincos(turn * std::f64::consts::TAU);
+                DVec2::new(cos, sin)
+            });
             if let Some(along) = directions.find(|along| is_found(px + radius_px * *along)) {
                 let (mut short, mut long) = (0.5 * radius_px, radius_px);
                 for _ in 0..6 {

@@ -10,7 +10,7 @@ pub const COLUMNS: &str = "step,method,precision,sightlines,family,parameter,val
 
 /// The header of [`summary_csv`].
 pub const SUMMARY_COLUMNS: &str = "step,method,precision,ours,ordinary_ns,worst_ns,wrong_rate,wrong_rate_high,median_error,\
-                                   p999_error,worst_error,on_front,reason";
+                                   p999_error,worst_error,own_error,useful_below,instead";
 
 /// The whole report: RFC 4180 with a header line. Measured numbers have two digits, so that machines whose tangents
 /// differ in the last bit agree; the error of a value that is NaN is `inf`.
@@ -28,8 +28,9 @@ pub fn csv(report: &Report) -> String {
 }
 
 /// A line for each method over all of the report's workloads. Time and `median_error` are those of the ordinary
-/// workload, the other errors those of the worst. `on_front`: no method that is at most as wrong is more than a tenth
-/// faster.
+/// workload, the other errors those of the worst. `own_error` is how far off wrong decisions are, in the step's unit, or
+/// a value's error. A method is useful from its own error on and below `useful_below`, where `instead` does as well and
+/// is more than a tenth faster.
 pub fn summary_csv(report: &Report) -> String {
     let rows = report.steps().into_iter().flat_map(|step| {
         let all = report.summaries(step);
@@ -42,6 +43,8 @@ pub fn summary_csv(report: &Report) -> String {
 fn of_method(summary: &Summary<'_>, all: &[Summary<'_>]) -> Vec<String> {
     let row = summary.method;
     let ns = |ns: Option<f64>| ns.map_or(String::new(), nanoseconds);
+    let useful = summary.useful(all);
+    let instead = useful.and_then(|useful| useful.then);
     vec![
         row.info.step.key.to_owned(),
         row.info.name.to_owned(),
@@ -54,8 +57,11 @@ fn of_method(summary: &Summary<'_>, all: &[Summary<'_>]) -> Vec<String> {
         format!("{:.2e}", row.median_error),
         format!("{:.2e}", summary.p999_error()),
         format!("{:.2e}", summary.worst(|row| row.worst_error).worst_error),
-        summary.is_on_front(all).to_string(),
-        row.info.reason.unwrap_or_default().to_owned(),
+        format!("{:.2e}", summary.own_error()),
+        useful.map_or(String::new(), |useful| format!("{:.2e}", useful.below)),
+        instead.map_or(String::new(), |row| {
+            format!("{} {}", row.info.name, row.info.precision)
+        }),
     ]
 }
 

@@ -37,8 +37,6 @@ pub struct MethodInfo {
     pub source: &'static str,
     /// Whether Sightline picks by this method.
     pub ours: bool,
-    /// Why Sightline uses this method although another one is faster and no more often wrong.
-    pub reason: Option<&'static str>,
 }
 
 impl MethodInfo {
@@ -71,7 +69,6 @@ impl<C: Case> Method<C> {
             precision,
             source,
             ours: false,
-            reason: None,
         };
         Self { info, run }
     }
@@ -90,12 +87,6 @@ impl<C: Case> Method<C> {
     /// The same under another name.
     pub(super) const fn named(mut self, name: &'static str) -> Self {
         self.info.name = name;
-        self
-    }
-
-    /// The same with a [`reason`](MethodInfo::reason).
-    pub(super) const fn because(mut self, reason: &'static str) -> Self {
-        self.info.reason = Some(reason);
         self
     }
 }

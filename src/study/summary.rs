@@ -15,8 +15,27 @@ pub struct Summary<'a> {
     pub rows: Vec<&'a Row>,
 }
 
-/// A method is off the Pareto front when another one is at most as wrong and faster by more than this factor.
-const FASTER: f64 = 1.1;
+/// One method is faster, or errs more, than another by more than this factor.
+const MORE: f64 = 1.1;
+
+/// For which errors a method is worth its time.
+#[derive(Clone, Copy, Debug)]
+pub struct Useful<'a> {
+    /// Its own error, as [`Summary::own_error`] has it: where less is asked for, it does not do.
+    pub from: f64,
+    /// Where an error as large as this will do, a method does that is more than a tenth faster; infinite where there is
+    /// no such method.
+    pub below: f64,
+    /// That method.
+    pub then: Option<&'a Row>,
+}
+
+impl Useful<'_> {
+    /// Whether there are such errors.
+    pub fn is_anywhere(&self) -> bool {
+        self.below > MORE * self.from
+    }
+}
 
 impl<'a> Summary<'a> {
     /// The row where a figure is largest.
@@ -68,23 +87,32 @@ impl<'a> Summary<'a> {
         interval(self.sum(Row::wrong), self.sum(|row| row.cases))[1]
     }
 
-    /// Whether the method is on the Pareto front of speed and accuracy: every method that is more than a tenth faster
-    /// on the ordinary workload is more wrong, in decisions or in the error that one value of a thousand exceeds. Where
-    /// nothing is timed, no method may be better in one of the two and at least as good in the other.
-    pub(super) fn is_on_front(&self, others: &[Self]) -> bool {
-        let key = |of: &Self| [of.wrong_rate(), of.p999_error()];
-        let own = key(self);
-        let beats = |other: &&Self| {
-            let theirs = key(other);
-            let is_as_right = theirs[0] <= own[0] && theirs[1] <= own[1];
-            let is_faster = match (other.ns(), self.ns()) {
-                (Some(theirs), Some(own)) => theirs * FASTER < own,
-                (None, None) => theirs < own,
-                _ => false,
-            };
-            is_as_right && is_faster
-        };
-        !others.iter().any(|other| beats(&other))
+    /// Its worst error over all workloads: how far off a wrong decision is, where that is told, else a value's error,
+    /// else the share of wrong decisions. A tie, a ray exactly through an edge or an outline, is 0 off.
+    pub(super) fn own_error(&self) -> f64 {
+        let About {
+            wrong_unit,
+            error_unit,
+            ..
+        } = self.method.info.step;
+        match (wrong_unit, error_unit) {
+            ("", "") => self.wrong_rate(),
+            ("", _) => self.worst(|row| row.worst_error).worst_error,
+            _ => self.worst(|row| row.worst_wrong).worst_wrong,
+        }
+    }
+
+    /// For which errors no other method of its step does as well in less time; `None` where it was not timed.
+    pub(super) fn useful<'b>(&self, others: &'b [Summary<'a>]) -> Option<Useful<'b>> {
+        let own_ns = self.ns()?;
+        let is_faster = |other: &&Summary<'a>| other.ns().is_some_and(|ns| MORE * ns < own_ns);
+        let faster = others.iter().filter(is_faster);
+        let then = faster.min_by(|a, b| a.own_error().total_cmp(&b.own_error()));
+        Some(Useful {
+            from: self.own_error(),
+            below: then.map_or(f64::INFINITY, Self::own_error),
+            then: then.map(|other| other.method),
+        })
     }
 }
 

@@ -15,7 +15,7 @@ pub fn table(report: &Report) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{}\nEach method is given {}.", step.name, step.job);
         aligned(&mut text, &columns(step, &summaries));
-        notes(&mut text, &summaries);
+        notes(&mut text, step, &summaries);
         text.push('\n');
     }
     text
@@ -43,11 +43,9 @@ fn columns(step: About, summaries: &[Summary<'_>]) -> Vec<Vec<String>> {
     };
     let first = summaries.first().and_then(Summary::ns);
     let ratio = |ns: f64| first.map_or(String::new(), |first| format!("{:.2}", ns / first));
-    let on_front = |of: &Summary<'_>| if of.is_on_front(summaries) { "yes" } else { "" };
     let mut columns: Vec<Vec<String>> = vec![
         column("method", &|of| of.method.info.name.to_owned()),
         column("", &|of| of.method.info.precision.to_string()),
-        column("front", &|of| on_front(of).to_owned()),
         timed("ns", &|own, _| time(own.ns)),
         timed("quartiles", &|own, _| own.quartiles.map(time).join("..")),
         timed("ratio", &|own, _| ratio(own.ns)),
@@ -111,13 +109,38 @@ fn aligned(text: &mut String, columns: &[Vec<String>]) {
     }
 }
 
-/// The lines below a table: what a method offers where others are faster.
-fn notes(text: &mut String, summaries: &[Summary<'_>]) {
-    for summary in summaries {
-        if let Some(reason) = summary.method.info.reason {
-            let _ = writeln!(text, "  {} offers: {reason}", summary.method.info.name);
+/// The line below a table: for which errors Sightline's method is useful, and what does elsewhere.
+fn notes(text: &mut String, step: About, summaries: &[Summary<'_>]) {
+    let ours = summaries.iter().find(|of| of.method.info.ours);
+    let Some(useful) = ours.and_then(|ours| ours.useful(summaries)) else {
+        return;
+    };
+    let unit = [step.wrong_unit, step.error_unit]
+        .into_iter()
+        .find(|unit| !unit.is_empty());
+    let error = |error: f64| match unit {
+        Some(unit) => format!("{} {unit}", number(error)),
+        None => format!("{} % wrong", percent(100.0 * error)),
+    };
+    let told = match useful.then {
+        None => "useful at any error from its own on: none is faster".to_owned(),
+        Some(row) => {
+            let instead = format!("{} in {}", row.info.name, row.info.precision);
+            if useful.is_anywhere() {
+                format!(
+                    "useful below {}; from there on {instead} is faster",
+                    error(useful.below)
+                )
+            } else {
+                format!("useful at no error: {instead} does as well and is faster")
+            }
         }
-    }
+    };
+    let _ = writeln!(
+        text,
+        "  Sightline's is {told}. Its own error is {}.",
+        error(useful.from)
+    );
 }
 
 /// Family and parameter of a row; empty where the figure found there is 0.

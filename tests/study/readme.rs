@@ -11,7 +11,7 @@ use sightline::{
 };
 
 /// Whether README has these words, across line breaks.
-fn says(words: &str) -> bool {
+pub fn says(words: &str) -> bool {
     let text = include_str!("../../README.md");
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     text.contains(words)

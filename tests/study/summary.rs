@@ -1,7 +1,8 @@
-//! The recorded run that README shows fits the registry, and its front follows from its figures. The tests read that
+//! The recorded run that README shows fits the registry, and where methods are useful follows from its figures. The tests read that
 //! run from `assets`, because times measured while other tests run would prove nothing.
 
-use super::{cells, report};
+use super::{cells, readme::says, report};
+use num_traits::ToPrimitive;
 use sightline::study::{self, Report, Row, SUMMARY_COLUMNS, Time, methods::registry};
 
 /// Written by `cargo run --profile bench -- study --out study` on the day and machine that README names.
@@ -14,10 +15,9 @@ struct Line {
     precision: String,
     ours: bool,
     ns: Option<f64>,
-    wrong: f64,
-    error: f64,
-    on_front: bool,
-    reason: String,
+    own_error: f64,
+    useful_below: Option<f64>,
+    instead: String,
 }
 
 fn recorded() -> Vec<Line> {
@@ -25,7 +25,7 @@ fn recorded() -> Vec<Line> {
     assert_eq!(lines.next(), Some(SUMMARY_COLUMNS));
     let line = |line: &str| {
         let cells = cells(line);
-        assert_eq!(cells.len(), 13, "{line}");
+        assert_eq!(cells.len(), 14, "{line}");
         let number = |at: usize| cells[at].parse::<f64>().ok();
         Line {
             step: cells[0].clone(),
@@ -33,31 +33,38 @@ fn recorded() -> Vec<Line> {
             precision: cells[2].clone(),
             ours: cells[3] == "true",
             ns: number(4),
-            wrong: number(6).expect("a rate"),
-            error: number(9).expect("an error"),
-            on_front: cells[11] == "true",
-            reason: cells[12].clone(),
+            own_error: number(11).expect("an error"),
+            useful_below: number(12),
+            instead: cells[13].clone(),
         }
     };
     lines.map(line).collect()
 }
 
+/// README says of each step where Sightline's method is useful.
 #[test]
-fn each_star_is_on_the_front_or_says_what_it_offers() {
+fn readme_says_where_each_star_is_useful() {
     let ours: Vec<Line> = recorded().into_iter().filter(|line| line.ours).collect();
     assert_eq!(ours.len(), report().steps().len());
-    for Line {
-        step,
-        on_front,
-        reason,
-        ..
-    } in &ours
-    {
-        assert!(*on_front || !reason.is_empty(), "{step} is off the front");
+    let (mut always, mut never) = (Vec::new(), Vec::new());
+    for line in &ours {
+        match line.useful_below {
+            Some(below) if below.is_infinite() => always.push(&*line.step),
+            Some(below) if below <= 1.1 * line.own_error => never.push(&*line.step),
+            Some(below) => {
+                let words = format!("below {below:.0e}");
+                assert!(says(&words), "{}: {words}", line.step);
+            }
+            None => assert_eq!(line.step, "depth", "all others are timed"),
+        }
     }
-    let reasons = ours.iter().filter(|line| !line.reason.is_empty());
-    // Rays are measured as a pick makes them: with bounds, which no other method has.
-    assert!(reasons.count() <= 4);
+    for (steps, words) in [
+        (always, "At any error, none is faster"),
+        (never, "At no error"),
+    ] {
+        let words = format!("{words}: {}.", steps.join(", "));
+        assert!(says(&words), "{words}");
+    }
 }
 
 #[test]
@@ -82,39 +89,35 @@ fn the_recorded_run_is_of_these_methods() {
     assert_eq!(recorded, methods.collect::<Vec<_>>());
 }
 
-/// A recorded method is on the front exactly when no method at most as wrong is more than a tenth faster. Figures
-/// printed alike may differ in later digits; where those digits decide, either answer is right.
+/// A method is useful up to the error of the best one that is more than a tenth faster. Figures printed alike may
+/// differ in later digits; where those decide, either answer is right.
 #[test]
-fn the_recorded_front_follows_from_its_figures() {
+fn where_recorded_methods_are_useful_follows_from_their_figures() {
     let lines = recorded();
     let mut timed = 0;
     for own in &lines {
-        let is_below = |theirs: f64, own: f64| theirs < own || (theirs, own) == (0.0, 0.0);
-        let beats = |other: &&Line, is_sure: bool| {
-            let mut figures = [(other.wrong, own.wrong), (other.error, own.error)].into_iter();
-            let slack = if is_sure { 0.995 } else { 1.005 };
-            let is_faster = match (other.ns, own.ns) {
-                (Some(theirs), Some(own)) => theirs * 1.1 < own * slack,
-                _ => (other.wrong, other.error) != (own.wrong, own.error),
-            };
-            let is_as_right =
-                figures.all(|(theirs, own)| is_below(theirs, own) || !is_sure && theirs <= own);
-            other.step == own.step && is_as_right && is_faster
+        let Some(own_ns) = own.ns else {
+            assert_eq!(own.useful_below, None, "{}", own.method);
+            continue;
         };
-        let is_beaten = |is_sure: bool| lines.iter().any(|other| beats(&other, is_sure));
+        let least = |slack: f64| {
+            let rivals = lines.iter().filter(|other| other.step == own.step);
+            let faster =
+                rivals.filter(|other| other.ns.is_some_and(|ns| 1.1 * ns < own_ns * slack));
+            faster
+                .map(|other| other.own_error)
+                .fold(f64::INFINITY, f64::min)
+        };
+        let [most, least] = [0.995, 1.005].map(least);
+        let below = own.useful_below.expect("it was timed");
         assert!(
-            !(own.on_front && is_beaten(true)),
-            "{} {}",
+            least <= below && below <= most,
+            "{} {}: {below}",
             own.step,
             own.method
         );
-        assert!(
-            own.on_front || is_beaten(false),
-            "{} {}",
-            own.step,
-            own.method
-        );
-        timed += u32::from(own.ns.is_some());
+        assert_eq!(below.is_infinite(), own.instead.is_empty());
+        timed += 1;
     }
     assert!(timed > 100, "{timed}");
 }
@@ -139,6 +142,7 @@ fn of_two(ns: [f64; 2], wrong: [usize; 2]) -> Vec<String> {
     let rows: Vec<&Row> = rows.take(2).collect();
     let row = |which: usize| Row {
         missed: wrong[which],
+        worst_wrong: 0.01 * wrong[which].to_f64().expect("few"),
         phantoms: 0,
         others: 0,
         cases: 100,
@@ -152,15 +156,25 @@ fn of_two(ns: [f64; 2], wrong: [usize; 2]) -> Vec<String> {
 }
 
 #[test]
-fn a_front_is_speed_against_what_is_wrong() {
-    let on_front = |ns, wrong| of_two(ns, wrong)[11] == "true";
-    assert!(
-        !on_front([10.0, 11.1], [0, 0]),
-        "a tenth slower and no better"
+fn a_method_is_useful_where_none_as_good_is_faster() {
+    let useful = |ns, wrong| {
+        let cells = of_two(ns, wrong);
+        [cells[11].clone(), cells[12].clone(), cells[13].clone()]
+    };
+    let other = of_two([10.0, 11.1], [0, 0])[13].clone();
+    assert!(!other.is_empty());
+    assert_eq!(useful([10.0, 11.1], [0, 0]), ["0.00e0", "0.00e0", &other]);
+    assert_eq!(
+        useful([10.0, 10.9], [0, 0]),
+        ["0.00e0", "inf", ""],
+        "within a tenth"
     );
-    assert!(on_front([10.0, 10.9], [0, 0]), "within a tenth");
-    assert!(on_front([10.0, 30.0], [1, 0]), "slower, but right");
-    assert!(!on_front([10.0, 30.0], [1, 1]));
+    assert_eq!(
+        useful([10.0, 30.0], [1, 0]),
+        ["0.00e0", "1.00e-2", &other],
+        "slower, but right"
+    );
+    assert_eq!(useful([10.0, 30.0], [1, 2]), ["2.00e-2", "1.00e-2", &other]);
 }
 
 /// The upper limits are Wilson's, as in textbooks' tables, and 3 / n where none of n is wrong.

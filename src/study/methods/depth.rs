@@ -73,8 +73,7 @@ impl Case for DepthCase {
         stored!("logarithmic, 32-bit float", LOGARITHMIC, LOGARITHMIC),
         stored!("logarithmic, 24-bit integer", LOGARITHMIC, LOGARITHMIC_24),
         Method::ours(F32, REVERSED, |c| Mapping::REVERSED.there_and_back(c))
-            .named("reversed, 32-bit float: Sightline's")
-            .because("A far plane, for one bit of depth."),
+            .named("reversed, 32-bit float: Sightline's"),
     ]];
     const TIMED: usize = 0;
     const FAMILIES: &'static [Family<Self>] = &[

@@ -73,8 +73,7 @@ impl Case for NormalCase {
         &both!("cofactors": COFACTOR, by, |case| &case.cofactors),
         &[Method::ours(F64, OURS, |c: &Self| {
             c.placement.normal_to_world(c.wide.normal.into()).to_array()
-        })
-        .because("A normal of 0 stays 0.")],
+        })],
     ];
     const FAMILIES: &'static [Family<Self>] = &[
         family!("rigid", "-" [1.0] => |random, _| make(random, [1.0; 3], 0.0, false)),

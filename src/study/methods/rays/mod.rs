@@ -207,8 +207,7 @@ impl Case for PixelCase {
             Method::ours(F64, OURS, |c: &Self| {
                 let ray = black_box(c.rays.ray(DVec2::from(c.wide.px)));
                 of(&ray)
-            })
-            .because("Bounds on its errors, which exact decisions need."),
+            }),
         ],
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::FAMILIES;

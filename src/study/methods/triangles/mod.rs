@@ -3,7 +3,7 @@
 mod prepared;
 mod workloads;
 
-pub use prepared::{Prepared, Shear};
+pub use prepared::{Kept, Pair, Prepared, Shear};
 
 use super::ahead;
 use crate::{
@@ -71,9 +71,9 @@ impl RayTriangle<f64> {
 #[derive(Clone, Debug)]
 pub struct TriangleCase {
     /// Rounded to `f32`.
-    pub narrow: Prepared<f32>,
+    pub narrow: Pair<f32>,
     /// As given.
-    pub wide: Prepared<f64>,
+    pub wide: Pair<f64>,
     /// The ray for Sightline's method, which makes it once for all triangles of a mesh.
     pub ray: VertexRay<'static>,
     /// An angle that is one pixel wide, in radians.
@@ -84,8 +84,8 @@ impl TriangleCase {
     /// The case of a ray and a triangle; `px` is the width of a pixel in radians.
     pub(in crate::study) fn new(wide: RayTriangle<f64>, px: f64) -> Self {
         Self {
-            narrow: Prepared::of(&wide),
-            wide: Prepared::of(&wide),
+            narrow: Pair::of(&wide),
+            wide: Pair::of(&wide),
             ray: VertexRay::exact(super::from_start(wide.origin, wide.direction)),
             px,
         }
@@ -128,7 +128,7 @@ pub(super) const BALDWIN: &str = "Baldwin & Weber, Fast Ray-Triangle Intersectio
 macro_rules! in_both_precisions {
     ($job:expr, $others:expr) => {{
         use $crate::study::methods::triangles::{
-            AREAS, BALDWIN, EMBREE, HAVEL, JIMENEZ, KENSLER, MT, PBRT, Prepared, WOOP, areas,
+            AREAS, BALDWIN, EMBREE, HAVEL, JIMENEZ, KENSLER, MT, PBRT, WOOP, areas,
             jimenez, moeller_trumbore, pluecker, signed_volumes,
         };
         &[
@@ -136,12 +136,12 @@ macro_rules! in_both_precisions {
             &both!("Moeller-Trumbore, eps 1e-6": MT, $job, |c| moeller_trumbore(c, 1e-6)),
             &both!("areas, sum == 1": AREAS, $job, |c| areas(c)),
             &both!("signed volumes": KENSLER, $job, |c| signed_volumes(c)),
-            &both!("Woop watertight": WOOP, $job, Prepared::woop),
-            &both!("Baldwin-Weber": BALDWIN, $job, Prepared::baldwin_weber),
+            &both!("Woop watertight": WOOP, $job, |c| c.woop()),
+            &both!("Baldwin-Weber": BALDWIN, $job, |c| c.baldwin_weber()),
             &both!("Pluecker, as Embree": EMBREE, $job, |c| pluecker(c)),
-            &both!("Havel-Herout": HAVEL, $job, Prepared::havel_herout),
+            &both!("Havel-Herout": HAVEL, $job, |c| c.havel_herout()),
             &both!("Jimenez": JIMENEZ, $job, |c| jimenez(c)),
-            &both!("pbrt-v4, bounded t": PBRT, $job, Prepared::pbrt),
+            &both!("pbrt-v4, bounded t": PBRT, $job, |c| c.pbrt()),
             $others,
         ]
     }};
@@ -149,8 +149,8 @@ macro_rules! in_both_precisions {
 pub(super) use in_both_precisions;
 
 /// Applies a test to one triangle.
-fn one<T>(case: &Prepared<T>, test: impl Fn(&Prepared<T>) -> Option<f64>) -> Option<f64> {
-    test(case)
+fn one<T: Real>(case: &Pair<T>, test: impl Fn(&Prepared<'_, T>) -> Option<f64>) -> Option<f64> {
+    test(&case.prepared())
 }
 
 impl Case for TriangleCase {

@@ -4,56 +4,81 @@ use super::{RayTriangle, ahead};
 use crate::study::real::{Real, V3};
 use std::ops::Deref;
 
-/// A ray and a triangle, with what programs precompute for either.
+/// A triangle, with what programs precompute for it.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<T> {
-    given: RayTriangle<T>,
-    shear: Shear<T>,
+pub struct Kept<T> {
+    pub(in crate::study::methods) corners: [V3<T>; 3],
     map: BaldwinWeber<T>,
     /// Havel & Herout's planes, each by normal and distance: the triangle's plane, and two planes whose distances are
     /// the triangle's weights.
     planes: [(V3<T>, T); 3],
 }
 
-impl<T> Deref for Prepared<T> {
+/// A ray and a triangle, with what programs precompute for either.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair<T> {
+    given: RayTriangle<T>,
+    shear: Shear<T>,
+    kept: Kept<T>,
+}
+
+/// What a test is given of a [`Pair`], or of a ray and each triangle of a mesh.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<'a, T> {
+    pub(in crate::study::methods) given: &'a RayTriangle<T>,
+    pub(in crate::study::methods) shear: &'a Shear<T>,
+    pub(in crate::study::methods) kept: &'a Kept<T>,
+}
+
+impl<T> Deref for Pair<T> {
     type Target = RayTriangle<T>;
     fn deref(&self) -> &RayTriangle<T> {
         &self.given
     }
 }
 
-impl<T: Copy> Prepared<T> {
-    /// The same triangle with another ray and that ray's shear.
-    #[inline]
-    pub(in crate::study::methods) fn met_by(
-        &self,
-        origin: V3<T>,
-        direction: V3<T>,
-        shear: Shear<T>,
-    ) -> Self {
-        let corners = self.given.corners;
-        Self {
-            given: RayTriangle::new(origin, direction, corners),
-            shear,
-            ..*self
-        }
+impl<T> Deref for Prepared<'_, T> {
+    type Target = RayTriangle<T>;
+    fn deref(&self) -> &RayTriangle<T> {
+        self.given
     }
 }
 
-impl<T: Real> Prepared<T> {
+impl<T: Real> Pair<T> {
     /// The `f64` numbers rounded, and what is precomputed in the same precision.
     pub fn of(wide: &RayTriangle<f64>) -> Self {
         let [origin, direction] = [wide.origin, wide.direction].map(V3::of);
         let given = RayTriangle::new(origin, direction, wide.corners.map(V3::of));
-        let [a, b, c] = given.corners;
+        Self {
+            given,
+            shear: Shear::new(given.direction),
+            kept: Kept::of(&wide.corners),
+        }
+    }
+
+    /// What its tests are given.
+    #[inline]
+    pub(super) fn prepared(&self) -> Prepared<'_, T> {
+        Prepared {
+            given: &self.given,
+            shear: &self.shear,
+            kept: &self.kept,
+        }
+    }
+}
+
+impl<T: Real> Kept<T> {
+    /// The `f64` corners rounded, and what is precomputed in the same precision.
+    pub(in crate::study::methods) fn of(corners: &[V3<f64>; 3]) -> Self {
+        let corners = corners.map(V3::of);
+        let [a, b, c] = corners;
         let (ab, ac) = (b - a, c - a);
         let normal = ab.cross(ac);
         let scale = T::one() / normal.dot(normal);
         let weight = |by: V3<T>| (by * scale, -(by * scale).dot(a));
         Self {
-            given,
-            shear: Shear::new(given.direction),
-            map: BaldwinWeber::new(given.corners),
+            corners,
+            map: BaldwinWeber::new(corners),
             planes: [
                 (normal, normal.dot(a)),
                 weight(ac.cross(normal)),
@@ -113,7 +138,7 @@ fn edge_wide<T: Real>(p: V3<T>, q: V3<T>) -> f64 {
     p.x.wide() * q.y.wide() - p.y.wide() * q.x.wide()
 }
 
-impl<T: Real> Prepared<T> {
+impl<T: Real> Prepared<'_, T> {
     /// Decides by 2D edge functions. Both triangles at an edge get the same number. If a number is 0, all three are
     /// computed again in `f64`, as in the paper.
     pub fn woop(&self) -> Option<f64> {
@@ -168,7 +193,7 @@ impl<T: Real> Prepared<T> {
 
     /// By the map that takes the triangle to the unit triangle.
     pub fn baldwin_weber(&self) -> Option<f64> {
-        let BaldwinWeber { axis: k, rows } = self.map;
+        let BaldwinWeber { axis: k, rows } = self.kept.map;
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let (o, d) = (self.origin, self.direction);
         let [row_u, row_v, row_z] = rows;
@@ -187,7 +212,7 @@ impl<T: Real> Prepared<T> {
 
     /// By three precomputed planes, without a division before the decision.
     pub fn havel_herout(&self) -> Option<f64> {
-        let [plane, across, along] = self.planes;
+        let [plane, across, along] = self.kept.planes;
         let det = plane.0.dot(self.direction);
         let t = plane.1 - plane.0.dot(self.origin);
         let point = self.origin * det + self.direction * t;
