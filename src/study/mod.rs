@@ -14,7 +14,7 @@
 //!
 //! Workloads use only sums, products, quotients and square roots, which every machine rounds alike: one seed gives one
 //! workload everywhere. The results are rounded to `f32`, so that methods of both precisions get the same numbers; only
-//! a camera's axes, what is computed from them, and the family *f64 rays at edges* keep all digits of `f64`.
+//! a camera's axes, what is computed from them, and the families of *f64 rays* keep all digits of `f64`.
 //!
 //! # What the charts teach
 //!

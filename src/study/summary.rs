@@ -18,13 +18,16 @@ pub struct Summary<'a> {
 /// One method is faster, or errs more, than another by more than this factor.
 const MORE: f64 = 1.1;
 
+/// Less is lost in the time of the loop that times.
+const LEAST_NS: f64 = 0.5;
+
 /// For which errors a method is worth its time.
 #[derive(Clone, Copy, Debug)]
 pub struct Useful<'a> {
     /// Its own error, as [`Summary::own_error`] has it: where less is asked for, it does not do.
     pub from: f64,
-    /// Where an error as large as this will do, a method does that is more than a tenth faster; infinite where there is
-    /// no such method.
+    /// Where an error as large as this will do, a method does that is faster by more than a tenth and half a nanosecond;
+    /// infinite where there is no such method.
     pub below: f64,
     /// That method.
     pub then: Option<&'a Row>,
@@ -105,7 +108,8 @@ impl<'a> Summary<'a> {
     /// For which errors no other method of its step does as well in less time; `None` where it was not timed.
     pub(super) fn useful<'b>(&self, others: &'b [Summary<'a>]) -> Option<Useful<'b>> {
         let own_ns = self.ns()?;
-        let is_faster = |other: &&Summary<'a>| other.ns().is_some_and(|ns| MORE * ns < own_ns);
+        let is_faster = |ns: f64| own_ns > MORE * ns && own_ns > ns + LEAST_NS;
+        let is_faster = |other: &&Summary<'a>| other.ns().is_some_and(is_faster);
         let faster = others.iter().filter(is_faster);
         let then = faster.min_by(|a, b| a.own_error().total_cmp(&b.own_error()));
         Some(Useful {

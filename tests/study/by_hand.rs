@@ -137,7 +137,7 @@ fn cases_are_the_same_numbers_for_both_precisions() {
                     let [narrow, wide] = fields(&(family.make)(&mut random, value));
                     let same = narrow == wide;
                     // These rays keep digits that `f32` has no room for.
-                    let has_more = family.name == "f64 rays at edges";
+                    let has_more = family.name.starts_with("f64 rays");
                     assert_eq!(same, !has_more, "{} {} {value}", C::ABOUT.key, family.name);
                 }
             }

@@ -102,8 +102,9 @@ fn where_recorded_methods_are_useful_follows_from_their_figures() {
         };
         let least = |slack: f64| {
             let rivals = lines.iter().filter(|other| other.step == own.step);
-            let faster =
-                rivals.filter(|other| other.ns.is_some_and(|ns| 1.1 * ns < own_ns * slack));
+            let own_ns = own_ns * slack;
+            let is_faster = |ns: f64| 1.1 * ns < own_ns && ns + 0.5 < own_ns;
+            let faster = rivals.filter(|other| other.ns.is_some_and(is_faster));
             faster
                 .map(|other| other.own_error)
                 .fold(f64::INFINITY, f64::min)

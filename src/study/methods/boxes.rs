@@ -36,6 +36,12 @@ impl Case for BoxCase {
         Family::ordinary(|random, _| ordinary(random)),
         Family::HIT_RATE,
         family!("aimed at edges", "distance / size" [2.0, 1e1, 1e2, 1e3, 1e4, 1e5] => at_edge),
+        family!("f64 rays", "distance / size" [2.0, 1e2, 1e4] => |random, distance| {
+            let target = on_edge(random);
+            let origin = target + random.direction() * distance;
+            // Scaled, so that few rays pass exactly through an edge.
+            case(origin, (target - origin) * random.within(0.5, 1.0))
+        }),
         family!("starts on a slab", "axes that it runs along" [1.0, 2.0] => on_slab),
         family!("thin", "thickness / width" [1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] => thin),
         family!("exactly through edges", "bits a coordinate" [4.0, 8.0, 12.0, 16.0, 20.0] =>

@@ -40,6 +40,10 @@ impl Case for SphereCase {
             |random, distance| aim(random, distance, 0.0..1.5)),
         family!("aimed at outlines", "distance / radius" [2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5] =>
             beside),
+        family!("f64 rays", "distance / radius" [2.0, 1e2, 1e4] => |random, distance| {
+            let [origin, direction] = passing(random, distance, 1.0);
+            Self::new(origin, direction, PX)
+        }),
         family!("close to a large one", "radius / height" [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6] =>
             close),
         family!("direction of another length", "length" [1.0, 1e-1, 1e-2, 1e-3, 1e1, 1e2, 1e3] =>
@@ -170,13 +174,15 @@ fn case(origin: V3<f64>, direction: V3<f64>, px: f64) -> SphereCase {
 /// A ray that starts `distance` radii away and passes the centre at a number of radii within `past`.
 fn aim(random: &mut Random, distance: f64, past: Range<f64>) -> SphereCase {
     let past = random.within(past.start, past.end);
-    passing(random, distance, past)
+    let [origin, direction] = passing(random, distance, past);
+    case(origin, direction, PX)
 }
 
 /// A ray that passes close to the outline.
 fn beside(random: &mut Random, distance: f64) -> SphereCase {
     let past = 1.0 + random.sign() * random.decades(-8, -1);
-    passing(random, distance, past)
+    let [origin, direction] = passing(random, distance, past);
+    case(origin, direction, PX)
 }
 
 /// An ordinary ray with a direction of this length.
@@ -186,14 +192,15 @@ fn longer(random: &mut Random, length: f64) -> SphereCase {
     case(wide.origin, direction, px)
 }
 
-/// A ray that starts `distance` radii away and passes the centre at `past` radii; its direction is about 1 long.
-fn passing(random: &mut Random, distance: f64, past: f64) -> SphereCase {
+/// Origin and direction of a ray that starts `distance` radii away and passes the centre at `past` radii, up to
+/// rounding; its direction is about 1 long.
+fn passing(random: &mut Random, distance: f64, past: f64) -> [V3<f64>; 2] {
     let [back, aside] = random.directions();
     // The sine of the ray's angle to the line through the centre, so that the ray's distance from the centre is `past`.
     let sin = past / distance;
     let cos = (1.0 - sin.powi(2)).max(0.0).sqrt();
     let towards = aside * sin - back * cos;
-    case(back * (0.5 * distance), towards.normalize(), PX)
+    [back * (0.5 * distance), towards.normalize()]
 }
 
 /// A ray from a little above the surface, in any direction and slightly down.

@@ -90,6 +90,7 @@ impl Case for SquareCase {
             |random, angle| aim(random, angle, 1.0)),
         family!("far from the origin", "offset / size" [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7] =>
             |random, offset| aim(random, 1.0, offset)),
+        family!("f64 rays", "offset / size" [1.0, 1e3, 1e6] => with_all_digits),
         family!("exactly through the rim", "bits a coordinate" [4.0, 8.0, 12.0, 16.0] =>
             through_the_rim),
     ];
@@ -185,6 +186,21 @@ fn aim(random: &mut Random, angle: f64, offset: f64) -> SquareCase {
         let direction = through_f32_each(within + u.cross(v).normalize() * tilt);
         let origin = through_f32_each(target - direction * random.within(4.0, 6.0));
         if let Some(case) = SquareCase::new([origin, direction], square(u, v), middle, PX) {
+            return case;
+        }
+    }
+}
+
+/// A ray as a viewer has it, with all of its digits, through a side of a square at an offset from the world's origin, up
+/// to rounding.
+fn with_all_digits(random: &mut Random, offset: f64) -> SquareCase {
+    loop {
+        let [u, v] = sides(random);
+        let middle = through_f32_each(random.direction() * offset);
+        let target = middle + u * (0.5 * random.sign()) + v * random.within(-0.4, 0.4);
+        let origin = target + random.direction() * 5.0;
+        let ray = [origin, target - origin];
+        if let Some(case) = SquareCase::new(ray, square(u, v), middle, PX) {
             return case;
         }
     }
