@@ -104,7 +104,7 @@ impl Budget {
     pub fn new(scene: &Scene, view: &View, px: f64, seed: u64) -> Result<Self, NothingHit> {
         let view = view.uncut();
         let held = Chain::ALL.map(|chain| Held::new(chain, scene, &view));
-        let sample = Sample::new(&held[Chain::ALL.len() - 1], &view, PIXELS, seed);
+        let sample = Sample::new(&held[Chain::Sightline as usize], &view, PIXELS, seed);
         let hits = sample.hits();
         if hits == 0 {
             return Err(NothingHit(PIXELS));

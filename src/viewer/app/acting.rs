@@ -5,7 +5,8 @@ use crate::{
     json,
     viewer::{
         jobs::Checking,
-        model::{Action, Views, pick_command},
+        model::{Action, Overlay, Views, pick_command},
+        screen::shown_trees,
         ui::Topic,
     },
 };
@@ -23,7 +24,7 @@ impl App {
         let start = Instant::now();
         let (method, scene) = (self.state.method(), self.state.scene_revision());
         let picked = self.state.apply(action);
-        if let Some(why) = self.state.shows_nothing(action) {
+        if let Some(why) = self.shows_nothing(action) {
             self.say(why.into());
         }
         if self.state.scene_revision() != scene {
@@ -48,6 +49,31 @@ impl App {
         if let (Some(line), Some(ray)) = (picked, self.state.hits()) {
             log::info!("{}", pick_command(&self.state, ray));
             log::info!("{}", json::text(&line).unwrap_or_default());
+        }
+    }
+
+    /// Why what an action has made show cannot be seen; `None` if it can, or if the action has made nothing show.
+    fn shows_nothing(&self, action: Action) -> Option<&'static str> {
+        let state = &self.state;
+        match action {
+            Action::Toggle(overlay) if state.overlays().shows(overlay) => match overlay {
+                Overlay::Triangle if state.picked().is_none_or(|pick| pick.triangle.is_none()) => {
+                    Some("the picked triangle shows once one is picked")
+                }
+                Overlay::Distance if state.measuring().last_two().is_none() => {
+                    Some("the distance shows once two points are picked")
+                }
+                _ => None,
+            },
+            Action::TreeLevel { .. } if state.scene().trees_are_built() => {
+                let level = state.overlays().tree_level?;
+                let has_boxes = shown_trees(state.scene(), state.selected())
+                    .any(|(mesh, _)| !mesh.tree_boxes(level, 1).is_empty());
+                (!has_boxes).then_some(
+                    "no mesh here has search tree boxes at this level: small ones have none",
+                )
+            }
+            _ => None,
         }
     }
 

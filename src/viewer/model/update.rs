@@ -2,7 +2,6 @@
 
 use super::{
     action::{Action, LensControls},
-    overlay::Overlay,
     state::State,
     timeline::Gesture,
 };
@@ -135,34 +134,5 @@ impl State {
             }
         }
         None
-    }
-
-    /// Why what an action has made show cannot be seen; `None` if it can, or if the action has made nothing show.
-    pub fn shows_nothing(&self, action: Action) -> Option<&'static str> {
-        match action {
-            Action::Toggle(overlay) if self.overlays().shows(overlay) => match overlay {
-                Overlay::Triangle if self.picked().is_none_or(|pick| pick.triangle.is_none()) => {
-                    Some("the picked triangle shows once one is picked")
-                }
-                Overlay::Distance if self.measuring().last_two().is_none() => {
-                    Some("the distance shows once two points are picked")
-                }
-                _ => None,
-            },
-            Action::TreeLevel { .. } if self.scene().trees_are_built() => {
-                let level = self.overlays().tree_level?;
-                let is_asked = |index: usize| self.selected().is_none_or(|only| only == index);
-                let mut objects = self.scene().objects().iter().enumerate();
-                let has_boxes = objects.any(|(index, object)| {
-                    let mesh = object.shape.mesh();
-                    let mesh = mesh.filter(|_| object.visible && is_asked(index));
-                    mesh.is_some_and(|mesh| !mesh.tree_boxes(level, 1).is_empty())
-                });
-                (!has_boxes).then_some(
-                    "no mesh here has search tree boxes at this level: small ones have none",
-                )
-            }
-            _ => None,
-        }
     }
 }

@@ -15,6 +15,7 @@ mod window_surface;
 
 pub(super) use canvas::{Canvas, Laid, Screen};
 pub(super) use grid::grid_step;
+pub(super) use overlay_lines::shown_trees;
 pub(super) use place::SceneRect;
 pub(super) use scene_picture::Updated;
 pub(super) use screenshot::{free_file, write_screenshot};

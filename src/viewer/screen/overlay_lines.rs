@@ -2,10 +2,10 @@
 
 use super::box_edges::edges;
 use crate::{
-    geometry::{Cuboid, Section, clip_points},
+    geometry::{Cuboid, Mesh, Placement, Section, clip_points},
     look,
     render::Line,
-    scene::{Object, Shape},
+    scene::{Object, Scene, Shape},
     viewer::model::{Overlay, Subject},
 };
 use glam::DVec3;
@@ -13,6 +13,33 @@ use std::slice;
 
 /// More lines than this take longer than a frame may.
 const MOST: usize = 100_000;
+
+/// The meshes whose trees are shown, each with its model matrix: the selection's, or all that are visible if nothing is
+/// selected. Objects of one mesh that stand alike have one tree.
+pub(in crate::viewer) fn shown_trees(
+    scene: &Scene,
+    selected: Option<usize>,
+) -> impl Iterator<Item = (&Mesh, &Placement)> {
+    let batches = match selected {
+        Some(selected) if selected >= scene.objects().len() => &[],
+        Some(selected) => slice::from_ref(scene.batch_of(selected)),
+        None => scene.batches(),
+    };
+    let shows = move |index: usize| {
+        scene.objects()[index].visible && selected.is_none_or(|selected| selected == index)
+    };
+    let shown = batches
+        .iter()
+        .filter(move |batch| (*batch).clone().any(shows));
+    shown.filter_map(|batch| match &scene.objects()[batch.start] {
+        Object {
+            shape: Shape::Mesh { mesh, .. },
+            placement,
+            ..
+        } => Some((&**mesh, placement)),
+        _ => None,
+    })
+}
 
 /// Normals, boxes and trees of the selection, or of all that is visible if nothing is selected: the first [`MOST`]
 /// lines.
@@ -39,27 +66,14 @@ pub(in crate::viewer) fn lines(subject: &Subject) -> Vec<Line> {
         }
     }
     if let Some(level) = overlays.tree_level {
-        let batches = match selected {
-            Some(selected) if selected >= scene.objects().len() => &[],
-            Some(selected) => slice::from_ref(scene.batch_of(selected)),
-            None => scene.batches(),
-        };
-        for batch in batches {
-            let shows = |index: usize| {
-                scene.objects()[index].visible && selected.is_none_or(|selected| selected == index)
-            };
-            let object = &scene.objects()[batch.start];
+        for (mesh, placement) in shown_trees(scene, selected) {
             let left = MOST.saturating_sub(lines.len());
-            if batch.clone().any(shows)
-                && let Shape::Mesh { mesh, .. } = &object.shape
-            {
-                for bounds in mesh.tree_boxes(level, left / 12) {
-                    lines.extend(edges(&bounds, look::TREE).map(|line| Line {
-                        from: object.placement.point_to_world(line.from),
-                        to: object.placement.point_to_world(line.to),
-                        ..line
-                    }));
-                }
+            for bounds in mesh.tree_boxes(level, left / 12) {
+                lines.extend(edges(&bounds, look::TREE).map(|line| Line {
+                    from: placement.point_to_world(line.from),
+                    to: placement.point_to_world(line.to),
+                    ..line
+                }));
             }
         }
     }

@@ -154,12 +154,7 @@ impl PixelCase {
         let axes = [camera.right(), camera.up(), camera.forward()].map(V3::from);
         let picture = Picture {
             eye: eye.into(),
-            target: (if eye == camera.eye() {
-                camera.target()
-            } else {
-                eye + (camera.target() - camera.eye())
-            })
-            .into(),
+            target: (camera.target() + (eye - camera.eye())).into(),
             length: camera.target().distance(camera.eye()),
             axes,
             tan: camera.half_height(),
