@@ -60,7 +60,7 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
         std::fs::create_dir_all(folder).map_err(|error| CliError::file(folder, &error))?;
     }
     let bar = progress_bar();
-    let report = study::run(effort, None, &|share, step| {
+    let report = study::run(effort, &|share, step| {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,

@@ -1,13 +1,14 @@
 //! Whole picks as programs make them, from a position in the picture to an object and its triangle.
 //!
-//! All chains walk the same trees by the same code ([`pick::closest_by`]), make the ray by a sum of directions and test
-//! one triangle at a time. They differ in the numbers that hold the scene, and in the test of a shape. What a program
-//! prepares once for a scene or a picture is prepared in [`Held::new`].
+//! All chains walk the same trees by the same code ([`pick::closest_by`]) and test one triangle at a time. They differ in
+//! the numbers that hold the scene, and in the test of a shape; other viewers' also in how they make the ray. What a
+//! program prepares once for a scene or a picture is prepared in [`Held::new`].
 
 use super::{
+    fma::fused,
     methods::{
         ObjectRay, boxes,
-        rays::Pixel,
+        rays::{Pixel, PixelRay, as_bevy, as_three, on_planes},
         spheres, squares,
         triangles::{self, RayTriangle},
     },
@@ -38,10 +39,16 @@ pub enum Chain {
     Double,
     /// Sightline's: `f64` with bounds, and exact arithmetic where these leave a decision open.
     Sightline,
+    /// three.js's: vertices in `f32` in the world, all else in `f64`.
+    Three,
+    /// Bevy's: everything in `f32` in the world.
+    Bevy,
+    /// VTK's: vertices in `f32` in the world, all else in `f64`.
+    Vtk,
 }
 
 impl Chain {
-    /// All of them, the simplest first.
+    /// The ways that differ in their numbers alone, the simplest first.
     pub const ALL: [Self; 5] = [
         Self::World,
         Self::Mesh,
@@ -49,6 +56,8 @@ impl Chain {
         Self::Double,
         Self::Sightline,
     ];
+    /// How many there are, with those of other viewers.
+    pub const COUNT: usize = 8;
 
     /// What it is called in tables and charts.
     pub const fn name(self) -> &'static str {
@@ -57,6 +66,9 @@ impl Chain {
             Self::Mesh => "f32 about each file's origin",
             Self::Eye => "f32 about the eye",
             Self::Double => "f64 throughout",
+            Self::Three => "three.js's way",
+            Self::Bevy => "Bevy's way",
+            Self::Vtk => "VTK's way",
             Self::Sightline => "Sightline's",
         }
     }
@@ -64,9 +76,31 @@ impl Chain {
     /// The arithmetic that finds its hits.
     pub const fn precision(self) -> Precision {
         match self {
-            Self::World | Self::Mesh | Self::Eye => F32,
-            Self::Double => F64,
+            Self::World | Self::Mesh | Self::Eye | Self::Bevy => F32,
+            Self::Double | Self::Three | Self::Vtk => F64,
             Self::Sightline => Precision::Exact,
+        }
+    }
+
+    /// Where its ray and its test of a triangle are from.
+    pub const fn source(self) -> &'static str {
+        match self {
+            Self::World | Self::Mesh | Self::Eye => {
+                "a sum of directions, then Embree's robust test, over Sightline's trees"
+            }
+            Self::Double => {
+                "a sum of directions, then Moeller & Trumbore's test, over Sightline's trees"
+            }
+            Self::Three => {
+                "three.js, Raycaster.setFromCamera and Ray.intersectTriangle, over Sightline's trees"
+            }
+            Self::Bevy => {
+                "Bevy, Camera::viewport_to_world and bevy_picking's ray_triangle_intersection, over Sightline's trees"
+            }
+            Self::Vtk => {
+                "VTK, vtkPicker::Pick and vtkTriangle::IntersectWithLine with no tolerance, over Sightline's trees"
+            }
+            Self::Sightline => "pick::closest, over trees",
         }
     }
 }
@@ -100,7 +134,9 @@ impl Held {
         let view = view.uncut();
         let eye = view.camera.eye();
         let (scene, origin) = match chain {
-            Chain::World => (narrowed(scene, DVec3::ZERO), DVec3::ZERO),
+            Chain::World | Chain::Three | Chain::Bevy | Chain::Vtk => {
+                (narrowed(scene, DVec3::ZERO), DVec3::ZERO)
+            }
             Chain::Eye => (narrowed(scene, eye), eye),
             Chain::Mesh | Chain::Double | Chain::Sightline => (scene.clone(), DVec3::ZERO),
         };
@@ -138,6 +174,24 @@ impl Held {
             Chain::Double => {
                 let ray = self.ray(&self.pixel.wide, px);
                 (ray, by(ray, moeller_trumbore::<f64>, in_object::<f64>))
+            }
+            Chain::Three => {
+                let ray = unbounded(as_three(&self.pixel.wide.moved_to(px)));
+                (ray, by(ray, three, in_world::<f64>))
+            }
+            Chain::Bevy => {
+                let ray = unbounded(as_bevy(&self.pixel.narrow.moved_to(px)));
+                (ray, by(ray, bevy, in_world::<f32>))
+            }
+            Chain::Vtk => {
+                let [near, far] = on_planes(&self.pixel.wide.moved_to(px)).map(DVec3::from);
+                let ray = Ray {
+                    origin: near,
+                    direction: far - near,
+                    t_min: 0.0,
+                    t_max: 1.0,
+                };
+                (ray, by(ray, vtk, in_world::<f64>))
             }
             Chain::Sightline => {
                 let ray = view.ray(px);
@@ -258,7 +312,35 @@ pub fn moeller_trumbore<T: Real>(ray: &VertexRay, corners: [DVec3; 3]) -> Option
 
 /// Embree's robust test of the study, as a tree asks it. In `f32` the other leaks at edges.
 fn robust<T: Real>(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
-    triangle::<T>(ray, corners, triangles::pluecker)
+    triangle::<T>(ray, corners, fused::<triangles::EmbreeRobust, _>)
+}
+
+/// three.js's test.
+fn three(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+    triangle::<f64>(ray, corners, triangles::three)
+}
+
+/// Bevy's test: Moeller & Trumbore's, where a determinant below `f32::EPSILON` is a miss.
+fn bevy(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+    let least = f64::from(f32::EPSILON);
+    triangle::<f32>(ray, corners, |case| {
+        triangles::moeller_trumbore(case, least)
+    })
+}
+
+/// VTK's test.
+fn vtk(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+    triangle::<f64>(ray, corners, |case| triangles::vtk(case, 0.0))
+}
+
+/// A ray that ends nowhere: other viewers do not clip it at the camera's planes.
+fn unbounded(ray: PixelRay) -> Ray {
+    Ray {
+        origin: ray.from.into(),
+        direction: ray.along.into(),
+        t_min: 0.0,
+        t_max: f64::INFINITY,
+    }
 }
 
 #[expect(clippy::inline_always, reason = "each test becomes one function")]

@@ -16,8 +16,6 @@ pub struct Effort {
 impl Effort {
     /// Takes seconds.
     pub const QUICK: Self = Self::new(500, 200, 11);
-    /// A scene's own rays only.
-    pub const SCENE_ONLY: Self = Self::new(0, 0, 11);
     /// Takes minutes.
     pub const FULL: Self = Self::new(8000, 4000, 41);
 

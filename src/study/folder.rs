@@ -1,10 +1,7 @@
 //! The study as files in a folder.
 
 use super::{
-    chart::{
-        charts,
-        picture::{DrawError, Picture},
-    },
+    charts::{Chart, DrawError},
     csv::{csv, summary_csv},
     run::Report,
 };
@@ -46,21 +43,23 @@ pub enum SaveError {
 pub fn save(folder: &Path, report: &Report) -> Result<(), SaveError> {
     text(folder.join("study.csv"), &csv(report))?;
     text(folder.join("summary.csv"), &summary_csv(report))?;
-    for (stem, picture) in charts(report) {
-        save_chart(folder, stem, &picture)?;
+    for chart in Chart::ALL {
+        save_chart(folder, chart, report)?;
     }
     Ok(())
 }
 
-/// Writes a chart as `stem.svg` and `stem.png` into a folder.
+/// Writes a report's chart as SVG and PNG into a folder.
 ///
 /// # Errors
 /// When a file cannot be written.
-pub fn save_chart(folder: &Path, stem: &str, picture: &Picture) -> Result<(), SaveError> {
-    text(folder.join(stem).with_extension("svg"), &picture.svg()?)?;
-    let size = Viewport::new(picture.width, picture.height)?;
-    let image = Image::new(size, picture.pixels()?);
-    image.write_png(&folder.join(stem).with_extension("png"))?;
+pub fn save_chart(folder: &Path, chart: Chart, report: &Report) -> Result<(), SaveError> {
+    let file = folder.join(chart.stem());
+    text(file.with_extension("svg"), &chart.svg(report)?)?;
+    let (width, height) = Chart::SIZE;
+    let size = Viewport::new(width / 2, height / 2)?;
+    let image = Image::new(size, chart.pixels(report)?);
+    image.write_png(&file.with_extension("png"))?;
     Ok(())
 }
 

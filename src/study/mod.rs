@@ -58,10 +58,11 @@ pub mod breaks;
 mod budget;
 mod budget_page;
 pub mod chains;
-pub mod chart;
+pub mod charts;
 mod csv;
 mod effort;
 pub mod exact;
+pub mod fma;
 mod folder;
 pub mod methods;
 pub mod random;
@@ -80,7 +81,7 @@ pub use budget::{Budget, Depths, Growth, NothingHit, Reach, Tried};
 pub use csv::{COLUMNS, SUMMARY_COLUMNS, csv, summary_csv};
 pub use effort::Effort;
 pub use folder::{SaveError, save, save_chart};
-pub use run::{Report, Row, SCENE, run};
+pub use run::{Report, Row, SCENE, family, run};
 pub use scene_rays::SceneRays;
 pub use table::table;
 pub use timing::{Time, processor};
@@ -100,7 +101,7 @@ mod prelude {
         run::{Report, Row, SCENE},
         scene_rays::{PX, SceneRays, TAN_30},
         step::{
-            About, Case, Family, Method, MethodInfo, Methods,
+            AT_EDGES, About, Case, Family, HIT_RATE, Method, MethodInfo, Methods,
             Precision::{self, F32, F64},
             Verdict,
         },

@@ -14,10 +14,34 @@ pub trait Real: Float + Into<f64> {
     fn wide(self) -> f64 {
         self.into()
     }
+    /// `self * by + plus`, rounded once; by the processor's instruction in what is compiled for it (see
+    /// [`super::fma`]).
+    #[inline]
+    fn fused(self, by: Self, plus: Self) -> Self {
+        self.mul_add(by, plus)
+    }
+    /// The next larger number.
+    fn above(self) -> Self;
+    /// The next smaller number.
+    fn below(self) -> Self;
 }
 
-impl Real for f32 {}
-impl Real for f64 {}
+/// A number of the hardware.
+macro_rules! real {
+    ($real:ty) => {
+        impl Real for $real {
+            fn above(self) -> Self {
+                self.next_up()
+            }
+            fn below(self) -> Self {
+                self.next_down()
+            }
+        }
+    };
+}
+
+real!(f32);
+real!(f64);
 
 /// The `f32` nearest to a value, as `f64`: workloads give methods of both precisions the same numbers.
 pub fn through_f32(value: f64) -> f64 {
@@ -43,6 +67,23 @@ impl<T: Real> V3<T> {
     /// Whether each coordinate is neither infinite nor NaN.
     pub fn is_finite(self) -> bool {
         self.array().iter().all(|c| c.is_finite())
+    }
+
+    /// [`Self::dot`] by fused multiply-adds.
+    #[inline]
+    pub(super) fn dot_fused(self, o: Self) -> T {
+        self.x.fused(o.x, self.y.fused(o.y, self.z * o.z))
+    }
+
+    /// [`Self::cross`] by fused multiply-adds: each component rounds one of its products.
+    #[inline]
+    pub(super) fn cross_fused(self, o: Self) -> Self {
+        let less = |a: T, b: T, c: T, d: T| a.fused(b, -(c * d));
+        Self::new(
+            less(self.y, o.z, self.z, o.y),
+            less(self.z, o.x, self.x, o.z),
+            less(self.x, o.y, self.y, o.x),
+        )
     }
 
     /// Length; overflows where its square does.

@@ -74,14 +74,9 @@ pub struct Report {
 pub const SCENE: &str = "this scene";
 
 /// Runs the study. `progress` gets the share that is done, from 0 to 1, and the name of the current step.
-pub fn run(
-    effort: Effort,
-    scene: Option<&SceneRays>,
-    progress: &(dyn Fn(f64, &str) + Sync),
-) -> Report {
+pub fn run(effort: Effort, progress: &(dyn Fn(f64, &str) + Sync)) -> Report {
     let mut run = Run {
         effort,
-        scene,
         progress,
         steps: registry().chunk_by(|a, b| a.step == b.step).count(),
         done: 0,
@@ -93,7 +88,6 @@ pub fn run(
 
 struct Run<'a> {
     effort: Effort,
-    scene: Option<&'a SceneRays>,
     progress: &'a (dyn Fn(f64, &str) + Sync),
     /// How many steps there are, and how many are done: for the progress.
     steps: usize,
@@ -112,7 +106,7 @@ struct Workload<'a, C> {
 
 impl Visitor for Run<'_> {
     fn visit<C: Case>(&mut self) {
-        let workloads = all_workloads::<C>(self.effort, self.scene);
+        let workloads = all_workloads::<C>(self.effort);
         let mut rows = self.judged(&workloads);
         if self.effort.rounds > 0 {
             for (work, rows) in workloads.iter().zip(&mut rows) {
@@ -149,8 +143,8 @@ impl Run<'_> {
     }
 }
 
-/// Every family's workloads, and last that of a scene's own rays.
-fn all_workloads<C: Case>(effort: Effort, scene: Option<&SceneRays>) -> Vec<Workload<'_, C>> {
+/// Every family's workloads.
+fn all_workloads<'a, C: Case>(effort: Effort) -> Vec<Workload<'a, C>> {
     let at = |family: &'static Family<C>, value: f64| Workload {
         family: family.name,
         parameter: family.parameter,
@@ -162,32 +156,28 @@ fn all_workloads<C: Case>(effort: Effort, scene: Option<&SceneRays>) -> Vec<Work
             cases.map(|_| (family.make)(&mut random, value)).collect()
         }),
     };
-    let own = scene.map(|scene| Workload {
-        family: SCENE,
-        parameter: "-",
-        value: 1.0,
-        make: Box::new(move |most| {
-            let mut cases = C::of_scene(scene);
-            cases.truncate(most);
-            cases
-        }),
-    });
     let families = C::FAMILIES.iter();
-    let general = families.flat_map(|family| family.values.iter().map(|value| at(family, *value)));
-    general.chain(own).collect()
+    let all = families.flat_map(|family| family.values.iter().map(|value| at(family, *value)));
+    all.collect()
 }
 
-/// The rows that [`run`] has for one family of a step, and for the family [`SCENE`] of a scene; untimed. `go_on` is
-/// asked before each workload; `None` once it says no.
+/// The rows that [`run`] has for one family of a step, untimed, and those of a scene's own rays as the family [`SCENE`].
+/// `go_on` is asked before each workload; `None` once it says no.
 pub fn family<C: Case>(
     name: &str,
     effort: Effort,
     scene: Option<&SceneRays>,
     go_on: &dyn Fn() -> bool,
 ) -> Option<Vec<Row>> {
-    let mut workloads = all_workloads::<C>(effort, scene);
-    workloads.retain(|work| [name, SCENE].contains(&work.family));
-    let rows = workloads.iter().map(|work| go_on().then(|| judge(work)));
+    let own = scene.map(|scene| Workload {
+        family: SCENE,
+        parameter: "-",
+        value: 1.0,
+        make: Box::new(move |_| C::of_scene(scene)),
+    });
+    let general = all_workloads::<C>(effort).into_iter();
+    let general = general.filter(|work| work.family == name);
+    let rows = (general.chain(own)).map(|work| go_on().then(|| judge(&work)));
     Some(rows.collect::<Option<Vec<_>>>()?.concat())
 }
 

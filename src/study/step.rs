@@ -107,7 +107,7 @@ pub(super) use both;
 
 /// A family as one line: name, parameter, its values, and the function that makes a case.
 macro_rules! family {
-    ($name:literal, $parameter:literal $values:tt => $make:expr) => {
+    ($name:expr, $parameter:literal $values:tt => $make:expr) => {
         Family {
             name: $name,
             parameter: $parameter,
@@ -117,6 +117,11 @@ macro_rules! family {
     };
 }
 pub(super) use family;
+
+/// The name of the families that show how speed depends on the share of hits, and of rays at edges.
+pub const HIT_RATE: &str = "hit rate";
+/// See [`HIT_RATE`].
+pub const AT_EDGES: &str = "rays at edges";
 
 /// Workloads that differ in one parameter, from harmless to absurd.
 #[derive(Clone, Copy)]
@@ -137,11 +142,17 @@ impl<C> Family<C> {
     pub(super) const fn ordinary(make: fn(&mut Random, f64) -> C) -> Self {
         family!("ordinary", "-" [1.0] => make)
     }
+
+    /// Cases of which a given share are *f64 rays* at edges or outlines: they show what a decision costs that `f64`
+    /// can't make.
+    pub(super) const fn at_edges(make: fn(&mut Random, f64) -> C) -> Self {
+        family!(AT_EDGES, "share of rays at edges" [0.0, 0.01, 0.1, 0.25, 0.5, 0.75, 1.0] => make)
+    }
 }
 
 impl<C: Case<Truth = Option<f64>>> Family<C> {
     /// Ordinary cases of which a given share hits. They show how speed depends on the share of hits.
-    pub(super) const HIT_RATE: Self = family!("hit rate", "share of hits" [0.0, 0.25, 0.5, 0.75, 1.0] => |random, rate| {
+    pub(super) const HIT_RATE: Self = family!(HIT_RATE, "share of hits" [0.0, 0.25, 0.5, 0.75, 1.0] => |random, rate| {
         let hits = random.unit() < rate;
         loop {
             let case = (C::FAMILIES[0].make)(random, 1.0);

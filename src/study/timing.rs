@@ -8,17 +8,18 @@
 //! The methods also answer the same few cases over and over in one order, which the processor does learn. The
 //! difference between both times is the cost of mispredicted branches.
 
-use super::{random::Random, step::Case};
+use super::{fma::has_fma, random::Random, step::Case};
 use std::{env::consts::ARCH, fs, hint::black_box, sync::OnceLock, time::Instant};
 
-/// The processor's name, or its architecture where the system names none.
+/// The processor's name, or its architecture where the system names none; and whether it has fused multiply-adds.
 pub fn processor() -> &'static str {
     static NAME: OnceLock<String> = OnceLock::new();
     NAME.get_or_init(|| {
         let known = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
         let line = known.lines().find(|line| line.starts_with("model name"));
         let name = line.and_then(|line| Some(line.split_once(':')?.1.trim().to_owned()));
-        name.unwrap_or_else(|| format!("a processor of {ARCH}"))
+        let name = name.unwrap_or_else(|| format!("a processor of {ARCH}"));
+        format!("{name} {} FMA", if has_fma() { "with" } else { "without" })
     })
 }
 

@@ -70,7 +70,7 @@ fn plain_spheres_in_f32_err_far_away() {
 fn spheres_with_the_direction_taken_as_1_long_need_it_so() {
     let row = row(
         "sphere",
-        "plain, direction taken as 1 long",
+        "plain, for unit directions",
         F64,
         "direction of another length",
         1e-2,

@@ -58,7 +58,7 @@ fn watertight_tests_close_a_mesh_and_others_leak() {
         ("Woop watertight", F32),
         ("Woop watertight", F64),
         ("pbrt-v4, bounded t", F32),
-        ("Pluecker, as Embree", F32),
+        ("Embree robust", F32),
         ("Shewchuk's orient3d", Exact),
         ("Sightline's", Exact),
     ] {

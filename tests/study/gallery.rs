@@ -5,9 +5,13 @@ use sightline::{
     geometry::Sides,
     scene::{self, Loaded, Progress, gallery::GALLERY},
     study::{
-        self, Effort, Report, Row, SCENE, SceneRays,
+        self, Effort, Row, SCENE, SceneRays,
         breaks::{self, BREAKS, Break, breaks_on},
-        step::Precision::{F32, F64},
+        methods::{Visitor, each_step},
+        step::{
+            Case,
+            Precision::{F32, F64},
+        },
     },
 };
 use std::{
@@ -40,29 +44,35 @@ fn rows_of(broken: &Break, loaded: &Loaded) -> Vec<Row> {
     breaks::rows(broken, &loaded.scene, view, &|| true).expect("nobody stops it")
 }
 
-fn study_of(scene: &str) -> Report {
+/// Every method of every step on a scene's own rays.
+pub fn rows_on(rays: &SceneRays) -> Vec<Row> {
+    struct OnScene<'a>(&'a SceneRays, Vec<Row>);
+    impl Visitor for OnScene<'_> {
+        fn visit<C: Case>(&mut self) {
+            let rows = study::family::<C>(SCENE, Effort::QUICK, Some(self.0), &|| true);
+            self.1.extend(rows.expect("nobody stops it"));
+        }
+    }
+    let mut on = OnScene(rays, Vec::new());
+    each_step(&mut on);
+    on.1
+}
+
+fn study_of(scene: &str) -> Vec<Row> {
     let path = format!("gallery:{scene}").into();
     let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
     let view = view_of(&loaded, 321, 180);
     let rays = SceneRays::new(&loaded.scene, view, 1500, 1);
-    study::run(
-        Effort {
-            rounds: 0,
-            ..Effort::SCENE_ONLY
-        },
-        Some(&rays),
-        &|_, _| {},
-    )
+    rows_on(&rays)
 }
 
 #[test]
 fn each_scene_breaks_its_method_and_not_ours() {
     let mut failed: Vec<String> = Vec::new();
     for broken in &BREAKS {
-        let report = study_of(broken.exhibit);
+        let rows = study_of(broken.exhibit);
         let row = |wanted: &dyn Fn(&Row) -> bool| {
-            let mut rows = report
-                .rows
+            let mut rows = rows
                 .iter()
                 .filter(|row| row.info.step == broken.step.about && row.family == SCENE);
             *rows.find(|row| wanted(row)).expect("a row")
@@ -257,16 +267,9 @@ fn parallel_rays_are_studied_too() {
         let height = loaded.scene.visible_bounds().radius();
         (loaded.camera.fov, loaded.camera.ortho) = (None, Some(height));
         let rays = SceneRays::new(&loaded.scene, view_of(&loaded, 321, 180), 600, 1);
-        let effort = Effort {
-            rounds: 0,
-            ..Effort::SCENE_ONLY
-        };
-        let report = study::run(effort, Some(&rays), &|_, _| {});
+        let all = rows_on(&rays);
         let rows = |step: &str| {
-            let rows = report
-                .rows
-                .iter()
-                .filter(|row| row.info.step.key == step && row.family == SCENE);
+            let rows = all.iter().filter(|row| row.info.step.key == step);
             rows.copied().collect::<Vec<Row>>()
         };
         for step in ["ray", "depth", "pick", "clip", "normal", "object-space"] {

@@ -9,6 +9,7 @@ mod by_hand;
 mod charts;
 mod complete;
 mod gallery;
+mod jobs;
 mod no_adapter;
 mod readme;
 #[path = "../common/real_files.rs"]
@@ -33,7 +34,7 @@ fn report() -> &'static Report {
             rounds: 0,
             seed: 1,
         };
-        study::run(effort, None, &|_, _| {})
+        study::run(effort, &|_, _| {})
     })
 }
 
@@ -94,7 +95,7 @@ fn same_seed_gives_the_same_verdicts() {
         rounds: 0,
         seed: 9,
     };
-    let csv = |seed| study::csv(&study::run(Effort { seed, ..effort }, None, &|_, _| {}));
+    let csv = |seed| study::csv(&study::run(Effort { seed, ..effort }, &|_, _| {}));
     let first = csv(9);
     assert_eq!(first, csv(9));
     assert_ne!(first, csv(10));

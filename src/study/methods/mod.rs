@@ -8,6 +8,7 @@ pub mod closed;
 pub mod depth;
 pub mod normals;
 pub mod object_space;
+pub mod pbrt_interval;
 pub mod picks;
 pub mod rays;
 pub mod spheres;

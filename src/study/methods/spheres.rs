@@ -1,6 +1,6 @@
 //! Rays against the sphere of radius 1/2 about the origin. The answer is the least t >= 0 on the sphere, or none.
 
-use super::{ObjectRay, ShapeCase, first_ahead};
+use super::{ObjectRay, ShapeCase, first_ahead, pbrt_interval::Interval};
 use crate::{geometry::Sphere, scene::Shape, study::prelude::*};
 use std::ops::Range;
 
@@ -11,6 +11,9 @@ const PLAIN: &str = "textbooks and courses: a t^2 + b t + c = 0";
 const PRESS: &str =
     "Press et al., Numerical Recipes, 5.6: the root that does not cancel, the other from c / q";
 const HEARN: &str = "Hearn & Baker; Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems ch. 7, 2019";
+
+const HAINES: &str = "Haines in Glassner, An Introduction to Ray Tracing, ch. 2, 1989: the way to the middle, then half the chord";
+const PBRT: &str = "Pharr, Jakob & Humphreys, pbrt-v4, src/pbrt/shapes.h, Sphere::BasicIntersect: intervals; a hit that is not certain is none";
 
 const OURS: &str =
     "geometry::sphere: the line's moment as a filter with an error bound, else exactly";
@@ -25,9 +28,11 @@ impl Case for SphereCase {
 
     const METHODS: Methods<Self> = &[
         &both!("plain quadratic": PLAIN, plain),
-        &both!("plain, direction taken as 1 long": PLAIN, plain_unit),
+        &both!("plain, for unit directions": PLAIN, plain_unit),
         &both!("stable quadratic": PRESS, stable),
         &both!("Hearn & Baker": HEARN, hearn_baker),
+        &both!("Haines, half the chord": HAINES, haines),
+        &both!("pbrt-v4, intervals": PBRT, pbrt),
         &[Method::ours(Precision::Exact, OURS, |c| {
             let [near, far] = Sphere::hits(&c.ray);
             near.or(far).map(|hit| hit.t)
@@ -43,6 +48,14 @@ impl Case for SphereCase {
         family!("f64 rays", "distance / radius" [2.0, 1e2, 1e4] => |random, distance| {
             let [origin, direction] = passing(random, distance, 1.0);
             Self::new(origin, direction, PX)
+        }),
+        Family::at_edges(|random, share| {
+            if random.unit() < share {
+                let [origin, direction] = passing(random, 5.0, 1.0);
+                Self::new(origin, direction, PX)
+            } else {
+                aim(random, 5.0, 0.0..2.5)
+            }
         }),
         family!("close to a large one", "radius / height" [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6] =>
             close),
@@ -129,6 +142,43 @@ pub fn hearn_baker<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let c = from_center.dot(from_center) - r2();
     let q = b + (a * discriminant).sqrt().copysign(b);
     first(c / q, q / a)
+}
+
+/// The way along the ray to the point nearest to the centre, less and plus half the chord; for directions of any length.
+pub fn haines<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
+    let to_center = -case.origin;
+    let length = case.direction.length();
+    let way = to_center.dot(case.direction) / length;
+    let off = to_center.dot(to_center) - way * way;
+    let half_chord = root(r2::<T>() - off)?;
+    first((way - half_chord) / length, (way + half_chord) / length)
+}
+
+/// Hearn & Baker's discriminant and roots in intervals. Where the discriminant may be below 0, there is no hit; nor where
+/// t may.
+pub fn pbrt<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
+    let [o, d] = [case.origin, case.direction].map(|v| v.array().map(Interval::exactly));
+    let dot = |p: [Interval<T>; 3], q: [Interval<T>; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    let squares = |p: [Interval<T>; 3]| p[0].square() + p[1].square() + p[2].square();
+    let whole = |number: f64| Interval::exactly(T::of(number));
+    let radius = whole(Sphere::RADIUS);
+    let (a, b) = (squares(d), whole(2.0) * dot(d, o));
+    let c = squares(o) - radius.square();
+    let back = b / (whole(2.0) * a);
+    let off = squares([0, 1, 2].map(|axis| o[axis] - back * d[axis])).sqrt();
+    let discriminant = whole(4.0) * a * (radius - off) * (radius + off);
+    if !(discriminant.low >= T::zero()) {
+        return None;
+    }
+    let root = discriminant.sqrt();
+    let root = if b.middle() < T::zero() { -root } else { root };
+    let q = whole(-0.5) * (b + root);
+    let (mut near, mut far) = (q / a, c / q);
+    if near.low > far.low {
+        std::mem::swap(&mut near, &mut far);
+    }
+    let certain = [near, far].into_iter().find(|t| t.low > T::zero());
+    certain.map(|t| t.middle().wide())
 }
 
 /// How far the ray passes from the outline, in radians seen from its origin.

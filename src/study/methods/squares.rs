@@ -91,6 +91,13 @@ impl Case for SquareCase {
         family!("far from the origin", "offset / size" [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7] =>
             |random, offset| aim(random, 1.0, offset)),
         family!("f64 rays", "offset / size" [1.0, 1e3, 1e6] => with_all_digits),
+        Family::at_edges(|random, share| {
+            if random.unit() < share {
+                with_all_digits(random, 1.0)
+            } else {
+                aim(random, 1.0, 1.0)
+            }
+        }),
         family!("exactly through the rim", "bits a coordinate" [4.0, 8.0, 12.0, 16.0] =>
             through_the_rim),
     ];

@@ -32,8 +32,8 @@ pub struct PickWorld {
     pub scene: Scene,
     /// The view.
     pub view: View,
-    /// The scene as each of [`Chain::ALL`] holds it.
-    held: [OnceLock<Held>; Chain::ALL.len()],
+    /// The scene as each chain holds it.
+    held: [OnceLock<Held>; Chain::COUNT],
     ids: OnceLock<Option<Image<Id>>>,
 }
 
@@ -44,7 +44,7 @@ impl PickWorld {
         Self {
             scene: scene.clone(),
             view,
-            held: [const { OnceLock::new() }; Chain::ALL.len()],
+            held: [const { OnceLock::new() }; Chain::COUNT],
             ids: OnceLock::new(),
         }
     }
@@ -77,10 +77,9 @@ pub struct PickCase {
 /// Object index and, on a mesh, the triangle within that object.
 pub type Picked = Option<(usize, Option<u32>)>;
 
-const CHAINS: &str = "study::chains: a sum of directions, then Embree's robust test or Moeller & Trumbore's, over trees";
 const IDS: &str = "picking by colour: draw ids for the click, read the picture back";
 const ID: &str = "picking by colour: ids are drawn with each frame; one pixel is read back";
-const OURS: &str = "pick::closest, over trees";
+const OURS: &str = Chain::Sightline.source();
 
 /// A chain of rounded numbers as a method.
 macro_rules! chain {
@@ -88,7 +87,7 @@ macro_rules! chain {
         Method::new(
             Chain::$chain.name(),
             Chain::$chain.precision(),
-            CHAINS,
+            Chain::$chain.source(),
             |c| c.by(Chain::$chain),
         )
     };
@@ -113,6 +112,9 @@ impl Case for PickCase {
         chain!(Mesh),
         chain!(Eye),
         chain!(Double),
+        chain!(Three),
+        chain!(Bevy),
+        chain!(Vtk),
         Method::new(ADAPTER_IDS, F32, IDS, PickCase::drawn),
         Method::new(ADAPTER_ID, F32, ID, PickCase::drawn),
         Method::new(
@@ -189,8 +191,8 @@ fn ids_latency(case: &PickCase, draws: bool) -> Option<f64> {
 }
 
 /// The names of the methods that the graphics adapter runs.
-const ADAPTER_IDS: &str = "the adapter's ids, drawn and read back";
-const ADAPTER_ID: &str = "the adapter's ids, one pixel read back";
+const ADAPTER_IDS: &str = "ids, drawn and read back";
+const ADAPTER_ID: &str = "ids, one pixel read back";
 
 impl PickCase {
     /// A click on the centre of a pixel.
@@ -243,6 +245,6 @@ mod tests {
         assert_eq!((held(), world.ids.get()), (0, None));
         let rows = family::<PickCase>(SCENE, Effort::QUICK, Some(&rays), &|| true);
         assert!(rows.is_some_and(|rows| !rows.is_empty()));
-        assert!(held() == Chain::ALL.len() && world.ids.get().is_some());
+        assert!(held() == Chain::COUNT && world.ids.get().is_some());
     }
 }

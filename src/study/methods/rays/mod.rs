@@ -4,7 +4,7 @@
 mod unproject;
 mod workloads;
 
-pub use unproject::far_less_near;
+pub use unproject::{as_bevy, as_three, far_less_near, on_planes};
 pub(super) use workloads::turned;
 
 use crate::{
@@ -15,7 +15,7 @@ use crate::{
 use glam::{DVec2, DVec3};
 use num_traits::ToPrimitive;
 use std::hint::black_box;
-use unproject::{Inverses, as_bevy, as_three, inverses_f32, inverses_f64, near_less_eye};
+use unproject::{Inverses, inverses_f32, inverses_f64, near_less_eye};
 
 /// A camera and its picture.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +61,7 @@ pub struct Pixel<T> {
 }
 
 /// A ray in the world.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PixelRay {
     /// Where it starts.
     pub from: V3<f64>,
@@ -263,6 +263,12 @@ impl<T: Real> Pixel<T> {
             basis: [right * (aspect * tan), up * tan],
             inverse,
         }
+    }
+
+    /// Another position of the same picture.
+    pub(in crate::study) fn moved_to(&self, px: DVec2) -> Self {
+        let px = px.to_array().map(T::of);
+        Self { px, ..*self }
     }
 
     /// From -1 to 1, y upwards.

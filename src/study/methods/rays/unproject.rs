@@ -27,11 +27,16 @@ impl<T: Real> Pixel<T> {
     }
 }
 
+/// The pixel's points on the near and the far plane.
+pub fn on_planes<T: Real>(pixel: &Pixel<T>) -> [V3<T>; 2] {
+    let matrix = pixel.inverse.projection_view;
+    [T::zero(), T::one()].map(|z| pixel.unprojected(matrix, z))
+}
+
 /// The ray along the line from the pixel's point on the near plane to that on the far plane. In perspective it starts
 /// at the eye.
 pub fn far_less_near<T: Real>(pixel: &Pixel<T>) -> PixelRay {
-    let matrix = pixel.inverse.projection_view;
-    let [near, far] = [T::zero(), T::one()].map(|z| pixel.unprojected(matrix, z));
+    let [near, far] = on_planes(pixel);
     let Picture { eye, parallel, .. } = pixel.picture;
     PixelRay::new(if parallel { near } else { eye }, far - near)
 }

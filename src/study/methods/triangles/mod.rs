@@ -1,8 +1,12 @@
 //! Tests rays against one triangle. The answer is the ray parameter t of the hit, or none.
 
+mod peers;
 mod prepared;
 mod workloads;
 
+pub(in crate::study) use peers::EmbreeRobust;
+pub use peers::{three, vtk};
+pub(in crate::study) use prepared::Pbrt;
 pub use prepared::{Kept, Pair, Prepared, Shear};
 
 use super::ahead;
@@ -107,16 +111,18 @@ pub(super) const MT: &str =
     "Moeller & Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, JGT 2(1), 1997";
 pub(super) const AREAS: &str =
     "textbooks and courses: the plane, then the areas of the point's triangles with the corners";
-pub(super) const KENSLER: &str =
-    "Kensler & Shirley, Optimizing Ray-Triangle Intersection via Automated Search, RT 2006";
-pub(super) const WOOP: &str =
-    "Woop, Benthin & Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013";
-pub(super) const EMBREE: &str = "Embree 4, kernels/geometry/triangle_intersector_pluecker.h";
+pub(super) const VOLUMES: &str =
+    "textbooks and courses: the signs of the volumes between the ray and each edge";
+pub(super) const WOOP: &str = "Woop, Benthin & Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013; its second try in double changes nothing in f64";
+pub(super) const THREE: &str =
+    "three.js, Ray.intersectTriangle, after GeometricTools, IntrRay3Triangle3";
+pub(super) const EMBREE: &str =
+    "Embree 4, kernels/geometry/triangle_intersector_pluecker.h, with FMA";
 pub(super) const HAVEL: &str =
     "Havel & Herout, Yet Faster Ray-Triangle Intersection (Using SSE4), IEEE TVCG 16(3), 2010";
 pub(super) const JIMENEZ: &str = "Jimenez, Segura & Feito, A robust segment/triangle intersection algorithm, Comput. Geom. 43(5), 2010";
 pub(super) const PBRT: &str =
-    "Pharr, Jakob & Humphreys, pbrt-v4, src/pbrt/shapes.cpp, IntersectTriangle";
+    "Pharr, Jakob & Humphreys, pbrt-v4, src/pbrt/shapes.cpp, IntersectTriangle, with FMA";
 pub(super) const SHEWCHUK: &str = "Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997: orient3d of the robust crate, from the ray's start to \
                         its point at t = 1, which is rounded";
 pub(super) const OURS: &str = "geometry::triangle, which names its papers";
@@ -128,20 +134,22 @@ pub(super) const BALDWIN: &str = "Baldwin & Weber, Fast Ray-Triangle Intersectio
 macro_rules! in_both_precisions {
     ($job:expr, $others:expr) => {{
         use $crate::study::methods::triangles::{
-            AREAS, BALDWIN, EMBREE, HAVEL, JIMENEZ, KENSLER, MT, PBRT, WOOP, areas,
-            jimenez, moeller_trumbore, pluecker, signed_volumes,
+            AREAS, BALDWIN, EMBREE, HAVEL, JIMENEZ, MT, PBRT, THREE, VOLUMES, WOOP, areas,
+            EmbreeRobust, Pbrt, jimenez, moeller_trumbore, signed_volumes, three,
         };
+        use $crate::study::fma::fused;
         &[
             &both!("Moeller-Trumbore": MT, $job, |c| moeller_trumbore(c, 0.0)),
             &both!("Moeller-Trumbore, eps 1e-6": MT, $job, |c| moeller_trumbore(c, 1e-6)),
             &both!("areas, sum == 1": AREAS, $job, |c| areas(c)),
-            &both!("signed volumes": KENSLER, $job, |c| signed_volumes(c)),
+            &both!("signed volumes": VOLUMES, $job, |c| signed_volumes(c)),
             &both!("Woop watertight": WOOP, $job, |c| c.woop()),
             &both!("Baldwin-Weber": BALDWIN, $job, |c| c.baldwin_weber()),
-            &both!("Pluecker, as Embree": EMBREE, $job, |c| pluecker(c)),
+            &both!("three.js": THREE, $job, |c| three(c)),
+            &both!("Embree robust": EMBREE, $job, |c| fused::<EmbreeRobust, _>(c.given)),
             &both!("Havel-Herout": HAVEL, $job, |c| c.havel_herout()),
             &both!("Jimenez": JIMENEZ, $job, |c| jimenez(c)),
-            &both!("pbrt-v4, bounded t": PBRT, $job, |c| c.pbrt()),
+            &both!("pbrt-v4, bounded t": PBRT, $job, |c| fused::<Pbrt, _>(c)),
             $others,
         ]
     }};
@@ -293,39 +301,6 @@ pub(super) fn shewchuk(given: &RayTriangle<f64>) -> Option<f64> {
     let [a, b, c] = given.corners.map(coord);
     let sign = |p, q| orient3d(o, there, p, q).partial_cmp(&0.0);
     one_sign(given, [sign(b, c), sign(c, a), sign(a, b)])
-}
-
-/// Signed volumes from the edges and the sums of their corners, with an ulp of the volumes' sum as slack. Each
-/// component of the normal comes from the two edges whose products cancel less.
-#[inline]
-pub fn pluecker<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
-    let [a, b, c] = case.corners.map(|corner| corner - case.origin);
-    let (ca, ab, bc) = (c - a, a - b, b - c);
-    let volume = |edge: V3<T>, sum: V3<T>| edge.cross(sum).dot(case.direction);
-    let (u, v, w) = (volume(ca, c + a), volume(ab, a + b), volume(bc, b + c));
-    let slack = T::epsilon() * (u + v + w).abs();
-    if !(u.min(v).min(w) >= -slack || u.max(v).max(w) <= slack) {
-        return None;
-    }
-    let normal = stable_normal(ca, ab, bc);
-    let det = normal.dot(case.direction);
-    if det.is_zero() {
-        return None;
-    }
-    ahead(a.dot(normal) / det)
-}
-
-/// `p x q`, which equals `q x r`. Each component comes from the one of the two whose products are smaller.
-fn stable_normal<T: Real>(p: V3<T>, q: V3<T>, r: V3<T>) -> V3<T> {
-    let component = |i: usize, j: usize| {
-        let (first, second) = (p[j] * q[i], q[j] * r[i]);
-        if first.abs() < second.abs() {
-            p[i] * q[j] - first
-        } else {
-            q[i] * r[j] - second
-        }
-    };
-    V3::new(component(1, 2), component(2, 0), component(0, 1))
 }
 
 /// The segment test, applied to a ray. It decides without dividing, by the side on which the ray starts and the volumes

@@ -1,7 +1,10 @@
 //! Ray-triangle tests that precompute numbers, once for each ray or once for each triangle.
 
 use super::{RayTriangle, ahead};
-use crate::study::real::{Real, V3};
+use crate::study::{
+    fma::Fused,
+    real::{Real, V3},
+};
 use std::ops::Deref;
 
 /// A triangle, with what programs precompute for it.
@@ -118,12 +121,15 @@ impl<T: Real> Shear<T> {
     }
 
     /// The corners in the space where the ray is +z from the origin.
+    #[inline]
     fn seen(&self, case: &RayTriangle<T>) -> [V3<T>; 3] {
         let ([x, y, z], [sx, sy, sz]) = (self.axes, self.by);
-        case.corners.map(|corner| {
+        let see = |corner: V3<T>| {
             let p = corner - case.origin;
             V3::new(p[x] - sx * p[z], p[y] - sy * p[z], sz * p[z])
-        })
+        };
+        let [a, b, c] = case.corners;
+        [see(a), see(b), see(c)]
     }
 }
 
@@ -157,40 +163,6 @@ impl<T: Real> Prepared<'_, T> {
         ahead((u * a.z + v * b.z + w * c.z) / det)
     }
 
-    /// Woop's test, but edge functions round only once or twice, and the error of t has a bound: a t below the bound is
-    /// no hit.
-    pub fn pbrt(&self) -> Option<f64> {
-        let [a, b, c] = self.shear.seen(self);
-        // Kahan's difference of products.
-        let edge = |p: V3<T>, q: V3<T>| {
-            let product = p.y * q.x;
-            p.x.mul_add(q.y, -product) + (-p.y).mul_add(q.x, product)
-        };
-        let wide = |p: V3<T>, q: V3<T>| T::of(edge_wide(p, q));
-        let mut edges = [edge(b, c), edge(c, a), edge(a, b)];
-        if edges.iter().any(T::is_zero) {
-            edges = [wide(b, c), wide(c, a), wide(a, b)];
-        }
-        let [u, v, w] = edges;
-        let det = u + v + w;
-        if differ(edges) || det.is_zero() {
-            return None;
-        }
-        let t = (u * a.z + v * b.z + w * c.z) / det;
-        let largest =
-            |of: [T; 3]| (of.into_iter()).fold(T::zero(), |most, one| most.max(one.abs()));
-        let [x, y, z] = [0, 1, 2].map(|axis| largest([a, b, c].map(|corner| corner[axis])));
-        let gamma = |n: f64| {
-            let errors = T::of(0.5 * n) * T::epsilon();
-            errors / (T::one() - errors)
-        };
-        let (off_x, off_y, off_z) = (gamma(5.0) * (x + z), gamma(5.0) * (y + z), gamma(3.0) * z);
-        let off_edge = T::of(2.0) * (gamma(2.0) * x * y + off_y * x + off_x * y);
-        let edge = largest(edges);
-        let off = T::of(3.0) * (gamma(3.0) * edge * z + off_edge * z + off_z * edge) / det.abs();
-        (t > off).then(|| t.wide())
-    }
-
     /// By the map that takes the triangle to the unit triangle.
     pub fn baldwin_weber(&self) -> Option<f64> {
         let BaldwinWeber { axis: k, rows } = self.kept.map;
@@ -222,6 +194,48 @@ impl<T: Real> Prepared<'_, T> {
             return None;
         }
         ahead(t / det)
+    }
+}
+
+/// Woop's test, but edge functions round only once or twice, and the error of t has a bound: a t below the bound is no
+/// hit. By fused multiply-adds.
+pub struct Pbrt;
+
+impl<T: Real> Fused<Prepared<'_, T>> for Pbrt {
+    type Answer = Option<f64>;
+
+    #[expect(clippy::inline_always, reason = "compiled anew where there is FMA")]
+    #[inline(always)]
+    fn answer(case: &Prepared<'_, T>) -> Option<f64> {
+        let [a, b, c] = case.shear.seen(case);
+        // Kahan's difference of products.
+        let edge = |p: V3<T>, q: V3<T>| {
+            let product = p.y * q.x;
+            p.x.fused(q.y, -product) + (-p.y).fused(q.x, product)
+        };
+        let wide = |p: V3<T>, q: V3<T>| T::of(edge_wide(p, q));
+        let mut edges = [edge(b, c), edge(c, a), edge(a, b)];
+        if edges.iter().any(T::is_zero) {
+            edges = [wide(b, c), wide(c, a), wide(a, b)];
+        }
+        let [u, v, w] = edges;
+        let det = u + v + w;
+        if differ(edges) || det.is_zero() {
+            return None;
+        }
+        let t = (u * a.z + v * b.z + w * c.z) / det;
+        let largest = |a: T, b: T, c: T| a.abs().max(b.abs()).max(c.abs());
+        let (x, y) = (largest(a.x, b.x, c.x), largest(a.y, b.y, c.y));
+        let z = largest(a.z, b.z, c.z);
+        let gamma = |n: f64| {
+            let errors = T::of(0.5 * n) * T::epsilon();
+            errors / (T::one() - errors)
+        };
+        let (off_x, off_y, off_z) = (gamma(5.0) * (x + z), gamma(5.0) * (y + z), gamma(3.0) * z);
+        let off_edge = T::of(2.0) * (gamma(2.0) * x * y + off_y * x + off_x * y);
+        let edge = largest(u, v, w);
+        let off = T::of(3.0) * (gamma(3.0) * edge * z + off_edge * z + off_z * edge) / det.abs();
+        (t > off).then(|| t.wide())
     }
 }
 

@@ -10,6 +10,20 @@ pub const FAMILIES: &[Family<TriangleCase>] = &[
     family!("aimed at edges", "distance / size" [1.0, 1e1, 1e2, 1e3, 1e4, 1e5] =>
         |random, distance| aim(random, [1.0; 2], edge_weights, distance)),
     family!("f64 rays at edges", "distance / size" [1.0, 1e2, 1e4] => with_all_digits),
+    family!("f64 rays on a map", "offset / size" [1.0, 1e3, 1e6] => |random, offset| {
+        let offset = random.direction() * offset;
+        let size = (offset.length() * 1e-6).max(1.0);
+        let corners = corners(random, size, size);
+        let corners = corners.map(|corner| through_f32_each(corner + offset));
+        all_digits(random, corners, 5.0 * size)
+    }),
+    Family::at_edges(|random, share| {
+        if random.unit() < share {
+            with_all_digits(random, 5.0)
+        } else {
+            aim(random, [1.0; 2], loose_weights, 5.0)
+        }
+    }),
     family!("grazing", "angle to the plane (rad)" [1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] =>
         grazing),
     family!("slivers", "height / length" [1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7] =>
@@ -19,7 +33,7 @@ pub const FAMILIES: &[Family<TriangleCase>] = &[
     family!("far away", "distance / size" [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6] =>
         |random, distance| aim(random, [1.0; 2], mixed_weights, distance)),
     family!("tiny and huge", "size"
-        [1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9, 1e12] => sized),
+        [1.0, 1e-2, 1e2, 1e-4, 1e4, 1e-6, 1e6, 1e-9, 1e9, 1e-12, 1e12] => sized),
     family!("exactly through edges", "bits a coordinate" [4.0, 8.0, 12.0, 16.0, 20.0, 22.0] =>
         on_a_lattice),
 ];
@@ -40,6 +54,11 @@ fn aim(
 /// A ray as a viewer has it: all of its digits count, while vertices are `f32`.
 fn with_all_digits(random: &mut Random, distance: f64) -> TriangleCase {
     let corners = corners(random, 1.0, 1.0);
+    all_digits(random, corners, distance)
+}
+
+/// Such a ray from a distance to an edge of a triangle.
+fn all_digits(random: &mut Random, corners: [V3<f64>; 3], distance: f64) -> TriangleCase {
     let weights = edge_weights(random);
     let point = corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2];
     let origin = point - random.direction() * distance;

@@ -2,7 +2,7 @@
 
 use super::{
     field::{short, value_text},
-    plot,
+    plot::Plot,
     prelude::*,
     shown::Shown,
 };
@@ -12,7 +12,7 @@ use crate::{
     study::{
         Row,
         breaks::{as_good, breaks_on, swaps},
-        chart::family,
+        charts::family,
         step::MethodInfo,
         swap::{Found, Swap},
     },
@@ -27,6 +27,9 @@ use egui::ComboBox;
 pub(super) const WRONG: Color32 = color32(look::WRONG);
 /// The colour of what is right.
 pub(super) const RIGHT: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
+
+/// The size of the chart in its own pixels.
+const CHART_PX: (u32, u32) = (1060, 820);
 
 /// The gallery's scenes, for the menu.
 pub(super) fn menu(ui: &mut Ui, shown: &Shown, commands: &mut Vec<Command>) {
@@ -76,7 +79,8 @@ pub(super) fn show(
                 ui.label("The study, on ever harder cases of what breaks here:");
                 let now = showing.method.map(|method| method.info());
                 let now = now.map(|info| (info.name, info.precision));
-                plot::show(ui, &family(rows, subject.value, now));
+                // A backend of egui's never refuses.
+                let _ = family(Plot::new(ui, CHART_PX), rows, subject.value, now);
                 ui.weak("In pixels of this view. Dashed: f32. Solid: f64 or exact. Black: Sightline's. Thick: the method that picks now.");
                 ui.label(others(rows));
             }

@@ -1,0 +1,186 @@
+//! Draws a line for each method: its worst error against the parameter that makes it worse.
+
+use super::prelude::*;
+
+/// The families that are shown, by step and name.
+const SHOWN: [(&str, &str); 6] = [
+    ("ray", "eye far from the origin"),
+    ("ray", "far plane"),
+    ("object-space", "far from the origin"),
+    ("triangle", "slivers"),
+    ("sphere", "far away"),
+    ("square", "far from the origin"),
+];
+/// Below this nobody sees an error, in pixels.
+const SEEN_PX: f64 = 1e-3;
+/// Width of the labels at the lines' ends.
+const LABELS: i32 = 400;
+/// A wrong decision below this distance is a tie, because the truth itself rounds by as much.
+const LEAST_PX: f64 = 1e-30;
+
+/// Draws the chart.
+pub fn draw<B: DrawingBackend>(page: &Page<B>, report: &Report) -> Drawn<B> {
+    let panels = SHOWN.map(|(step, family)| {
+        let is_shown = |row: &&Row| row.info.step.key == step && row.family == family;
+        report.rows.iter().filter(is_shown).collect::<Vec<&Row>>()
+    });
+    let lines = [
+        "Each panel makes one thing worse from left to right. Dashed: f32; solid: f64 or exact; grey: other known methods. Green: less than 1e-3 px, \
+         which nobody sees."
+            .to_owned(),
+        format!("Spheres: in per cent of the sphere's size in the picture. {}", about(report, "triangle")),
+    ];
+    let rest = head(page, &message(&panels), &lines)?;
+    for (rows, part) in panels.iter().zip(rest.split_evenly((2, 3))) {
+        lines_of(page, &part, rows, None)?;
+    }
+    Ok(())
+}
+
+/// From where on a ray is a pixel off by the usual way, with the eye far from the origin; and Sightline's worst there.
+fn message(panels: &[Vec<&Row>]) -> String {
+    let rows = || panels.first().into_iter().flatten();
+    let usual = ("inverse(P V), far - near", F32);
+    let is_off = |row: &&&Row| row.info.key() == usual && error(row) > 1.0;
+    let ours = rows().filter(|row| row.info.ours);
+    let worst = ours.map(|row| error(row)).reduce(f64::max);
+    match rows().find(is_off).zip(worst) {
+        Some((row, worst)) => format!(
+            "In f32 an unprojected ray is a pixel off from {} target distances on; Sightline's {worst:.0e} px",
+            row.value
+        ),
+        None => "Where each method breaks".to_owned(),
+    }
+}
+
+/// A row's error: of its values or, where the step decides, of its worst wrong decision; 0 for ties. A sphere's is in
+/// per cent of its size: nothing of it is off by more than that.
+fn error(row: &Row) -> f64 {
+    let step = row.info.step;
+    if step.wrong_unit.is_empty() {
+        return row.worst_error;
+    }
+    let worst = if row.worst_wrong < LEAST_PX {
+        0.0
+    } else {
+        row.worst_wrong
+    };
+    if is_of_size(row) {
+        // `value` radii away, a radius is 1 / `value` radians.
+        100.0 * worst * PX * row.value
+    } else {
+        worst
+    }
+}
+
+fn is_of_size(row: &Row) -> bool {
+    row.info.step.key == "sphere" && row.family == "far away"
+}
+
+/// The chart of one family, for a narrow page: the line of the method `wide` is wider. `rows` has the family's rows and a
+/// scene's own ([`SCENE`]), which are marked at `here`. Without rows of the family, nothing is drawn.
+///
+/// # Errors
+/// When the backend refuses.
+pub fn family<B: DrawingBackend>(
+    on: B,
+    rows: &[Row],
+    here: f64,
+    wide: Option<(&str, Precision)>,
+) -> Drawn<B> {
+    let page: Page<B> = on.into_drawing_area();
+    page.fill(&WHITE)?;
+    let rows: Vec<&Row> = rows.iter().collect();
+    lines_of(
+        &page,
+        &page.margin(20, 10, 10, 20),
+        &rows,
+        Some((here, wide)),
+    )
+}
+
+/// Draws the panel of one family, and marks a scene's own rows where they are.
+fn lines_of<B: DrawingBackend>(
+    page: &Page<B>,
+    part: &Page<B>,
+    rows: &[&Row],
+    scene: Option<(f64, Option<(&str, Precision)>)>,
+) -> Drawn<B> {
+    let (own, rows): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.family == SCENE);
+    let Some(first) = rows.first() else {
+        return Ok(());
+    };
+    let step = first.info.step;
+    let unit = match (is_of_size(first), step.wrong_unit, step.error_unit) {
+        (true, ..) => "worst wrong answer (% of size)".to_owned(),
+        (_, "", "") => "wrong".to_owned(),
+        (_, "", unit) => format!("worst error ({unit})"),
+        (_, unit, _) => format!("worst wrong answer ({unit})"),
+    };
+    let values = || rows.iter().map(|row| row.value);
+    let x = if values().any(|value| value == 0.0) {
+        Axis::linear(first.parameter, 1.0, 0.25)
+    } else {
+        let here = scene.map(|(here, _)| here);
+        Axis::log(first.parameter, values().chain(here))
+    };
+    let is_down = rows.first().map(|row| row.value) > rows.last().map(|row| row.value);
+    let errors = || rows.iter().chain(&own).map(|row| error(row));
+    let mut y = Axis::log(unit, errors().chain([SEEN_PX]));
+    if errors().any(|error| error == 0.0) {
+        y = y.with_none(0.1, "0");
+    }
+    let title = format!("{}: {}", step.name, first.family);
+    let panel = panel(page, part, &title, [x.turned(is_down), y], LABELS)?;
+    if step.wrong_unit == "px" || step.error_unit == "px" {
+        panel.band([0.0, SEEN_PX], NOBODY_SEES)?;
+    }
+    let keys = distinct(rows.iter().map(|row| row.info));
+    let is_wide = |info: &MethodInfo| scene.is_some_and(|(_, wide)| wide == Some(info.key()));
+    // Sightline's covers all others except the wide one.
+    let mut ordered: Vec<MethodInfo> = keys.clone();
+    ordered.sort_by_key(|info| (is_wide(info), info.ours, colour(info).is_some()));
+    let mut ends = Vec::new();
+    for info in ordered {
+        let points = rows.iter().filter(|row| row.info == info);
+        let points = points.map(|row| [row.value, error(row)]);
+        let points: Vec<[f64; 2]> = points.collect();
+        let ink = colour(&info).unwrap_or(GREY);
+        let width = match (is_wide(&info), info.ours, colour(&info)) {
+            (true, ..) => 12,
+            (_, true, _) => 8,
+            (_, _, Some(_)) => 6,
+            _ => 3,
+        };
+        panel.line(&points, ink, width, info.precision == F32)?;
+        if let Some([x, y]) = points.last()
+            && (colour(&info).is_some() || is_wide(&info))
+            && (info.precision == F32
+                || !rows
+                    .iter()
+                    .any(|row| row.info.name == info.name && row.info.precision == F32))
+        {
+            ends.push((panel.at(*x, *y), name(&info).to_owned(), ink));
+        }
+        for row in own.iter().filter(|row| row.info == info) {
+            let (here, _) = scene.unwrap_or_default();
+            star(page, panel.at(here, error(row)), &info, ink, 15)?;
+        }
+    }
+    if let Some((here, _)) = scene {
+        let (x, _) = panel.at(here, 1.0);
+        let [left, top, right, bottom] = panel.frame();
+        page.draw(&PathElement::new(
+            [(x, top), (x, bottom)],
+            INK.stroke_width(2),
+        ))?;
+        let side = if 2 * x > left + right {
+            Side::Left
+        } else {
+            Side::Right
+        };
+        let away = if side == Side::Left { -12 } else { 12 };
+        words(page, SCENE, (x + away, top + 24), INK, side)?;
+    }
+    panel.end_labels(ends)
+}
