@@ -20,7 +20,7 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>, report: &Report) -> Drawn<B> {
     let parts = rest.split_evenly((2, 3));
     for (family, parts) in [HIT_RATE, AT_EDGES].iter().zip(parts.chunks(3)) {
         let of_family = || timed().filter(|row| row.family == *family);
-        let ends = Axis::log(
+        let ends = Axis::powers_of_ten(
             "time (ns)",
             of_family().filter_map(|row| Some(row.time?.ns)),
         );

@@ -46,14 +46,14 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>) -> Drawn<B> {
     let (left, right) = above.split_horizontally(1540);
     marks(page, &left, "Standard: near is 0", Mapping::STANDARD)?;
     marks(page, &right, "Reversed: near is 1", Mapping::REVERSED)?;
-    let x = Axis::log("view depth", depths.iter().copied());
+    let x = Axis::powers_of_ten("view depth", depths.iter().copied());
     let shares = || {
         curves
             .iter()
             .flat_map(|(_, _, points)| points)
             .map(|[_, share]| *share)
     };
-    let y = Axis::log("least step / depth", shares()).wider([0.2, 0.5]);
+    let y = Axis::powers_of_ten("least step / depth", shares()).wider([0.2, 0.5]);
     let panel = panel(page, &below, "", [x, y], 760)?;
     let mut ends = Vec::new();
     for (name, width, points) in &curves {

@@ -31,7 +31,8 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>, report: &Report) -> Drawn<B> {
     let rest = head(page, &message(&triangle, &picks), &lines)?;
     let parts = rest.split_evenly((1, 3));
     let both = || triangle.iter().chain(&sphere);
-    let x = Axis::log("time of one test (ns)", both().map(|point| point.ns)).wider([0.2, 0.5]);
+    let x = Axis::powers_of_ten("time of one test (ns)", both().map(|point| point.ns))
+        .wider([0.2, 0.5]);
     for (title, points, part) in [
         ("Ray against triangle", &triangle, &parts[0]),
         ("Ray against sphere", &sphere, &parts[1]),
@@ -55,7 +56,7 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>, report: &Report) -> Drawn<B> {
     let times = picks
         .iter()
         .flat_map(|point| [point.ns, point.near.map_or(point.ns, |near| near[0])]);
-    let x = Axis::log("time of one pick (ns)", times).wider([0.3, 0.5]);
+    let x = Axis::powers_of_ten("time of one pick (ns)", times).wider([0.3, 0.5]);
     let y = Axis::between("wrong picks (%)", [-2.0, 2.0]).with_rows(rows(&picks), "never");
     let panel = panel(page, &parts[2], "Whole pick", [x, y], 0)?;
     panel.none_band()?;

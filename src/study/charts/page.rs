@@ -217,7 +217,7 @@ pub struct Axis {
 
 impl Axis {
     /// A logarithmic axis over all values above 0 that are finite.
-    pub fn log(name: impl Into<String>, values: impl IntoIterator<Item = f64>) -> Self {
+    pub fn powers_of_ten(name: impl Into<String>, values: impl IntoIterator<Item = f64>) -> Self {
         let is_on = |value: &f64| value.is_finite() && *value > 0.0;
         let values = values.into_iter().filter(is_on).map(libm::log10);
         let values: Vec<f64> = values.collect();

@@ -122,11 +122,11 @@ fn lines_of<B: DrawingBackend>(
         Axis::linear(first.parameter, 1.0, 0.25)
     } else {
         let here = scene.map(|(here, _)| here);
-        Axis::log(first.parameter, values().chain(here))
+        Axis::powers_of_ten(first.parameter, values().chain(here))
     };
     let is_down = rows.first().map(|row| row.value) > rows.last().map(|row| row.value);
     let errors = || rows.iter().chain(&own).map(|row| error(row));
-    let mut y = Axis::log(unit, errors().chain([SEEN_PX]));
+    let mut y = Axis::powers_of_ten(unit, errors().chain([SEEN_PX]));
     if errors().any(|error| error == 0.0) {
         y = y.with_none(0.1, "0");
     }
