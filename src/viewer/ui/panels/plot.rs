@@ -171,13 +171,13 @@ impl DrawingBackend for Plot {
                 VPos::Bottom => 1.0,
             },
         );
-        let angle = match style.transform() {
-            FontTransform::None => 0.0,
-            FontTransform::Rotate90 => FRAC_PI_2,
-            FontTransform::Rotate180 => PI,
-            FontTransform::Rotate270 => -FRAC_PI_2,
+        let away = share * galley.size();
+        let (angle, away) = match style.transform() {
+            FontTransform::None => (0.0, away),
+            FontTransform::Rotate90 => (FRAC_PI_2, vec2(-away.y, away.x)),
+            FontTransform::Rotate180 => (PI, -away),
+            FontTransform::Rotate270 => (-FRAC_PI_2, vec2(away.y, -away.x)),
         };
-        let away = egui::emath::Rot2::from_angle(angle) * (share * galley.size());
         let shape = TextShape::new(self.at(at) - away, galley, colour(style.color()));
         self.painter.add(shape.with_angle(angle));
         Ok(())
