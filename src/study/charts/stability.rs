@@ -53,28 +53,19 @@ fn message(panels: &[Vec<&Row>]) -> String {
     }
 }
 
-/// A row's error: of its values or, where the step decides, of its worst wrong decision; 0 for ties. A sphere's is in
-/// per cent of its size: nothing of it is off by more than that.
+/// A row's error: of its values or, where the step decides, of its worst wrong decision; 0 for ties.
 fn error(row: &Row) -> f64 {
-    let step = row.info.step;
-    if step.wrong_unit.is_empty() {
-        return row.worst_error;
-    }
-    let worst = if row.worst_wrong < LEAST_PX {
-        0.0
-    } else {
-        row.worst_wrong
-    };
-    if is_of_size(row) {
-        // `value` radii away, a radius is 1 / `value` radians.
-        100.0 * worst * PX * row.value
-    } else {
-        worst
+    match row.info.step.wrong_unit {
+        "" => row.worst_error,
+        _ if row.worst_wrong < LEAST_PX => 0.0,
+        _ => row.worst_wrong,
     }
 }
 
-fn is_of_size(row: &Row) -> bool {
-    row.info.step.key == "sphere" && row.family == "far away"
+/// A far sphere's error in per cent of its size: nothing of it is off by more than that. `value` radii away, a radius is
+/// 1 / `value` radians.
+fn of_size(row: &Row) -> f64 {
+    100.0 * error(row) * PX * row.value
 }
 
 /// The chart of one family, for a narrow page: the line of the method `wide` is wider. `rows` has the family's rows and a
@@ -111,7 +102,10 @@ fn lines_of<B: DrawingBackend>(
         return Ok(());
     };
     let step = first.info.step;
-    let unit = match (is_of_size(first), step.wrong_unit, step.error_unit) {
+    // Beside a scene, errors are in its own pixels.
+    let is_of_size = scene.is_none() && (step.key, first.family) == ("sphere", "far away");
+    let error = if is_of_size { of_size } else { error };
+    let unit = match (is_of_size, step.wrong_unit, step.error_unit) {
         (true, ..) => "worst wrong answer (% of size)".to_owned(),
         (_, "", "") => "wrong".to_owned(),
         (_, "", unit) => format!("worst error ({unit})"),
@@ -153,12 +147,15 @@ fn lines_of<B: DrawingBackend>(
             _ => 3,
         };
         panel.line(&points, ink, width, info.precision == F32)?;
+        // A formula is named once: at its wide line, else at its first.
+        if is_wide(&info) {
+            ends.retain(|(_, known, _)| known != name(&info));
+        }
+        let is_named = ends.iter().any(|(_, known, _)| known == name(&info));
+        let has_name = colour(&info).is_some() || is_wide(&info);
         if let Some([x, y]) = points.last()
-            && (colour(&info).is_some() || is_wide(&info))
-            && (info.precision == F32
-                || !rows
-                    .iter()
-                    .any(|row| row.info.name == info.name && row.info.precision == F32))
+            && has_name
+            && !is_named
         {
             ends.push((panel.at(*x, *y), name(&info).to_owned(), ink));
         }
@@ -168,19 +165,21 @@ fn lines_of<B: DrawingBackend>(
         }
     }
     if let Some((here, _)) = scene {
-        let (x, _) = panel.at(here, 1.0);
-        let [left, top, right, bottom] = panel.frame();
-        page.draw(&PathElement::new(
-            [(x, top), (x, bottom)],
-            INK.stroke_width(2),
-        ))?;
-        let side = if 2 * x > left + right {
-            Side::Left
-        } else {
-            Side::Right
-        };
-        let away = if side == Side::Left { -12 } else { 12 };
-        words(page, SCENE, (x + away, top + 24), INK, side)?;
+        mark_scene(&panel, here)?;
     }
     panel.end_labels(ends)
+}
+
+/// A line at the scene's value of the parameter.
+fn mark_scene<B: DrawingBackend>(panel: &Panel<'_, B>, here: f64) -> Drawn<B> {
+    let (x, _) = panel.at(here, 1.0);
+    let [left, top, right, bottom] = panel.frame();
+    let line = PathElement::new([(x, top), (x, bottom)], INK.stroke_width(2));
+    panel.page.draw(&line)?;
+    let (side, away) = if 2 * x > left + right {
+        (Side::Left, -12)
+    } else {
+        (Side::Right, 12)
+    };
+    words(panel.page, SCENE, (x + away, top + 24), INK, side)
 }
