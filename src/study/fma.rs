@@ -46,10 +46,10 @@ mod tests {
         }
     }
 
-    /// Rounded once, `(1 + u)^2 - 1` keeps its last bit, whether the processor has the instruction or not.
+    /// Rounded once, `(1 + u)^2 - 1` keeps `u^2`, whether the processor has the instruction or not.
     #[test]
     fn a_fused_product_is_rounded_once() {
-        let u = f64::EPSILON;
+        let u = 1.0 / f64::from(1 << 30);
         let answers = [
             fused::<LessOne, f64>(&(1.0 + u)),
             LessOne::answer(&(1.0 + u)),

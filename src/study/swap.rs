@@ -135,8 +135,9 @@ impl<'a> Click<'a> {
         meet: impl Fn(&Object, &Ray) -> Hits,
     ) -> Option<Found> {
         let (ray, sides, objects) = (&*self.ray, self.view.sides, self.scene.objects());
-        let others = pick::all(self.scene, ray, sides).into_iter();
-        let others = others.filter(|hit| !is_about(&objects[hit.object].shape));
+        // Exactly decided and ordered.
+        let mut others = pick::all(self.scene, self.ray, sides).into_iter();
+        let other = others.find(|hit| !is_about(&objects[hit.object].shape));
         let met = (0..).zip(objects);
         let met = met.filter(|(_, object)| object.visible && is_about(&object.shape));
         let met = met.flat_map(|(object, about)| {
@@ -144,7 +145,7 @@ impl<'a> Click<'a> {
             let shown = hits.filter(move |hit| sides.shows(hit) && ray.contains(hit.t));
             shown.map(move |hit| SceneHit { object, hit })
         });
-        let all = others.chain(met);
+        let all = other.into_iter().chain(met);
         let hit = all.min_by(|a, b| a.hit.t.total_cmp(&b.hit.t).then(a.object.cmp(&b.object)))?;
         Some(self.found(ray, hit))
     }

@@ -194,7 +194,7 @@ fn marks<B: DrawingBackend>(
         if let Some(near) = near.filter(|near| near.1 != at.1) {
             page.draw(&Circle::new(near, 8, point.ink().filled()))?;
         }
-        star(page, *at, &point.info, point.ink(), 15)?;
+        mark(page, *at, &point.info, point.ink(), 15)?;
     }
     // Outside the band a name hangs from its point, the leftmost one lowest, so that no line crosses a name.
     placed.sort_by_key(|(_, (x, _), _)| -x);

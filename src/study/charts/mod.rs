@@ -2,11 +2,14 @@
 //!
 //! `plotters` draws them, axes and meshes included, on any of its backends: as SVG, as pixels, in the window.
 
+mod axis;
+mod colours;
 mod cost;
 mod depth_buffer;
 mod front;
 mod heat;
 mod page;
+mod panel;
 mod shared_edge;
 mod stability;
 
@@ -23,10 +26,10 @@ use plotters::{
 mod prelude {
     pub use super::{
         Drawn,
-        page::{
-            Axis, GREY, INK, Ink, NOBODY_SEES, Page, Panel, QUIET, Side, WARNING, about, colour,
-            head, name, panel, small_words, star, width, words,
-        },
+        axis::Axis,
+        colours::{FAINT, GREY, INK, Ink, NOBODY_SEES, QUIET, WARNING, colour, name},
+        page::{Page, Side, about, head, small_words, width, words},
+        panel::{Panel, mark, panel},
     };
     pub use crate::study::prelude::*;
     pub use plotters::prelude::*;

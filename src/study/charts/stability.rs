@@ -161,7 +161,7 @@ fn lines_of<B: DrawingBackend>(
         }
         for row in own.iter().filter(|row| row.info == info) {
             let (here, _) = scene.unwrap_or_default();
-            star(page, panel.at(here, error(row)), &info, ink, 15)?;
+            mark(page, panel.at(here, error(row)), &info, ink, 15)?;
         }
     }
     if let Some((here, _)) = scene {
