@@ -57,7 +57,7 @@ impl Chain {
         Self::Sightline,
     ];
     /// How many there are, with those of other viewers.
-    pub const COUNT: usize = 8;
+    pub const COUNT: usize = Self::Vtk as usize + 1;
 
     /// What it is called in tables and charts.
     pub const fn name(self) -> &'static str {

@@ -52,6 +52,16 @@ impl Row {
         self.missed + self.phantoms + self.others
     }
 
+    /// How far off its worst answer is, in the step's unit: a wrong decision, of which ties are 0 off, where the step
+    /// decides; else a value.
+    pub fn off_by(&self) -> f64 {
+        if self.info.step.wrong_unit.is_empty() {
+            self.worst_error
+        } else {
+            self.worst_wrong
+        }
+    }
+
     /// The share of wrong decisions in per cent.
     pub fn wrong_percent(&self) -> f64 {
         100.0 * rate(self.wrong(), self.cases)

@@ -93,16 +93,11 @@ impl<'a> Summary<'a> {
     /// Its worst error over all workloads: how far off a wrong decision is, where that is told, else a value's error,
     /// else the share of wrong decisions. A tie, a ray exactly through an edge or an outline, is 0 off.
     pub(super) fn own_error(&self) -> f64 {
-        let About {
-            wrong_unit,
-            error_unit,
-            ..
-        } = self.method.info.step;
-        match (wrong_unit, error_unit) {
-            ("", "") => self.wrong_rate(),
-            ("", _) => self.worst(|row| row.worst_error).worst_error,
-            _ => self.worst(|row| row.worst_wrong).worst_wrong,
+        let step = self.method.info.step;
+        if step.wrong_unit.is_empty() && step.error_unit.is_empty() {
+            return self.wrong_rate();
         }
+        self.worst(Row::off_by).off_by()
     }
 
     /// For which errors no other method of its step does as well in less time; `None` where it was not timed.
@@ -140,6 +135,12 @@ impl Report {
     /// The rows of a step.
     pub(super) fn of_step(&self, step: About) -> impl Iterator<Item = &Row> {
         self.rows.iter().filter(move |row| row.info.step == step)
+    }
+
+    /// The rows of each method of the step with a key; none where the report lacks it.
+    pub(super) fn summaries_of(&self, key: &str) -> Vec<Summary<'_>> {
+        let step = self.steps().into_iter().find(|step| step.key == key);
+        step.map(|step| self.summaries(step)).unwrap_or_default()
     }
 
     /// The rows of each method of a step.

@@ -1,5 +1,6 @@
 //! Axes: linear or of powers of ten, with room for 0.
 
+use crate::study::statistics::rate;
 use plotters::coord::{
     ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter},
     types::RangedCoordf64,
@@ -91,8 +92,7 @@ impl Axis {
 
     /// The axis of so many rows of 0, beside whatever else it has.
     pub fn with_rows(self, rows: usize, words: &str) -> Self {
-        let rows = f64::from(u32::try_from(rows).unwrap_or(0));
-        self.with_none((0.045 * rows).clamp(0.03, 0.6), words)
+        self.with_none((0.045 * rate(rows, 1)).clamp(0.03, 0.6), words)
     }
 
     /// The harmless end first, where values go down.

@@ -62,26 +62,6 @@ fn step_panel<B: DrawingBackend>(
     };
     let x = Axis::linear(first.parameter, 1.0, 0.25);
     let panel = panel(page, part, first.info.step.name, [x, y], 390)?;
-    let mut ends: Vec<((i32, i32), String, Ink)> = Vec::new();
-    let mut infos = distinct(rows.iter().map(|row| row.info));
-    infos.sort_by_key(|info| (info.ours, colour(info).is_some()));
-    for info in infos {
-        let own = rows.iter().filter(|row| row.info == info);
-        let points = own.filter_map(|row| Some([row.value, row.time?.ns]));
-        let points: Vec<[f64; 2]> = points.collect();
-        let ink = colour(&info).unwrap_or(GREY);
-        let width = match (info.ours, colour(&info)) {
-            (true, _) => 8,
-            (_, Some(_)) => 6,
-            _ => 3,
-        };
-        panel.line(&points, ink, width, info.precision == F32)?;
-        if let Some([x, y]) = points.last()
-            && colour(&info).is_some()
-            && info.precision != F32
-        {
-            ends.push((panel.at(*x, *y), name(&info).to_owned(), ink));
-        }
-    }
+    let ends = panel.curves(rows, |row| Some(row.time?.ns), None, (&[], 0.0))?;
     panel.end_labels(ends)
 }

@@ -65,8 +65,7 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>, report: &Report) -> Drawn<B> {
 
 /// The methods of a step that were timed, the fastest first.
 fn tests(report: &Report, key: &str) -> Vec<Point> {
-    let step = report.steps().into_iter().find(|step| step.key == key);
-    let all = step.map(|step| report.summaries(step)).unwrap_or_default();
+    let all = report.summaries_of(key);
     // A test for directions of one length is wrong for all others.
     let fair = all
         .iter()
@@ -87,13 +86,9 @@ fn tests(report: &Report, key: &str) -> Vec<Point> {
 /// The whole picks that were timed, far away, and near the origin where that differs. Those that become wrong come first,
 /// then those that are wrong near the origin, each the fastest first: no arrow crosses a name.
 fn picks(report: &Report) -> Vec<Point> {
-    let rows: Vec<&Row> = (report.rows.iter())
-        .filter(|row| row.info.step.key == "pick")
-        .collect();
-    let methods = distinct(rows.iter().map(|row| row.info.key()));
-    let points = methods.iter().filter_map(|key| {
-        let own = rows.iter().filter(|row| row.info.key() == *key);
-        let (near, far) = (own.clone().next()?, own.clone().next_back()?);
+    let all = report.summaries_of("pick");
+    let points = all.iter().filter_map(|summary| {
+        let (near, far) = (summary.method, summary.rows.last()?);
         Some(Point {
             info: far.info,
             ns: far.time?.ns,

@@ -74,7 +74,8 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>, report: &Report) -> Drawn<B> {
     );
     let rest = head(page, &message(&blocks), &[line])?;
     let (left, top) = rest.get_base_pixel();
-    legend(page, top + 6)?;
+    let classes = CLASSES.map(|(_, ink, text)| (ink, text));
+    legend(page, (48, top + 6), &classes)?;
     // The largest first, each into the column that is shorter so far.
     blocks.sort_by_key(|block| -block.height());
     let mut ends = [top + 64; 2];
@@ -95,7 +96,7 @@ fn message(blocks: &[Block<'_>]) -> String {
             let own = infos.into_iter().filter(|info| is_it(info));
             own.map(|info| {
                 let rows = block.rows.iter().filter(|row| row.info == info);
-                rows.map(|row| off_by(row)).fold(0.0, f64::max) > 1.0
+                rows.map(|row| row.off_by()).fold(0.0, f64::max) > 1.0
             })
         });
         let is_off: Vec<bool> = methods.collect();
@@ -108,25 +109,6 @@ fn message(blocks: &[Block<'_>]) -> String {
         of(&|info| info.ours),
     ];
     format!("A pixel off somewhere: {narrow} formulas in f32, {wide} in f64, {ours} of Sightline's")
-}
-
-/// How far off a row's worst answer is, in pixels; 0 for ties.
-fn off_by(row: &Row) -> f64 {
-    if row.info.step.wrong_unit.is_empty() {
-        row.worst_error
-    } else {
-        row.worst_wrong
-    }
-}
-
-fn legend<B: DrawingBackend>(page: &Page<B>, y: i32) -> Drawn<B> {
-    let mut x = 48;
-    for (_, ink, text) in CLASSES {
-        square(page, (x, y), 44, ink)?;
-        words(page, text, (x + 60, y + 22), INK, Side::Right)?;
-        x += 120 + width(page, text)?;
-    }
-    Ok(())
 }
 
 fn square<B: DrawingBackend>(page: &Page<B>, (x, y): (i32, i32), side: i32, ink: Ink) -> Drawn<B> {
@@ -185,14 +167,14 @@ fn draw_block<B: DrawingBackend>(
 
 /// How far off a method is in a family: an index into [`CLASSES`].
 fn class(rows: &[&Row]) -> usize {
-    let px = rows.iter().map(|row| off_by(row)).fold(0.0, f64::max);
+    let px = rows.iter().map(|row| row.off_by()).fold(0.0, f64::max);
     let class = CLASSES.iter().position(|(most, ..)| px <= *most);
     class.unwrap_or(CLASSES.len() - 1)
 }
 
 /// The first value of the parameter at which a method fails.
 fn fails_from(rows: &[&Row]) -> Option<String> {
-    let Row { value, .. } = rows.iter().find(|row| off_by(row) > FAILS_PX)?;
+    let Row { value, .. } = rows.iter().find(|row| row.off_by() > FAILS_PX)?;
     Some(if (0.1..200.0).contains(value) {
         format!("{value}")
     } else {

@@ -28,7 +28,7 @@ mod prelude {
         Drawn,
         axis::Axis,
         colours::{FAINT, GREY, INK, Ink, NOBODY_SEES, QUIET, WARNING, colour, name},
-        page::{Page, Side, about, head, small_words, width, words},
+        page::{Page, Side, about, head, legend, small_words, width, words},
         panel::{Panel, mark, panel},
     };
     pub use crate::study::prelude::*;

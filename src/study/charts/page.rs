@@ -78,6 +78,20 @@ fn sized<B: DrawingBackend>(
     page.draw(&Text::new(text, at, style))
 }
 
+/// Draws a line of squares, each with what its colour means.
+pub fn legend<B: DrawingBackend>(
+    page: &Page<B>,
+    (mut x, y): (i32, i32),
+    all: &[(Ink, &str)],
+) -> Drawn<B> {
+    for (ink, text) in all {
+        page.draw(&Rectangle::new([(x, y), (x + 44, y + 42)], ink.filled()))?;
+        words(page, text, (x + 60, y + 21), INK, Side::Right)?;
+        x += 120 + width(page, text)?;
+    }
+    Ok(())
+}
+
 /// The width of words.
 pub fn width<B: DrawingBackend>(page: &Page<B>, text: &str) -> Result<i32, Failed<B>> {
     let (width, _) = page.estimate_text_size(text, &style(WORDS, INK, Side::Right))?;
@@ -119,9 +133,9 @@ pub fn heading<B: DrawingBackend>(part: &Page<B>, title: &str) -> Result<Page<B>
 
 /// How many cases and which processor stand behind a method's figures: for a page's lines.
 pub fn about(report: &Report, step: &str) -> String {
-    let rows = report.rows.iter().filter(|row| row.info.step.key == step);
-    let first = rows.clone().find(|row| row.info.ours).map(|row| row.info);
-    let own = rows.filter(|row| Some(row.info) == first);
-    let cases: usize = own.map(|row| row.cases).sum();
+    let all = report.summaries_of(step);
+    let ours = all.iter().find(|summary| summary.method.info.ours);
+    let rows = ours.into_iter().flat_map(|summary| &summary.rows);
+    let cases: usize = rows.map(|row| row.cases).sum();
     format!("{cases} rays a point; {}", crate::study::processor())
 }

@@ -7,6 +7,9 @@ use super::{
 };
 use plotters::element::DashedPathElement;
 
+/// Where a line ends, in the page's pixels, with its name and colour.
+pub type End = ((i32, i32), String, Ink);
+
 /// A frame with two axes and a mesh.
 pub struct Panel<'a, B: DrawingBackend> {
     /// The whole page, in whose pixels marks are drawn.
@@ -98,7 +101,7 @@ impl<B: DrawingBackend> Panel<'_, B> {
     }
 
     /// Names lines at their ends, to the right of the frame.
-    pub fn end_labels(&self, mut ends: Vec<((i32, i32), String, Ink)>) -> Drawn<B> {
+    pub fn end_labels(&self, mut ends: Vec<End>) -> Drawn<B> {
         let [_, top, right, bottom] = self.frame();
         ends.sort_by_key(|((_, y), ..)| *y);
         let wanted: Vec<i32> = ends.iter().map(|((_, y), ..)| *y).collect();
@@ -110,6 +113,53 @@ impl<B: DrawingBackend> Panel<'_, B> {
             words(self.page, &text, (right + 40, place), INK, Side::Right)?;
         }
         Ok(())
+    }
+
+    /// Draws a line for each method through its rows, `y` against their parameter; that of the method `wide` is wider.
+    /// The method's `own` rows are marked at a value of x. Returns the named lines' ends: a formula is named once, at its
+    /// wide line, else at its first.
+    pub fn curves(
+        &self,
+        rows: &[&Row],
+        y: impl Fn(&Row) -> Option<f64>,
+        wide: Option<(&str, Precision)>,
+        (own, here): (&[&Row], f64),
+    ) -> Result<Vec<End>, Failed<B>> {
+        let is_wide = |info: &MethodInfo| wide == Some(info.key());
+        // Sightline's covers all others except the wide one.
+        let mut infos = distinct(rows.iter().map(|row| row.info));
+        infos.sort_by_key(|info| (is_wide(info), info.ours, colour(info).is_some()));
+        let mut ends: Vec<End> = Vec::new();
+        for info in infos {
+            let points = rows.iter().filter(|row| row.info == info);
+            let points = points.filter_map(|row| Some([row.value, y(row)?]));
+            let points: Vec<[f64; 2]> = points.collect();
+            let ink = colour(&info).unwrap_or(GREY);
+            let width = match (is_wide(&info), info.ours, colour(&info)) {
+                (true, ..) => 12,
+                (_, true, _) => 8,
+                (_, _, Some(_)) => 6,
+                _ => 3,
+            };
+            self.line(&points, ink, width, info.precision == F32)?;
+            if is_wide(&info) {
+                ends.retain(|(_, known, _)| known != name(&info));
+            }
+            let is_named = ends.iter().any(|(_, known, _)| known == name(&info));
+            let has_name = colour(&info).is_some() || is_wide(&info);
+            if let Some([x, y]) = points.last()
+                && has_name
+                && !is_named
+            {
+                ends.push((self.at(*x, *y), name(&info).to_owned(), ink));
+            }
+            for row in own.iter().filter(|row| row.info == info) {
+                if let Some(y) = y(row) {
+                    mark(self.page, self.at(here, y), &info, ink, 15)?;
+                }
+            }
+        }
+        Ok(ends)
     }
 
     /// Draws a line through pairs of values: dashed, or solid.

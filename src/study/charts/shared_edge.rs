@@ -3,8 +3,12 @@
 //! geometric computations, CGTA 40(1), 2008.
 
 use super::prelude::*;
-use crate::{geometry::shares::on_all_cores, study::methods::triangles::RayTriangle};
+use crate::{
+    geometry::shares::on_all_cores,
+    study::{methods::triangles::RayTriangle, statistics::rate},
+};
 use glam::DVec3;
+use std::sync::OnceLock;
 
 /// Rays in a tile's row, and in its column.
 const SIDE: u32 = 96;
@@ -37,14 +41,13 @@ impl Tile {
     /// The share of rays that leak, in per cent.
     fn leaks(&self) -> f64 {
         let leaks = self.hits.iter().filter(|hits| **hits == 0).count();
-        100.0 * f64::from(u32::try_from(leaks).unwrap_or(0)) / f64::from(SIDE * SIDE)
+        100.0 * rate(leaks, self.hits.len())
     }
 }
 
 /// Draws the chart.
 pub fn draw<B: DrawingBackend>(page: &Page<B>) -> Drawn<B> {
     let tiles = tiles();
-    let is_wide = |tile: &&Tile| tile.info.precision != F32;
     let shown: Vec<&Tile> = tiles
         .iter()
         .filter(|tile| tile.info.precision == F32 || tile.info.ours)
@@ -64,7 +67,7 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>) -> Drawn<B> {
     );
     let rest = head(page, &message, &[line])?;
     let (left, top) = rest.get_base_pixel();
-    legend(page, (left + 8, top + 12))?;
+    legend(page, (left + 8, top + 12), &HITS)?;
     let side = SQUARE * i32::try_from(SIDE).unwrap_or(0);
     for (tile, i) in shown.iter().zip(0..) {
         let at = (
@@ -72,11 +75,8 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>) -> Drawn<B> {
             top + 140 + (side + 168) * (i / COLUMNS),
         );
         draw_tile(page, tile, at)?;
-        let wide = tiles
-            .iter()
-            .filter(is_wide)
-            .find(|wide| wide.info.name == tile.info.name);
-        let text = match wide.filter(|_| !tile.info.ours) {
+        let key = (tile.info.name, F64);
+        let text = match tiles.iter().find(|wide| wide.info.key() == key) {
             None => format!("leaks: {}", percent(tile.leaks())),
             Some(wide) => format!(
                 "leaks: {}; in f64: {}",
@@ -95,15 +95,6 @@ fn percent(value: f64) -> String {
     } else {
         format!("{value:.1} %")
     }
-}
-
-fn legend<B: DrawingBackend>(page: &Page<B>, (mut x, y): (i32, i32)) -> Drawn<B> {
-    for (ink, text) in HITS {
-        page.draw(&Rectangle::new([(x, y), (x + 44, y + 42)], ink.filled()))?;
-        words(page, text, (x + 60, y + 21), INK, Side::Right)?;
-        x += 120 + width(page, text)?;
-    }
-    Ok(())
 }
 
 fn draw_tile<B: DrawingBackend>(page: &Page<B>, tile: &Tile, (left, top): (i32, i32)) -> Drawn<B> {
@@ -125,7 +116,13 @@ fn draw_tile<B: DrawingBackend>(page: &Page<B>, tile: &Tile, (left, top): (i32, 
     Ok(())
 }
 
-fn tiles() -> Vec<Tile> {
+/// The tiles, computed once: no report changes them.
+fn tiles() -> &'static [Tile] {
+    static TILES: OnceLock<Vec<Tile>> = OnceLock::new();
+    TILES.get_or_init(made)
+}
+
+fn made() -> Vec<Tile> {
     let all = [F32, F64].map(cases);
     let mut methods: Vec<_> = TriangleCase::methods().collect();
     methods.retain(|method| {

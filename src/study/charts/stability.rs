@@ -53,12 +53,12 @@ fn message(panels: &[Vec<&Row>]) -> String {
     }
 }
 
-/// A row's error: of its values or, where the step decides, of its worst wrong decision; 0 for ties.
+/// A row's error; 0 for ties.
 fn error(row: &Row) -> f64 {
-    match row.info.step.wrong_unit {
-        "" => row.worst_error,
-        _ if row.worst_wrong < LEAST_PX => 0.0,
-        _ => row.worst_wrong,
+    let decides = !row.info.step.wrong_unit.is_empty();
+    match row.off_by() {
+        ..LEAST_PX if decides => 0.0,
+        off => off,
     }
 }
 
@@ -129,42 +129,9 @@ fn lines_of<B: DrawingBackend>(
     if step.wrong_unit == "px" || step.error_unit == "px" {
         panel.band([0.0, SEEN_PX], NOBODY_SEES)?;
     }
-    let keys = distinct(rows.iter().map(|row| row.info));
-    let is_wide = |info: &MethodInfo| scene.is_some_and(|(_, wide)| wide == Some(info.key()));
-    // Sightline's covers all others except the wide one.
-    let mut ordered: Vec<MethodInfo> = keys.clone();
-    ordered.sort_by_key(|info| (is_wide(info), info.ours, colour(info).is_some()));
-    let mut ends = Vec::new();
-    for info in ordered {
-        let points = rows.iter().filter(|row| row.info == info);
-        let points = points.map(|row| [row.value, error(row)]);
-        let points: Vec<[f64; 2]> = points.collect();
-        let ink = colour(&info).unwrap_or(GREY);
-        let width = match (is_wide(&info), info.ours, colour(&info)) {
-            (true, ..) => 12,
-            (_, true, _) => 8,
-            (_, _, Some(_)) => 6,
-            _ => 3,
-        };
-        panel.line(&points, ink, width, info.precision == F32)?;
-        // A formula is named once: at its wide line, else at its first.
-        if is_wide(&info) {
-            ends.retain(|(_, known, _)| known != name(&info));
-        }
-        let is_named = ends.iter().any(|(_, known, _)| known == name(&info));
-        let has_name = colour(&info).is_some() || is_wide(&info);
-        if let Some([x, y]) = points.last()
-            && has_name
-            && !is_named
-        {
-            ends.push((panel.at(*x, *y), name(&info).to_owned(), ink));
-        }
-        for row in own.iter().filter(|row| row.info == info) {
-            let (here, _) = scene.unwrap_or_default();
-            mark(page, panel.at(here, error(row)), &info, ink, 15)?;
-        }
-    }
-    if let Some((here, _)) = scene {
+    let (here, wide) = scene.unwrap_or_default();
+    let ends = panel.curves(&rows, |row| Some(error(row)), wide, (&own, here))?;
+    if scene.is_some() {
         mark_scene(&panel, here)?;
     }
     panel.end_labels(ends)
