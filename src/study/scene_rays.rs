@@ -1,6 +1,6 @@
 //! Makes workloads of a scene's own camera and rays. They tell which method the scene needs.
 
-use super::{methods::picks::PickWorld, random::Random};
+use super::random::Random;
 use crate::{
     camera::{Projection, View},
     geometry::{Placement, Ray},
@@ -8,12 +8,13 @@ use crate::{
     scene::{Object, Scene, Shape},
 };
 use glam::DVec2;
-use std::sync::Arc;
 
 /// Rays through random pixels of a scene's view, and their hits.
 #[derive(Debug)]
 pub struct SceneRays {
-    pub(super) world: Arc<PickWorld>,
+    /// With trees over all meshes that are worth one.
+    pub(super) scene: Scene,
+    pub(super) view: View,
     /// Pixel centres.
     pub(super) at: Vec<DVec2>,
     /// The rays through these pixels that hit something, each with its nearest hit.
@@ -24,17 +25,18 @@ pub struct SceneRays {
 impl SceneRays {
     /// Rays through `count` random pixels of a scene's view.
     pub fn new(scene: &Scene, view: View, count: usize, seed: u64) -> Self {
-        let world = Arc::new(PickWorld::new(scene, view));
+        scene.build_trees();
         let mut random = Random::named(seed, &["scene"]);
         let pixels = (0..count).map(|_| random.pixel(view.viewport.size_px()));
         let at: Vec<DVec2> = pixels.collect();
         let hit = |px: &DVec2| {
             let ray = *view.ray(*px);
-            Some((ray, pick::closest(&world.scene, ray, view.sides)?))
+            Some((ray, pick::closest(scene, ray, view.sides)?))
         };
         let hits = at.iter().filter_map(hit).collect();
         Self {
-            world,
+            scene: scene.clone(),
+            view,
             at,
             hits,
             seed,
@@ -43,25 +45,25 @@ impl SceneRays {
 
     /// [`px_angle`] in the scene's view. With parallel rays a hit may lie behind the eye.
     pub(super) fn px(&self, distance: f64) -> f64 {
-        px_angle(&self.world.view, distance.abs())
+        px_angle(&self.view, distance.abs())
     }
 
     /// Every ray that hits, with the object and the hit.
     pub(super) fn objects(&self) -> impl Iterator<Item = (&Ray, &Object, &SceneHit)> {
-        let (objects, hits) = (self.world.scene.objects(), self.hits.iter());
+        let (objects, hits) = (self.scene.objects(), self.hits.iter());
         hits.map(|(ray, hit)| (ray, &objects[hit.object], hit))
     }
 
     /// Every ray in world space with a random visible object of a wanted shape, hit or not, and [`px_angle`] at its
     /// distance.
     pub(super) fn rays_at(&self, wanted: fn(&Shape) -> bool) -> Vec<(&Placement, Ray, f64)> {
-        let objects = self.world.scene.objects().iter();
+        let objects = self.scene.objects().iter();
         let objects: Vec<_> = objects.filter(|o| o.visible && wanted(&o.shape)).collect();
         let mut random = Random::named(self.seed, &["objects"]);
         let rays = self.at.iter().filter(|_| !objects.is_empty());
         rays.map(|px| {
             let object = objects[random.below(objects.len())];
-            let ray = self.world.view.ray(*px);
+            let ray = self.view.ray(*px);
             let distance = object.placement.model().translation.distance(ray.origin);
             (&object.placement, *ray, self.px(distance))
         })

@@ -17,8 +17,9 @@ pub struct Axis {
     ends: [f64; 2],
     /// Values, each with its words.
     ticks: Vec<(f64, String)>,
-    /// Where 0 stands, scaled.
+    /// Where 0 and infinity stand, scaled.
     none: Option<f64>,
+    all: Option<f64>,
 }
 
 impl Axis {
@@ -43,7 +44,7 @@ impl Axis {
             ..9.0 => 2,
             _ => 3,
         };
-        let within: &[f64] = if decades < 3.0 {
+        let within: &[f64] = if decades < 2.0 {
             &[1.0, 2.0, 5.0]
         } else {
             &[1.0]
@@ -59,6 +60,7 @@ impl Axis {
             ends,
             ticks: ticks.filter(is_within).collect(),
             none: None,
+            all: None,
         }
     }
 
@@ -72,16 +74,27 @@ impl Axis {
             ends: [0.0, most],
             ticks: ticks.map(|value| (value, number(value))).collect(),
             none: None,
+            all: None,
         }
     }
 
-    /// With room before the first end, as a share of the axis: 0 stands there, under these words.
+    /// With room before the first end, as a share of the axis and after a gap: 0 stands there, under these words.
     pub fn with_none(mut self, share: f64, words: &str) -> Self {
-        let room = (self.ends[1] - self.ends[0]) * share / (1.0 - share);
-        let none = self.ends[0] - 0.5 * room;
-        self.ends[0] -= room;
+        const GAP: f64 = 0.03;
+        let length = (self.ends[1] - self.ends[0]) / (1.0 - share - GAP);
+        self.ends[0] -= (share + GAP) * length;
+        let none = self.ends[0] + 0.5 * share * length;
         self.ticks.push((0.0, words.to_owned()));
         self.none = Some(none);
+        self
+    }
+
+    /// With room after the last end: infinity stands there, under these words.
+    pub fn with_all(mut self, share: f64, words: &str) -> Self {
+        let room = (self.ends[1] - self.ends[0]) * share / (1.0 - share);
+        self.all = Some(self.ends[1] + 0.5 * room);
+        self.ends[1] += room;
+        self.ticks.push((f64::INFINITY, words.to_owned()));
         self
     }
 
@@ -104,10 +117,11 @@ impl Axis {
     }
 
     fn scaled(&self, value: f64) -> f64 {
-        match (self.none, self.is_log) {
-            (Some(none), _) if value == 0.0 => none,
-            (_, true) => libm::log10(value),
-            (_, false) => value,
+        match (value, self.none, self.all) {
+            (0.0, Some(none), _) => none,
+            (f64::INFINITY, _, Some(all)) => all,
+            _ if self.is_log => libm::log10(value),
+            _ => value,
         }
     }
 }

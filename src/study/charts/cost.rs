@@ -14,7 +14,7 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>, report: &Report) -> Drawn<B> {
         "Above: against the share of rays that hit. Below: against the share of rays aimed at an edge or an outline, which f64 can't decide. \
          Dashed: f32; solid: f64 or exact."
             .to_owned(),
-        about(report, "triangle"),
+        about(report, "triangle", true),
     ];
     let rest = head(page, &message(&timed().collect::<Vec<_>>()), &lines)?;
     let parts = rest.split_evenly((2, 3));
@@ -44,7 +44,7 @@ fn message(rows: &[&Row]) -> String {
     };
     match [0.0, 0.01, 1.0].map(ours) {
         [Some(none), Some(few), Some(all)] => format!(
-            "Certainty about a triangle takes {none:.0} ns, {few:.0} ns with 1 % of rays at edges, {:.1} us with all there",
+            "Certainty about a triangle takes {none:.0} ns, {few:.0} ns where 1 % of rays meet an edge, {:.1} us where all do",
             all / 1e3
         ),
         _ => "What certainty costs".to_owned(),
@@ -60,8 +60,14 @@ fn step_panel<B: DrawingBackend>(
     let Some(first) = rows.first() else {
         return Ok(());
     };
-    let x = Axis::linear(first.parameter, 1.0, 0.25);
-    let panel = panel(page, part, first.info.step.name, [x, y], 390)?;
+    let x = if first.family == AT_EDGES {
+        // Most is told by the smallest shares.
+        Axis::powers_of_ten(first.parameter, rows.iter().map(|row| row.value)).with_none(0.2, "0")
+    } else {
+        Axis::linear(first.parameter, 1.0, 0.25)
+    };
+    let title = format!("{}: {}", first.info.step.name, first.family);
+    let panel = panel(page, part, &title, [x, y], 390)?;
     let ends = panel.curves(rows, |row| Some(row.time?.ns), None, (&[], 0.0))?;
     panel.end_labels(ends)
 }

@@ -35,7 +35,7 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>) -> Drawn<B> {
         points.iter().map(|[_, share]| *share).reduce(f64::max)
     };
     let message = format!(
-        "Reversed float depth tells apart {:.0e} of any distance; standard 24-bit depth, {:.0} % of the far one",
+        "Reversed float depth has steps of {:.0e} of any distance; standard 24-bit depth, of up to {:.0} %",
         worst(OURS).unwrap_or_default(),
         100.0 * worst("standard, 24-bit integer").unwrap_or_default(),
     );
@@ -53,7 +53,7 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>) -> Drawn<B> {
             .flat_map(|(_, _, points)| points)
             .map(|[_, share]| *share)
     };
-    let y = Axis::powers_of_ten("least step / depth", shares()).wider([0.2, 0.5]);
+    let y = Axis::powers_of_ten("step / depth (less is better)", shares()).wider([0.2, 0.5]);
     let panel = panel(page, &below, "", [x, y], 760)?;
     let mut ends = Vec::new();
     for (name, width, points) in &curves {

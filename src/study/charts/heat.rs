@@ -4,11 +4,11 @@ use super::{page::heading, prelude::*};
 
 /// Width of half a cell, a formula in `f32` on the left, in `f64` or exact on the right; and height of a row.
 const HALF: i32 = 68;
-const ROW: i32 = 40;
+const ROW: i32 = 38;
 /// Width of the methods' names, height of a line of the families' names, and of a block's title.
 const NAMES: i32 = 480;
-const LINE: i32 = 36;
-const TITLE: i32 = 64;
+const LINE: i32 = 32;
+const TITLE: i32 = 58;
 /// Where the second column of blocks begins.
 const RIGHT: i32 = 1760;
 /// An answer further off than this fails.
@@ -22,7 +22,11 @@ const CLASSES: [(f64, Ink, &str); 4] = [
         "never wrong, or at ties only",
     ),
     (0.01, RGBColor(0xfb, 0xdf, 0x9c), "by less than 0.01 px"),
-    (1.0, RGBColor(0xee, 0x8a, 0x3a), "by less than 1 px"),
+    (
+        FAILS_PX,
+        RGBColor(0xee, 0x8a, 0x3a),
+        "by less than half a pixel",
+    ),
     (f64::INFINITY, RGBColor(0x8e, 0x16, 0x1c), "by more"),
 ];
 
@@ -50,7 +54,7 @@ impl<'a> Block<'a> {
     /// The height of its title and its families' names.
     fn head(&self) -> i32 {
         let lines = self.families.iter().map(|family| wrapped(family).len());
-        TITLE + LINE * whole(lines.max().unwrap_or(0)) + 10
+        TITLE + LINE * whole(1 + lines.max().unwrap_or(0)) + 10
     }
 
     fn height(&self) -> i32 {
@@ -69,8 +73,8 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>, report: &Report) -> Drawn<B> {
     let blocks = steps.into_iter().map(|step| Block::new(report, step));
     let mut blocks: Vec<Block<'_>> = blocks.collect();
     let line = format!(
-        "Number: from which value of the parameter on an answer is off by more than {FAILS_PX} px. Left f32, right f64 or exact. {}",
-        about(report, "triangle")
+        "Number: from which value of the parameter on an answer is off by more than half a pixel. {}",
+        about(report, "triangle", true)
     );
     let rest = head(page, &message(&blocks), &[line])?;
     let (left, top) = rest.get_base_pixel();
@@ -88,7 +92,7 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>, report: &Report) -> Drawn<B> {
     Ok(())
 }
 
-/// How many formulas are off by a pixel somewhere.
+/// How many formulas are off by half a pixel somewhere.
 fn message(blocks: &[Block<'_>]) -> String {
     let of = |is_it: &dyn Fn(&MethodInfo) -> bool| {
         let methods = blocks.iter().flat_map(|block| {
@@ -96,7 +100,7 @@ fn message(blocks: &[Block<'_>]) -> String {
             let own = infos.into_iter().filter(|info| is_it(info));
             own.map(|info| {
                 let rows = block.rows.iter().filter(|row| row.info == info);
-                rows.map(|row| row.off_by()).fold(0.0, f64::max) > 1.0
+                rows.map(|row| row.off_by()).fold(0.0, f64::max) > FAILS_PX
             })
         });
         let is_off: Vec<bool> = methods.collect();
@@ -105,10 +109,12 @@ fn message(blocks: &[Block<'_>]) -> String {
     };
     let [narrow, wide, ours] = [
         of(&|info| info.precision == F32),
-        of(&|info| info.precision == F64 && !info.ours),
+        of(&|info| info.precision != F32 && !info.ours),
         of(&|info| info.ours),
     ];
-    format!("A pixel off somewhere: {narrow} formulas in f32, {wide} in f64, {ours} of Sightline's")
+    format!(
+        "Half a pixel off somewhere: {narrow} formulas in f32, {wide} in f64 or exact, {ours} of Sightline's"
+    )
 }
 
 fn square<B: DrawingBackend>(page: &Page<B>, (x, y): (i32, i32), side: i32, ink: Ink) -> Drawn<B> {
@@ -136,7 +142,10 @@ fn draw_block<B: DrawingBackend>(
     {
         let lines = wrapped(family);
         for (line, up) in lines.iter().rev().zip(0..) {
-            small_words(page, line, (x + HALF, top - 22 - LINE * up), QUIET)?;
+            small_words(page, line, (x + HALF, top - 22 - LINE * (1 + up)), QUIET)?;
+        }
+        for (precision, x) in [("f32", x), ("f64", x + HALF)] {
+            small_words(page, precision, (x + HALF / 2, top - 22), QUIET)?;
         }
         for (method, y) in block.methods.iter().zip(rows()) {
             let own = block.rows.iter().copied();

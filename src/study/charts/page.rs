@@ -131,11 +131,15 @@ pub fn heading<B: DrawingBackend>(part: &Page<B>, title: &str) -> Result<Page<B>
     Ok(part.margin(60, 0, 0, 0))
 }
 
-/// How many cases and which processor stand behind a method's figures: for a page's lines.
-pub fn about(report: &Report, step: &str) -> String {
+/// How many rays of a step stand behind a point, and which processor: for a page's lines. A point is a method's, or a
+/// method's at one value of a parameter.
+pub fn about(report: &Report, step: &str, is_of_one_value: bool) -> String {
     let all = report.summaries_of(step);
     let ours = all.iter().find(|summary| summary.method.info.ours);
     let rows = ours.into_iter().flat_map(|summary| &summary.rows);
-    let cases: usize = rows.map(|row| row.cases).sum();
+    let cases: usize = rows
+        .map(|row| row.cases)
+        .take(if is_of_one_value { 1 } else { usize::MAX })
+        .sum();
     format!("{cases} rays a point; {}", crate::study::processor())
 }

@@ -66,6 +66,19 @@ impl<B: DrawingBackend> Panel<'_, B> {
         self.page.draw(&Rectangle::new(area, ink.filled()))
     }
 
+    /// Draws a line at a value of y, with words above its right or left end.
+    pub fn level(&self, y: f64, text: &str, end: Side) -> Drawn<B> {
+        let [left, _, right, _] = self.frame();
+        let (_, y) = self.at(1.0, y);
+        let line = PathElement::new([(left, y), (right, y)], QUIET.stroke_width(2));
+        self.page.draw(&line)?;
+        let (x, side) = match end {
+            Side::Left => (left + 12, Side::Right),
+            _ => (right - 12, Side::Left),
+        };
+        words(self.page, text, (x, y - 28), QUIET, side)
+    }
+
     /// The height of the room for 0, in pixels.
     fn room(&self) -> i32 {
         let [_, _, _, bottom] = self.frame();

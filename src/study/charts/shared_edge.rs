@@ -48,10 +48,19 @@ impl Tile {
 /// Draws the chart.
 pub fn draw<B: DrawingBackend>(page: &Page<B>) -> Drawn<B> {
     let tiles = tiles();
-    let shown: Vec<&Tile> = tiles
-        .iter()
-        .filter(|tile| tile.info.precision == F32 || tile.info.ours)
-        .collect();
+    // Of a formula's two precisions, the one that leaks more.
+    let other = |tile: &Tile| {
+        let mut same = tiles
+            .iter()
+            .filter(|other| other.info.name == tile.info.name);
+        same.find(|other| other.info.precision != tile.info.precision)
+    };
+    let is_shown = |tile: &&Tile| match (other(tile), tile.info.precision) {
+        (None, _) => true,
+        (Some(wide), F32) => tile.leaks() >= wide.leaks(),
+        (Some(narrow), _) => tile.leaks() > narrow.leaks(),
+    };
+    let shown: Vec<&Tile> = tiles.iter().filter(is_shown).collect();
     let leaking = tiles.iter().filter(|tile| tile.leaks() > 0.0);
     let (ours, theirs): (Vec<_>, Vec<_>) =
         leaking.map(|tile| tile.info).partition(|info| info.ours);
@@ -61,30 +70,34 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>) -> Drawn<B> {
         distinct(theirs.iter().map(|info| info.name)).len(),
         if ours.is_empty() { "none" } else { "too" }
     );
-    let line = format!(
-        "{SIDE} x {SIDE} rays at an edge that two triangles share; neighbours differ by the smallest step of f32. Below each: the share that hits neither, \
-         and the same in f64 at f64's steps."
-    );
-    let rest = head(page, &message, &[line])?;
+    let lines = [
+        format!("{SIDE} x {SIDE} rays at an edge that two triangles share; neighbours differ by the smallest step."),
+        "Each formula in the precision that leaks more, at that precision's steps. Below: the share that hits neither."
+            .to_owned(),
+    ];
+    let rest = head(page, &message, &lines)?;
     let (left, top) = rest.get_base_pixel();
     legend(page, (left + 8, top + 12), &HITS)?;
     let side = SQUARE * i32::try_from(SIDE).unwrap_or(0);
     for (tile, i) in shown.iter().zip(0..) {
         let at = (
             left + 8 + (side + 44) * (i % COLUMNS),
-            top + 140 + (side + 168) * (i / COLUMNS),
+            top + 140 + (side + 154) * (i / COLUMNS),
         );
         draw_tile(page, tile, at)?;
-        let key = (tile.info.name, F64);
-        let text = match tiles.iter().find(|wide| wide.info.key() == key) {
-            None => format!("leaks: {}", percent(tile.leaks())),
-            Some(wide) => format!(
-                "leaks: {}; in f64: {}",
-                percent(tile.leaks()),
-                percent(wide.leaks())
+        let leaks = percent(tile.leaks());
+        let text = match other(tile) {
+            None => format!("leaks: {leaks}"),
+            Some(other) => format!(
+                "{} leaks: {leaks}; {}: {}",
+                tile.info.precision,
+                other.info.precision,
+                percent(other.leaks())
             ),
         };
-        words(page, &text, (at.0, at.1 + side + 30), QUIET, Side::Right)?;
+        let (leak, _) = HITS[0];
+        let ink = if tile.leaks() > 0.0 { leak } else { QUIET };
+        words(page, &text, (at.0, at.1 + side + 30), ink, Side::Right)?;
     }
     Ok(())
 }

@@ -28,7 +28,7 @@ pub fn draw<B: DrawingBackend>(page: &Page<B>, report: &Report) -> Drawn<B> {
         "Each panel makes one thing worse from left to right. Dashed: f32; solid: f64 or exact; grey: other known methods. Green: less than 1e-3 px, \
          which nobody sees."
             .to_owned(),
-        format!("Spheres: in per cent of the sphere's size in the picture. {}", about(report, "triangle")),
+        format!("Spheres: in per cent of the sphere's size in the picture. {}", about(report, "triangle", true)),
     ];
     let rest = head(page, &message(&panels), &lines)?;
     for (rows, part) in panels.iter().zip(rest.split_evenly((2, 3))) {
@@ -46,7 +46,7 @@ fn message(panels: &[Vec<&Row>]) -> String {
     let worst = ours.map(|row| error(row)).reduce(f64::max);
     match rows().find(is_off).zip(worst) {
         Some((row, worst)) => format!(
-            "In f32 an unprojected ray is a pixel off from {} target distances on; Sightline's {worst:.0e} px",
+            "A ray by inverse(P V) in f32 is a pixel off from {} target distances on, Sightline's {worst:.0e} px",
             row.value
         ),
         None => "Where each method breaks".to_owned(),
@@ -120,14 +120,24 @@ fn lines_of<B: DrawingBackend>(
     };
     let is_down = rows.first().map(|row| row.value) > rows.last().map(|row| row.value);
     let errors = || rows.iter().chain(&own).map(|row| error(row));
-    let mut y = Axis::powers_of_ten(unit, errors().chain([SEEN_PX]));
+    let is_in_px = !is_of_size && [step.wrong_unit, step.error_unit].contains(&"px");
+    let marks = if is_in_px {
+        [SEEN_PX, 2.0]
+    } else {
+        [SEEN_PX; 2]
+    };
+    let mut y = Axis::powers_of_ten(unit, errors().chain(marks));
     if errors().any(|error| error == 0.0) {
         y = y.with_none(0.1, "0");
     }
+    if errors().any(|error| error == f64::INFINITY) {
+        y = y.with_all(0.1, "fails");
+    }
     let title = format!("{}: {}", step.name, first.family);
     let panel = panel(page, part, &title, [x.turned(is_down), y], LABELS)?;
-    if step.wrong_unit == "px" || step.error_unit == "px" {
+    if is_in_px {
         panel.band([0.0, SEEN_PX], NOBODY_SEES)?;
+        panel.level(1.0, "one pixel", Side::Left)?;
     }
     let (here, wide) = scene.unwrap_or_default();
     let ends = panel.curves(&rows, |row| Some(error(row)), wide, (&own, here))?;

@@ -107,7 +107,7 @@ impl Case for ClipCase {
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        let camera = &scene.world.view.camera;
+        let camera = &scene.view.camera;
         let case = |(ray, hit): &(Ray, SceneHit)| Self::of_camera(camera, *ray, hit.hit.t);
         scene.hits.iter().map(case).collect()
     }

@@ -83,7 +83,7 @@ impl Case for DepthCase {
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        let camera = &scene.world.view.camera;
+        let camera = &scene.view.camera;
         let case = |(ray, hit): &(Ray, SceneHit)| Self::of_hit(camera, ray, hit.hit.t);
         scene.hits.iter().map(case).collect()
     }

@@ -24,8 +24,7 @@ use std::{
     time::Instant,
 };
 
-/// A scene as each kind of method picks from it. What only whole picks need is made once one of them asks for it: the
-/// other steps take their cases from the same scene.
+/// A scene as each kind of method picks from it, made once one of them asks for it.
 #[derive(Debug)]
 pub struct PickWorld {
     /// With trees over all meshes that are worth one.
@@ -134,7 +133,8 @@ impl Case for PickCase {
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         // Methods without a tree are slow, and so is truth.
         const MOST: usize = 256;
-        let case = |px: &DVec2| Self::new(&scene.world, *px);
+        let world = Arc::new(PickWorld::new(&scene.scene, scene.view));
+        let case = |px: &DVec2| Self::new(&world, *px);
         scene.at.iter().take(MOST).map(case).collect()
     }
 
@@ -219,32 +219,5 @@ impl PickCase {
     fn by(&self, chain: Chain) -> Picked {
         let hit = self.world.held(chain).pick(self.px)?.hit;
         Some((hit.object, hit.triangle_of_object(&self.world.scene)))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::study::run::family;
-
-    /// Cases of one triangle are taken from a scene that nobody draws or holds in other numbers.
-    #[test]
-    fn only_whole_picks_draw_the_scene_and_hold_it() {
-        let (scene, view) = ball_scene(0.0);
-        let rays = SceneRays::new(&scene, view, 20, 1);
-        let world = &rays.world;
-        let held = || {
-            world
-                .held
-                .iter()
-                .filter(|held| held.get().is_some())
-                .count()
-        };
-        let rows = family::<TriangleCase>(SCENE, Effort::QUICK, Some(&rays), &|| true);
-        assert!(rows.is_some_and(|rows| !rows.is_empty()));
-        assert_eq!((held(), world.ids.get()), (0, None));
-        let rows = family::<PickCase>(SCENE, Effort::QUICK, Some(&rays), &|| true);
-        assert!(rows.is_some_and(|rows| !rows.is_empty()));
-        assert!(held() == Chain::COUNT && world.ids.get().is_some());
     }
 }

@@ -208,7 +208,7 @@ impl Case for PixelCase {
     const FAMILIES: &'static [Family<Self>] = workloads::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        let case = |px: &DVec2| Self::of_view(&scene.world.view, *px);
+        let case = |px: &DVec2| Self::of_view(&scene.view, *px);
         scene.at.iter().map(case).collect()
     }
 
