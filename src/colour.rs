@@ -1,8 +1,9 @@
 //! Colours in sRGB, as files and screens have them, and in linear light, which can be added.
 
-use std::sync::LazyLock;
+use serde::{Serialize, Serializer};
+use std::{fmt, sync::LazyLock};
 
-/// An sRGB colour, 8 bits a channel: what MTL's `Kd`, scene files and pictures hold.
+/// An sRGB colour, 8 bits a channel: what MTL's `Kd`, scene files and pictures hold. As text: `#rrggbb`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Srgb(pub [u8; 3]);
 
@@ -31,6 +32,19 @@ impl Srgb {
     /// As linear light, in `[0, 1]`.
     pub fn to_linear(self) -> [f32; 3] {
         self.0.map(|c| LIGHT[usize::from(c)])
+    }
+}
+
+impl fmt::Display for Srgb {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self([r, g, b]) = self;
+        write!(f, "#{r:02x}{g:02x}{b:02x}")
+    }
+}
+
+impl Serialize for Srgb {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 

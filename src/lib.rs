@@ -153,9 +153,9 @@
 //! Imports point one way: `geometry` <- `camera` <- `scene` <- `pick`, `render` <- `verify`, `study` <- `viewer` <-
 //! `cli`; modules of one step do not import each other. Only `render` and `viewer` know wgpu; only `viewer` knows winit
 //! and egui. The core (above) uses nothing of the other modules, and `scene` nothing of `scene/files`. `colour`,
-//! `image`, `json`, `look` (light, and what each colour means) and `replace` (writes a file whole or not at all) stand
-//! beside these and import none of them, except that an image has a `camera::Viewport` and may stand on a
-//! `look::Background`. `tests/imports` checks all of this.
+//! `image`, `plain` (names on one line), `json`, `look` (light, and what each colour means) and `replace` (writes a file
+//! whole or not at all) stand beside these and import none of them, except that an image has a `camera::Viewport` and may
+//! stand on a `look::Background`. `tests/imports` checks all of this.
 //!
 //! # Where to look
 //!
@@ -264,6 +264,8 @@ pub mod image;
 mod json;
 pub mod look;
 pub mod pick;
+#[cfg(feature = "files")]
+mod plain;
 #[cfg(feature = "render")]
 pub mod render;
 #[cfg(feature = "files")]

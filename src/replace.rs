@@ -1,9 +1,11 @@
 //! Writes files whole or not at all.
 
 use std::{
+    collections::BTreeSet,
     fs::{self, File, Metadata},
     io::{self, BufWriter, ErrorKind, Write},
     path::{Path, PathBuf},
+    sync::{Mutex, MutexGuard, PoisonError},
 };
 use tempfile::NamedTempFile;
 
@@ -11,12 +13,49 @@ use tempfile::NamedTempFile;
 pub(crate) struct Written {
     target: PathBuf,
     /// `None` for what was written directly.
-    beside: Option<NamedTempFile>,
+    beside: Option<Unfinished>,
+}
+
+/// A temporary file. It is removed when dropped, and by [`remove_unfinished`], which may find it gone.
+struct Unfinished {
+    path: PathBuf,
+    file: NamedTempFile,
+}
+
+/// The paths of all [`Unfinished`] files, and of some that were dropped.
+static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Unfinished {
+    fn new(file: NamedTempFile) -> Self {
+        let path = file.path().to_owned();
+        unfinished().insert(path.clone());
+        Self { path, file }
+    }
+
+    /// Renames it. Where that fails, it is removed.
+    fn put(self, target: &Path) -> io::Result<()> {
+        let placed = self.file.persist(target);
+        unfinished().remove(&self.path);
+        placed.map(|_| ()).map_err(|error| error.error)
+    }
+}
+
+/// Removes the files that are being written: the program is about to end.
+pub(crate) fn remove_unfinished() {
+    for path in &*unfinished() {
+        // It ends anyway.
+        let _ = fs::remove_file(path);
+    }
 }
 
 /// Writes a temporary file beside `path` and renames it to `path` once it is complete and on the disk. On any failure,
 /// also of `write`, `path` keeps its contents and the temporary file is removed. A link stays: its target is replaced.
-/// A read-only file stays as it is. A path that is no regular file, such as a pipe, is written directly.
+/// A read-only file stays as it is. A path that is no regular file, such as a pipe, is written directly, and so is
+/// standard output, which is called `-`.
 ///
 /// # Errors
 /// The system's error, or that of `write`.
@@ -36,17 +75,23 @@ pub(crate) fn write_beside(
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<Written> {
     let target = target(path);
+    let mut beside = None;
+    if is_stdout(path) {
+        write_all(&mut io::stdout().lock(), write)?;
+        return Ok(Written { target, beside });
+    }
     let before = fs::metadata(&target).ok();
     // A rename checks only the permissions of the folder.
     let is_fixed = |old: &Metadata| old.permissions().readonly();
     if before.as_ref().is_some_and(is_fixed) {
         return Err(ErrorKind::PermissionDenied.into());
     }
-    let mut beside = None;
     if before.as_ref().is_some_and(|old| !old.is_file()) {
         write_all(&mut File::create(&target)?, write)?;
     } else {
-        let new = beside.insert(new_file(folder_of(&target))?);
+        let new = &mut beside
+            .insert(Unfinished::new(new_file(folder_of(&target))?))
+            .file;
         if let Some(old) = before {
             new.as_file().set_permissions(old.permissions())?;
         }
@@ -57,10 +102,10 @@ pub(crate) fn write_beside(
 }
 
 fn write_all(
-    file: &mut File,
+    to: &mut dyn Write,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
-    let mut out = BufWriter::new(file);
+    let mut out = BufWriter::new(to);
     write(&mut out)?;
     out.flush()
 }
@@ -71,11 +116,16 @@ impl Written {
     /// # Errors
     /// The system's error.
     pub fn put_in_place(self) -> io::Result<()> {
-        if let Some(beside) = self.beside {
-            beside.persist(&self.target).map_err(|error| error.error)?;
+        match self.beside {
+            Some(unfinished) => unfinished.put(&self.target),
+            None => Ok(()),
         }
-        Ok(())
     }
+}
+
+/// Whether a path means standard output.
+pub(crate) fn is_stdout(path: &Path) -> bool {
+    path == "-"
 }
 
 /// The file that a path leads to, through links. It need not exist.

@@ -59,7 +59,7 @@ complete -c sightline -n "__fish_sightline_needs_command" -a "verify" -d 'Compar
 complete -c sightline -n "__fish_sightline_needs_command" -a "doctor" -d 'Say what this machine draws with and what its adapters can do: the text for a bug report'
 complete -c sightline -n "__fish_sightline_needs_command" -a "completions" -d 'Print what makes a shell complete commands and flags'
 complete -c sightline -n "__fish_sightline_needs_command" -a "help" -d 'Print this message or the help of the given subcommand(s)'
-complete -c sightline -n "__fish_sightline_using_subcommand render" -s o -l output -d 'The PNG file to write' -r -F
+complete -c sightline -n "__fish_sightline_using_subcommand render" -s o -l output -d 'The PNG file to write; - writes it to standard output' -r -F
 complete -c sightline -n "__fish_sightline_using_subcommand render" -l by -d 'What draws: the graphics adapter, or rays on the CPU [default: the adapter; rays where none draws]' -r -f -a "raster\t'The graphics adapter'
 raycast\t'One ray per pixel, on the CPU'"
 complete -c sightline -n "__fish_sightline_using_subcommand render" -l pick -d 'Draw the object at this position as selected' -r

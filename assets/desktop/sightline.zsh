@@ -50,8 +50,8 @@ _sightline() {
         case $line[2] in
             (render)
 _arguments "${_arguments_options[@]}" : \
-'-o+[The PNG file to write]:FILE.png:_files' \
-'--output=[The PNG file to write]:FILE.png:_files' \
+'-o+[The PNG file to write; - writes it to standard output]:FILE.png:_files' \
+'--output=[The PNG file to write; - writes it to standard output]:FILE.png:_files' \
 '--by=[What draws\: the graphics adapter, or rays on the CPU \[default\: the adapter; rays where none draws\]]:BY:((raster\:"The graphics adapter"
 raycast\:"One ray per pixel, on the CPU"))' \
 '--pick=[Draw the object at this position as selected]:X,Y:_default' \

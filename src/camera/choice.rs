@@ -12,7 +12,11 @@ use std::cell::LazyCell;
 /// The parts of a camera that the user chose; `None` leaves a field to the next source. World space and units; angles
 /// in degrees.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(
+    deny_unknown_fields,
+    default,
+    expecting = "a camera, which begins with [camera]"
+)]
 pub struct CameraChoice {
     /// Where the eye stands.
     #[serde(deserialize_with = "some_vector")]

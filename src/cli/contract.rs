@@ -44,6 +44,7 @@ of each of \"hits\":
   triangle         of the object, from 0; null for sphere, cube and square
   material         the triangle's, as its OBJ file calls it; null where the file
                    names none
+  colour           the surface's at the point, as #rrggbb, without light
   front            whether the surface is seen from outside
   t, depth         where on the ray: depth along F, from the eye; rounded once,
                    but never up to far

@@ -3,7 +3,7 @@
 use super::{CliError, print, terminal::start_log};
 use crate::{
     geometry::shares,
-    json::plain,
+    plain::plain,
     render::{self, AdapterCan, AdapterFound, GpuError, Numbers},
     viewer,
 };

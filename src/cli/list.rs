@@ -2,8 +2,9 @@
 
 use super::{CliError, SceneArgs, load_with};
 use crate::{
+    colour::Srgb,
     geometry::Aabb,
-    json,
+    json, plain,
     scene::{Detail, Scene},
 };
 use glam::DVec3;
@@ -36,6 +37,10 @@ struct Line<'a> {
     /// `None` for analytic shapes.
     triangles: Option<usize>,
     visible: bool,
+    /// The name of its material; `None` where its file gives none, or it has several.
+    material: Option<&'a str>,
+    /// Its colour; `None` where it has several.
+    colour: Option<Srgb>,
     /// `None` for a mesh without triangles.
     bounds: Option<Bounds>,
 }
@@ -49,7 +54,12 @@ struct Bounds {
 
 /// Prints the list.
 pub(super) fn run(args: &ListArgs) -> Result<(), CliError> {
-    let loaded = load_with(&args.scene, Detail::Shapes)?;
+    let detail = if args.json {
+        Detail::Picked
+    } else {
+        Detail::Shapes
+    };
+    let loaded = load_with(&args.scene, detail)?;
     let mut out = BufWriter::new(std::io::stdout().lock());
     let written = if args.json {
         lines(&loaded.scene).try_for_each(|line| json::write_line(&mut out, &line))
@@ -62,12 +72,15 @@ pub(super) fn run(args: &ListArgs) -> Result<(), CliError> {
 fn lines(scene: &Scene) -> impl Iterator<Item = Line<'_>> {
     (0..).zip(scene.objects()).map(|(index, object)| {
         let Aabb { min, max } = scene.bounds_of(index);
+        let (material, colour) = object.one_material().unzip();
         Line {
             id: index + 1,
             name: &object.name,
             shape: object.shape.kind(),
             triangles: object.shape.triangles().map(|triangles| triangles.len()),
             visible: object.visible,
+            material: material.flatten(),
+            colour,
             bounds: (!scene.bounds_of(index).is_empty()).then_some(Bounds { min, max }),
         }
     })
@@ -110,7 +123,7 @@ fn write_table(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
 fn cells(line: &Line, places: usize) -> [String; 5] {
     [
         line.id.to_string(),
-        line.name.escape_debug().to_string() + if line.visible { "" } else { " (hidden)" },
+        plain::plain(line.name) + if line.visible { "" } else { " (hidden)" },
         line.shape.to_owned(),
         line.triangles
             .map_or("-".to_owned(), |count| count.to_string()),

@@ -15,6 +15,7 @@ mod error;
 mod list;
 mod pick;
 mod render;
+mod signals;
 mod stored;
 mod study;
 mod terminal;
@@ -131,6 +132,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
 }
 
 fn run_command(cli: &Cli) -> Result<(), CliError> {
+    signals::clean_up_on_signals();
     match &cli.command {
         Some(Command::Render(args)) => render::run(args),
         Some(Command::Pick(args)) => pick::run(args),
@@ -158,9 +160,13 @@ fn load_beside_gpu(
     start_log(args.verbose);
     // The thread is waited for even if the load fails: a driver must not be cut off while it opens the device.
     thread::scope(|scope| {
-        let gpu = scope.spawn(open);
+        let gpu = thread::Builder::new().spawn_scoped(scope, open);
         let loaded = load(args);
-        let gpu = gpu.join().unwrap_or_else(|panic| resume_unwind(panic));
+        let gpu = match gpu {
+            Ok(gpu) => gpu.join().unwrap_or_else(|panic| resume_unwind(panic)),
+            // The system gives no more threads.
+            Err(_) => open(),
+        };
         Ok((loaded?, gpu))
     })
 }

@@ -23,8 +23,8 @@ pub struct RenderArgs {
     /// What to draw.
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// The PNG file to write
-    #[arg(short, long, value_name = "FILE.png", value_parser = value::png())]
+    /// The PNG file to write; - writes it to standard output
+    #[arg(short, long, value_name = "FILE.png", value_parser = value::png_or_stdout())]
     pub output: PathBuf,
     /// What draws: the graphics adapter, or rays on the CPU [default: the adapter; rays where none draws]
     #[arg(long, value_enum)]
@@ -33,7 +33,7 @@ pub struct RenderArgs {
     #[arg(long, value_name = "X,Y", value_parser = value::point, allow_hyphen_values = true)]
     pub pick: Option<DVec2>,
     /// Also write object ids, as 16-bit grey: 0 for the background, n for the object with id n
-    #[arg(long, value_name = "FILE.png", value_parser = value::png())]
+    #[arg(long, value_name = "FILE.png", value_parser = value::png_or_stdout())]
     pub ids: Option<PathBuf>,
     /// Draw the four views side by side, or one of them, as the window does, with a graphics adapter [default: picture]
     #[arg(long, value_name = "VIEWS", value_parser = value::word(value::VIEWS), conflicts_with_all = ["ids", "by"])]

@@ -1,6 +1,6 @@
 //! Writes errors, warnings and progress to stderr, one line each.
 
-use crate::json::plain;
+use crate::plain::plain;
 use log::{Level, LevelFilter};
 use std::io::Write;
 

@@ -3,11 +3,16 @@
 use crate::{
     camera::Viewport,
     geometry::range,
+    replace::is_stdout,
     viewer::model::{Stage, Views},
 };
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use glam::{DVec2, DVec3};
-use std::path::PathBuf;
+use std::{
+    fs,
+    io::{self, IsTerminal},
+    path::PathBuf,
+};
 
 /// A number in range.
 pub(super) fn number(text: &str) -> Result<f64, String> {
@@ -75,14 +80,28 @@ pub(super) fn id(text: &str) -> Result<usize, String> {
     id.map_err(|_| "expected ids from 1, as in 3,5; sightline list has them".to_owned())
 }
 
-/// The path of a PNG file to write. A path without an extension is allowed, because it may be a device.
+/// The path of a PNG file to write, or of a device.
 pub(super) fn png() -> impl TypedValueParser<Value = PathBuf> {
-    PathBufValueParser::new().try_map(|path| match path.extension() {
-        Some(other) if !other.eq_ignore_ascii_case("png") => {
-            Err("pictures are PNG files: expected a name in .png")
-        }
-        _ => Ok(path),
+    PathBufValueParser::new().try_map(png_file)
+}
+
+/// The path of a PNG file to write, or `-` for standard output.
+pub(super) fn png_or_stdout() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|path| match is_stdout(&path) {
+        false => png_file(path),
+        true if io::stdout().is_terminal() => Err("a terminal shows no PNG: pipe it"),
+        true => Ok(path),
     })
+}
+
+fn png_file(path: PathBuf) -> Result<PathBuf, &'static str> {
+    let ending = path.extension().unwrap_or_default();
+    let is_other = || fs::metadata(&path).is_ok_and(|about| !about.is_file());
+    if ending.eq_ignore_ascii_case("png") || is_other() {
+        Ok(path)
+    } else {
+        Err("pictures are PNG files: expected a name in .png")
+    }
 }
 
 /// `WxH`

@@ -6,7 +6,7 @@ use crate::{
     image::{Id, Image, Rgb},
     json,
     look::Background,
-    pick,
+    pick, plain,
     render::{self, Gpu, GpuError, Rasteriser},
     scene::Scene,
     study::methods::usual,
@@ -280,7 +280,7 @@ impl<'a> Outcome<'a> {
                 let depth = answer.depth.map(|depth| format!(", depth {depth}"));
                 format!(
                     "{} (id {}{}{})",
-                    answer.object.escape_debug(),
+                    plain::plain(answer.object),
                     answer.id,
                     triangle.unwrap_or_default(),
                     depth.unwrap_or_default()

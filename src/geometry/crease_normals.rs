@@ -1,6 +1,6 @@
 //! Computes shading normals for meshes that have none.
 
-use super::shares::in_pieces;
+use super::{SmoothingRun, shares::in_pieces};
 use glam::{DVec3, Vec3};
 use std::{iter::repeat_n, ops::Range};
 
@@ -58,7 +58,7 @@ pub fn face_normal(corners: [[f32; 3]; 3]) -> Vec3 {
 }
 
 /// Normals that are smooth within a surface and break where two faces that share an edge meet at more than `crease`
-/// radians. A corner's normal is a weighted mean of the faces around its vertex that are reached without crossing such
+/// radians, except within a smoothing group. A corner's normal is a weighted mean of the faces around its vertex that are reached without crossing such
 /// an edge. A face's weight is the sine of its angle there over the product of the lengths of the two sides there. Max
 /// found these weights best ("Weights for Computing Vertex Normals from Facet Normals", JGT 4(2), 1999): they are exact
 /// on a sphere and need no trigonometry.
@@ -71,6 +71,7 @@ pub fn crease_normals(
     positions: &[[f32; 3]],
     triangles: &[[u32; 3]],
     crease: f32,
+    smoothing: &[SmoothingRun],
 ) -> CornerNormals {
     let face = |corners: &[u32; 3]| face_normal(corners.map(|i| positions[i as usize]));
     let of_faces = in_pieces(triangles.len(), |piece| {
@@ -81,12 +82,16 @@ pub fn crease_normals(
     for piece in of_faces {
         faces.extend(piece);
     }
+    let groups = smoothing.iter();
+    let groups = groups.flat_map(|run| repeat_n(run.group, run.triangles.len()));
+    let groups: Vec<u32> = groups.collect();
     let around = corners_by_vertex(positions.len(), triangles);
     let fans = Fans {
         positions,
         triangles,
         faces: &faces,
         around: &around,
+        groups: &groups,
         cos_crease: libm::cosf(crease),
     };
     let shares = in_pieces(positions.len(), |vertices| fans.normals(vertices));
@@ -122,6 +127,8 @@ struct Fans<'a> {
     triangles: &'a [[u32; 3]],
     faces: &'a [Vec3],
     around: &'a CornersByVertex,
+    /// The smoothing group of each face; empty where there is none.
+    groups: &'a [u32],
     cos_crease: f32,
 }
 
@@ -141,7 +148,7 @@ impl Fans<'_> {
         let mut fan = Fan::default();
         for vertex in vertices.clone() {
             let corners = self.around.of(vertex..vertex + 1);
-            fan.group(corners, self.triangles, self.faces, self.cos_crease);
+            fan.group(corners, self);
             let first = u32::try_from(normals.len()).unwrap_or(u32::MAX);
             for (place, &corner) in corners.iter().enumerate() {
                 let (face, at) = split(corner);
@@ -157,6 +164,19 @@ impl Fans<'_> {
             vertices,
             normals,
             of_corners: (!is_by_vertex).then_some(of_corners),
+        }
+    }
+
+    /// Whether the edge between two faces is smooth.
+    fn is_smooth(&self, a: usize, b: usize) -> bool {
+        let [a_normal, b_normal] = [self.faces[a], self.faces[b]];
+        if a_normal == Vec3::ZERO || b_normal == Vec3::ZERO {
+            return true;
+        }
+        match (self.groups.get(a), self.groups.get(b)) {
+            (Some(a), Some(b)) if a != b => false,
+            (Some(1..), _) => true,
+            _ => a_normal.dot(b_normal) >= self.cos_crease,
         }
     }
 
@@ -247,8 +267,8 @@ impl Group {
 }
 
 impl Fan {
-    /// Joins the corners whose faces share an edge at the vertex and bend there by no more than the crease.
-    fn group(&mut self, corners: &[u32], triangles: &[[u32; 3]], faces: &[Vec3], cos_crease: f32) {
+    /// Joins the corners whose faces share a smooth edge at the vertex.
+    fn group(&mut self, corners: &[u32], fans: &Fans) {
         self.members.clear();
         self.spokes.clear();
         self.groups.clear();
@@ -258,7 +278,8 @@ impl Fan {
                 group: 0,
             });
             let (face, at) = split(corner);
-            for other in [triangles[face][(at + 1) % 3], triangles[face][(at + 2) % 3]] {
+            let triangle = fans.triangles[face];
+            for other in [triangle[(at + 1) % 3], triangle[(at + 2) % 3]] {
                 self.spokes.push(u64::from(other) << 32 | u64::from(place));
             }
         }
@@ -270,11 +291,8 @@ impl Fan {
             if edge_a != edge_b {
                 continue;
             }
-            let normal = |place: usize| faces[split(corners[place]).0];
-            let smooth = normal(a).dot(normal(b)) >= cos_crease
-                || normal(a) == Vec3::ZERO
-                || normal(b) == Vec3::ZERO;
-            if smooth {
+            let face = |place: usize| split(corners[place]).0;
+            if fans.is_smooth(face(a), face(b)) {
                 let (root_a, root_b) = (self.root(a), self.root(b));
                 let (first, second) = (root_a.min(root_b), root_a.max(root_b));
                 self.members[second].parent = self.members[first].parent;

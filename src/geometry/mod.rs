@@ -72,7 +72,7 @@ pub(crate) use interval::HALF_OF_THE_DIGITS;
 pub use line::ThroughPoint;
 pub use local_ray::{LocalRay, PlacedRay};
 pub(crate) use mesh::BLOCK;
-pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
+pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part, SmoothingRun};
 pub use pixel_grid::PixelGrid;
 pub(crate) use pixel_grid::RayDifferential;
 pub use pixel_rays::PixelRays;

@@ -23,7 +23,10 @@ pub(crate) fn on_all_cores<T, R: Send>(
             .collect()
     };
     let mut done = thread::scope(|scope| {
-        let others: Vec<_> = (1..threads).map(|_| scope.spawn(take_all)).collect();
+        // Where the system gives no more threads, those that are there do it all.
+        let others =
+            (1..threads).map_while(|_| thread::Builder::new().spawn_scoped(scope, take_all).ok());
+        let others: Vec<_> = others.collect();
         let mut done = take_all();
         for other in others {
             done.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));

@@ -3,6 +3,7 @@
 use super::{InOnePlace, NamedSurface, SceneHit, edge, order};
 use crate::{
     camera::View,
+    colour::Srgb,
     geometry::{OnTriangle, Placement},
     scene::{InFile, Scene, Shape},
 };
@@ -20,6 +21,8 @@ pub struct Pick {
     pub triangle: Option<u32>,
     /// What the triangle is made of, as its file calls it; `None` where it names nothing.
     pub material: Option<String>,
+    /// Its colour at the point, in light alone: the object's, else the triangle's times the vertices'.
+    pub colour: Srgb,
     /// Whether the surface is seen from outside.
     pub front: bool,
     /// Parameter of the ray, whose direction is not normalised: view depth.
@@ -118,6 +121,7 @@ impl Pick {
             id: index + 1,
             triangle,
             material: material.map(str::to_owned),
+            colour: Srgb::from_linear(object.albedo(&hit)),
             front: hit.front,
             t,
             distance: view.offset_from_eye(px, t).length(),

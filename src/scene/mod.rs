@@ -18,7 +18,7 @@ pub use files::{
     load, load_with, obj, save,
 };
 #[cfg(feature = "window")]
-pub(crate) use files::{absolute, is_scene_file, matrix_rows, title};
+pub(crate) use files::{Stamp, absolute, is_scene_file, matrix_rows, title};
 pub use in_file::{FaceInFile, InFile, VertexInFile};
 pub use object::{Object, Shape};
 pub use section::{FlatFaces, NoSection};

@@ -252,6 +252,7 @@ fn lists_have_a_line_an_object() {
         lines[5],
         serde_json::json!({
             "id": 6, "name": "Ball", "shape": "sphere", "triangles": null, "visible": true,
+            "material": null, "colour": "#e8e8ec",
             "bounds": {"min": [-1.0, -1.0, -3.0], "max": [1.0, 1.0, -1.0]},
         })
     );

@@ -189,3 +189,52 @@ fn a_picture_stays_where_its_ids_cannot_be_written() {
         png::ColorType::Grayscale
     );
 }
+
+/// `-o -` writes the file's bytes to standard output.
+#[test]
+fn a_picture_goes_to_standard_output() {
+    let folder = Folder::new();
+    let args = "render scene.toml --by raycast --size 64x48 -o";
+    assert!(folder.run(&format!("{args} a.png")).status.success());
+    let output = folder.run(&format!("{args} -"));
+    assert!(output.status.success());
+    assert_eq!(output.stdout, std::fs::read(folder.path("a.png")).unwrap());
+    assert!(!folder.path("-").exists());
+    let ids = folder.run(&format!("{args} b.png --ids -"));
+    assert!(ids.stdout.starts_with(b"\x89PNG") && folder.path("b.png").exists());
+}
+
+/// A signal ends the program while it writes a picture, and no part of it stays.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_signal_leaves_no_part_of_a_picture() {
+    let parts = |folder: &Folder| {
+        let entries = std::fs::read_dir(folder.path("")).unwrap();
+        let names = entries.map(|entry| entry.unwrap().file_name());
+        names
+            .filter(|name| name.to_string_lossy().ends_with(".part"))
+            .count()
+    };
+    let args = "render scene.toml --by raycast --size 3000x3000 -o a.png";
+    for signal in ["HUP", "INT", "TERM"] {
+        let folder = Folder::new();
+        let mut child = folder.command(args).spawn().unwrap();
+        while parts(&folder) == 0 {
+            assert!(child.try_wait().unwrap().is_none(), "it writes a part");
+            std::thread::sleep(std::time::Duration::from_millis(1));
+        }
+        let kill = format!("kill -{signal} {}", child.id());
+        let killed = std::process::Command::new("sh")
+            .args(["-c", &kill])
+            .status();
+        assert!(killed.unwrap().success());
+        let status = child.wait().unwrap();
+        assert_eq!(
+            status.code(),
+            None,
+            "{signal}: the signal ended it: {status}"
+        );
+        assert_eq!(parts(&folder), 0, "{signal}");
+        assert!(!folder.path("a.png").exists());
+    }
+}

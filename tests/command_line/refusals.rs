@@ -77,6 +77,9 @@ fn a_wrong_use_is_exit_code_2() {
         ("pick scene.toml --at 5,5 --frobnicate", "--frobnicate"),
         ("pick scene.toml --at 5,5 --sise 5x5", "'--size'"),
         ("render scene.toml -o a.jpg", "PNG"),
+        ("render scene.toml -o a", "PNG"),
+        ("render scene.toml -o - --ids -", "one file"),
+        ("verify scene.toml --image -", "PNG"),
         ("render scene.toml -o a.png --ids a.tif", "PNG"),
         ("render scene.toml -o a.png --ids ./a.png", "one file"),
         ("verify scene.toml --image a.jpg", "PNG"),
@@ -111,7 +114,7 @@ fn a_bad_file_is_exit_code_3_and_named() {
     for (args, word) in [
         (
             "pick no_plane.toml --at 1,1",
-            "no_plane.toml:2: a section's normal",
+            "no_plane.toml:2:11: a section's normal",
         ),
         (
             "pick no_face.toml --at 1,1",

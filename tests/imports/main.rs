@@ -13,15 +13,16 @@ use std::{
 };
 
 /// Each module and what it may name, as in the map of `lib.rs`: only modules in the rows above it.
-const MAY_NAME: [(&str, &str); 15] = [
-    ("json", ""),
+const MAY_NAME: [(&str, &str); 16] = [
+    ("plain", ""),
+    ("json", "plain"),
     ("replace", ""),
     ("colour", ""),
     ("geometry", "colour"),
     ("look", "colour"),
     ("camera", "geometry"),
     ("image", "replace colour look camera"),
-    ("scene", "replace colour geometry camera"),
+    ("scene", "plain replace colour geometry camera"),
     ("pick", "colour geometry look camera image scene"),
     ("render", "colour geometry look camera image scene"),
     (
@@ -34,11 +35,11 @@ const MAY_NAME: [(&str, &str); 15] = [
     ),
     (
         "viewer",
-        "json replace colour geometry look camera image scene pick render verify study",
+        "plain json replace colour geometry look camera image scene pick render verify study",
     ),
     (
         "cli",
-        "json replace geometry look camera image scene pick render verify study viewer",
+        "plain json replace colour geometry look camera image scene pick render verify study viewer",
     ),
     ("main", "cli"),
 ];

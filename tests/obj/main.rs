@@ -4,6 +4,7 @@
 mod adverse;
 #[path = "../common/mod.rs"]
 mod common;
+mod exporters;
 mod foreign_files;
 mod mended;
 mod refusals;
@@ -30,7 +31,9 @@ impl Folder {
     fn new(files: &[(&str, &[u8])]) -> Self {
         let folder = TempDir::new().expect("a folder");
         for (name, bytes) in files {
-            fs::write(folder.path().join(name), bytes).expect("a file");
+            let path = folder.path().join(name);
+            fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+            fs::write(path, bytes).expect("a file");
         }
         Self(folder)
     }

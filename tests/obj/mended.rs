@@ -22,7 +22,6 @@ fn faces_with_vertices_that_are_not_there_are_left_out() {
     for (corner, named) in [
         ("0", "0 of 8"),
         ("9", "9 of 8"),
-        ("-9", "-9 of 8"),
         ("4294967297", "4294967297 of 8"),
         ("x/1/1", "x of 8"),
         ("18446744073709551617", "18446744073709551617 of 8"),
@@ -30,6 +29,8 @@ fn faces_with_vertices_that_are_not_there_are_left_out() {
         let told = format!("some.obj:15: a face names vertex {named}; it is left out");
         assert_cube_and(&format!("{CUBE}f 1 2 {corner}\n"), &[&told]);
     }
+    let told = "some.obj:15: a face counts back to before the first vertex; it is left out";
+    assert_cube_and(&format!("{CUBE}f 1 2 -9\n"), &[told]);
     // The warning names the first bad line in the file.
     assert_cube_and(
         &format!("# first\n{CUBE}f 1 2 9\nf 1 2 12\nf 1 2 0"),
@@ -106,7 +107,7 @@ fn each_kind_of_bad_line_is_told_once() {
             "some.obj:17: a normal needs three numbers; it is computed (more such lines: 999)",
             "some.obj:18: a corner of a face is written as 1, 1/2, 1//3 or 1/2/3; it is left out \
              (more such lines: 999)",
-            "some.obj:19: a face names vertex 0 of 10; it is left out (more such lines: 999)",
+            "some.obj:19: a face names vertex 0 of 2008; it is left out (more such lines: 999)",
         ]
     );
 }

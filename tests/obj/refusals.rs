@@ -62,7 +62,7 @@ fn each_refusal_says_what_is_wrong() {
         ),
         (
             b"v 0 0 0\nf 1 1 -2\n",
-            "some.obj:2: a face names vertex -2 of 1",
+            "some.obj:2: a face counts back to before the first vertex",
         ),
         (
             b"v 0 0 0\n\\\nf 1 1 4294967297\nv 0 0 0\n",

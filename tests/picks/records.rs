@@ -168,7 +168,7 @@ fn json_has_the_documented_fields_in_order_and_no_nan() {
     // For 90 degrees the camera stores a half height of 0.999..., so the square appears that much wider.
     assert_eq!(
         serde_json::to_string(&line).unwrap(),
-        r#"{"px":[4.0,4.0],"hit":{"object":"it","id":1,"triangle":null,"material":null,"front":true,"t":2.0,"distance":2.0,"depth":2.0,"ndc":[0.0,0.0,0.25],"point_world":[0.0,0.0,0.0],"normal_world":[0.0,0.0,1.0],"point_object":[0.0,0.0,0.0],"normal_object":[0.0,0.0,1.0],"barycentric":null,"edge_px":1.0000000000000002,"gap":null,"exact":false,"file":null,"line":null,"face":null,"vertices":null,"corners":null,"file_error":null},"in_one_place":null}"#
+        r##"{"px":[4.0,4.0],"hit":{"object":"it","id":1,"triangle":null,"material":null,"colour":"#e8e8ec","front":true,"t":2.0,"distance":2.0,"depth":2.0,"ndc":[0.0,0.0,0.25],"point_world":[0.0,0.0,0.0],"normal_world":[0.0,0.0,1.0],"point_object":[0.0,0.0,0.0],"normal_object":[0.0,0.0,1.0],"barycentric":null,"edge_px":1.0000000000000002,"gap":null,"exact":false,"file":null,"line":null,"face":null,"vertices":null,"corners":null,"file_error":null},"in_one_place":null}"##
     );
     let miss = PickLine {
         px,

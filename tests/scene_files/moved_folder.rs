@@ -179,7 +179,7 @@ fn a_mesh_that_obj_cannot_hold_exactly_is_refused_and_leaves_nothing() {
     let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let triangles = vec![[0, 1, 2], [0, 1, 1]];
     let mesh = Mesh::new(MeshData {
-        normals: crease_normals(&positions, &triangles, 0.5),
+        normals: crease_normals(&positions, &triangles, 0.5, &[]),
         positions,
         triangles,
         parts: vec![Part {

@@ -154,7 +154,7 @@ fn a_material_that_changes_is_read_again() {
         |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("written");
     write(
         "triangle.obj",
-        "mtllib here.mtl\nmtllib later.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n",
+        "mtllib later.mtl\nmtllib here.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n",
     );
     write("here.mtl", "newmtl a\nKd 1 0 0\n");
     let mut window = open(vec![folder.path().join("triangle.obj")], 1.0);
@@ -169,7 +169,7 @@ fn a_material_that_changes_is_read_again() {
     wait_until(&mut window, |window| {
         colour(window) == Some(Srgb([0, 255, 0]))
     });
-    // This material file was missing before.
+    // This material file was missing before. The first of two counts.
     write("later.mtl", "newmtl a\nKd 0 0 1\n");
     wait_until(&mut window, |window| {
         colour(window) == Some(Srgb([0, 0, 255]))

@@ -121,7 +121,7 @@ fn files_that_change_while_the_dialog_is_open_are_not_overwritten() {
     press_key(&mut window, CTRL, Key::S);
     let longer = format!("{ROW}\n[[object]]\nname = \"new\"\nshape = \"cube\"\n");
     fs::write(&path, &longer).expect("writable");
-    std::thread::sleep(std::time::Duration::from_millis(800));
+    std::thread::sleep(std::time::Duration::from_millis(1300));
     window.send([]);
     assert_eq!(
         window.state().scene().objects().len(),
@@ -308,7 +308,7 @@ fn what_waits_for_a_save_that_is_not_made_is_asked_about_again() {
     window.close();
     click_on(&mut window, "Save first\u{2026}");
     fs::write(&path, format!("{ROW}\n# changed\n")).expect("writable");
-    std::thread::sleep(std::time::Duration::from_millis(800));
+    std::thread::sleep(std::time::Duration::from_millis(1300));
     window.save_as(path);
     assert!(nothing_lost::is_asked(&window) && !window.has_quit());
 }

@@ -5,7 +5,7 @@ use super::{
     remembering::wait_until,
     *,
 };
-use std::{fs, thread, time::Duration};
+use std::{fs, io::Write, path::Path, thread, time::Duration};
 
 /// Four objects, one more than [`ROW`] has.
 fn more() -> String {
@@ -34,7 +34,7 @@ fn what_was_left_for_the_gallery_is_watched() {
     press_key(&mut window, Modifiers::NONE, Key::E);
     let objects = count(&window);
     fs::write(&path, ROW).expect("writable");
-    thread::sleep(Duration::from_millis(800));
+    thread::sleep(Duration::from_millis(1300));
     window.send([]);
     assert_eq!(count(&window), objects, "the exhibit stays");
     leave_the_gallery(&mut window);
@@ -85,7 +85,7 @@ fn a_file_that_is_only_touched_changes_nothing() {
         fs::write(&beside, text).expect("writable");
         fs::rename(&beside, &path).expect("writable");
         if by_itself {
-            thread::sleep(Duration::from_millis(800));
+            thread::sleep(Duration::from_millis(1300));
             window.send([]);
         } else {
             press_key(&mut window, Modifiers::NONE, Key::R);
@@ -300,4 +300,103 @@ fn the_demo_that_is_read_again_has_no_edits() {
     click_on(&mut window, "Reload, drop the edits");
     assert_eq!(count(&window), demo);
     assert!(!is_marked(&window));
+}
+
+/// The window of `work/current/row.toml`, where `current` is `into`: a folder, or a link to one.
+fn in_folders(link: bool) -> (Window, TempDir, PathBuf) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [work, first] = ["work", "work/first"].map(|name| folder.path().join(name));
+    let current = work.join("current");
+    fs::create_dir_all(if link { &first } else { &current }).expect("writable");
+    #[cfg(unix)]
+    if link {
+        std::os::unix::fs::symlink("first", &current).expect("a link");
+    }
+    let path = current.join("row.toml");
+    fs::write(&path, ROW).expect("writable");
+    (open(vec![path.clone()], 1.0), folder, path)
+}
+
+/// A folder that is wiped is said to be gone until it is there again, however long that takes. Then its file is followed.
+#[test]
+fn a_folder_that_goes_and_comes_is_followed() {
+    let (mut window, folder, path) = in_folders(false);
+    fs::remove_dir_all(folder.path().join("work")).expect("writable");
+    let is_told = |window: &Window| {
+        window
+            .messages()
+            .any(|text| text.contains("row.toml is gone from the disk"))
+    };
+    wait_until(&mut window, is_told);
+    thread::sleep(Duration::from_secs(2));
+    window.send([Event::PointerMoved(MIDDLE)]);
+    assert!(is_told(&window) && count(&window) == 3);
+    fs::create_dir_all(path.parent().expect("a folder")).expect("writable");
+    fs::write(&path, more()).expect("writable");
+    wait_until(&mut window, |window| count(window) == 4);
+    assert!(!is_told(&window));
+    fs::write(&path, ROW).expect("writable");
+    wait_until(&mut window, |window| count(window) == 3);
+}
+
+/// A folder above the file is renamed, and another one takes its place.
+#[test]
+fn a_renamed_folder_is_followed_by_its_name() {
+    let (mut window, folder, path) = in_folders(false);
+    let [work, old, new] = ["work", "old", "new"].map(|name| folder.path().join(name));
+    fs::create_dir_all(new.join("current")).expect("writable");
+    fs::write(new.join("current/row.toml"), more()).expect("writable");
+    fs::rename(&work, &old).expect("writable");
+    fs::rename(&new, &work).expect("writable");
+    wait_until(&mut window, |window| count(window) == 4);
+    fs::write(&path, ROW).expect("writable");
+    wait_until(&mut window, |window| count(window) == 3);
+}
+
+#[cfg(unix)]
+#[test]
+fn what_links_lead_to_is_followed() {
+    let (mut window, folder, path) = in_folders(true);
+    let work = folder.path().join("work");
+    // The file behind the link to its folder.
+    fs::write(work.join("first/row.toml"), more()).expect("writable");
+    wait_until(&mut window, |window| count(window) == 4);
+    // The link leads to another folder.
+    let relink = |to: &str, link: &Path| {
+        std::os::unix::fs::symlink(to, work.join("next")).expect("a link");
+        fs::rename(work.join("next"), link).expect("writable");
+    };
+    fs::create_dir(work.join("second")).expect("writable");
+    fs::write(work.join("second/row.toml"), ROW).expect("writable");
+    relink("second", &work.join("current"));
+    wait_until(&mut window, |window| count(window) == 3);
+    // The file itself becomes a link, and what it leads to is replaced as editors do.
+    fs::write(work.join("far.toml"), more()).expect("writable");
+    relink("../far.toml", &path);
+    wait_until(&mut window, |window| count(window) == 4);
+    fs::write(work.join("far.toml~"), ROW).expect("writable");
+    fs::rename(work.join("far.toml~"), work.join("far.toml")).expect("writable");
+    wait_until(&mut window, |window| count(window) == 3);
+}
+
+/// What is shown follows a file that is written for a while, and no half of it stays.
+#[test]
+fn a_file_that_grows_is_read_once_it_is_whole() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("grows.obj");
+    let vertices = "v -1 -1 0\nv 4 -1 0\nv 0 1 0\n";
+    fs::write(&path, format!("{vertices}f 1 2 3\n")).expect("writable");
+    let mut window = open(vec![path.clone()], 1.0);
+    let mut file = fs::File::create(&path).expect("writable");
+    let triangles = |window: &Window| window.state().scene().triangle_count();
+    writeln!(file, "{vertices}").expect("writable");
+    for _ in 0..30 {
+        writeln!(file, "f 1 2 3").expect("writable");
+        thread::sleep(Duration::from_millis(100));
+        window.send([]);
+        assert!(triangles(&window) <= 1, "while it grows");
+    }
+    wait_until(&mut window, |window| triangles(window) == 30);
+    let told: Vec<_> = window.messages().collect();
+    assert_eq!(told, ["grows.obj has changed and was read again"]);
 }

@@ -64,9 +64,14 @@ pub(super) fn build(
         news: Condvar::new(),
     };
     thread::scope(|scope| {
-        for _ in 1..threads {
-            scope.spawn(|| site.work());
-        }
+        // Where the system gives no more threads, those that are there do it all.
+        let mut others = 1..threads;
+        let start = |_| {
+            thread::Builder::new()
+                .spawn_scoped(scope, || site.work())
+                .is_ok()
+        };
+        let _ = others.all(start);
         site.work();
     });
     let progress = (site.progress.into_inner()).unwrap_or_else(PoisonError::into_inner);

@@ -44,12 +44,14 @@ pub(super) fn check(data: &MeshData) -> Result<(), MeshError> {
     let are_usable = are_all && unusable.or(endless).is_none();
     let parts = covers(data.parts.iter().map(|part| &part.triangles), count);
     let runs = covers(data.colours.iter().map(|run| &run.triangles), count);
+    let groups = covers(data.smoothing.iter().map(|run| &run.triangles), count);
     let are_coloured = [0, vertex_count].contains(&data.vertex_colours.len());
     let covered = [
         ("objects", parts),
         ("colours", runs),
         ("vertex colours", are_coloured),
         ("normals", are_usable),
+        ("smoothing groups", data.smoothing.is_empty() || groups),
     ];
     let uncovered = covered.into_iter().find(|(_, covers)| !covers);
     uncovered.map_or(Ok(()), |(what, _)| Err(MeshError::Uncovered(what)))

@@ -12,7 +12,10 @@ use std::{collections::HashMap, path::Path, sync::Arc};
 
 /// What a scene file says about one object, or about all objects of a mesh file.
 #[derive(Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object, which begins with [[object]]"
+)]
 pub(super) struct Entry {
     name: Option<String>,
     shape: Option<ShapeWord>,
@@ -95,8 +98,8 @@ impl TryFrom<ColourText> for Colour {
 }
 
 impl From<Colour> for ColourText {
-    fn from(Colour(Srgb([r, g, b])): Colour) -> Self {
-        Self::Hex(format!("#{r:02x}{g:02x}{b:02x}"))
+    fn from(Colour(colour): Colour) -> Self {
+        Self::Hex(colour.to_string())
     }
 }
 

@@ -1,7 +1,7 @@
 //! Mesh files: each is loaded once, and each mesh knows its file.
 
 use super::{
-    ObjError, Progress, Warning,
+    Detail, ObjError, Progress, Warning,
     file::absolute,
     obj::{self, write},
 };
@@ -68,27 +68,6 @@ pub struct MeshFiles {
     /// The MTL files that they name.
     pub(super) materials: Vec<PathBuf>,
     detail: Detail,
-}
-
-/// How much of a mesh file is loaded.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Detail {
-    /// All that the file holds.
-    #[default]
-    All,
-    /// Also the normals that the file lacks, computed now so that drawing need not wait for them.
-    Drawn,
-    /// What picks need: no normals and no vertex colours. Shading would compute all normals.
-    Picked,
-    /// The same without material colours: MTL files are not read, and there are no warnings about them.
-    Shapes,
-}
-
-impl Detail {
-    /// Whether normals and vertex colours are loaded.
-    pub(super) fn is_shaded(self) -> bool {
-        matches!(self, Self::All | Self::Drawn)
-    }
 }
 
 impl MeshFiles {

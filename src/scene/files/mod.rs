@@ -2,6 +2,7 @@
 
 mod demo;
 pub mod description;
+mod detail;
 mod entry;
 mod file;
 mod files_again;
@@ -14,11 +15,11 @@ pub mod obj;
 mod problem;
 mod progress;
 mod save;
-mod toml_pieces;
-mod toml_words;
+mod stamp;
 mod warning;
 
 use super::{Object, Scene, Shape};
+pub use detail::Detail;
 pub(crate) use entry::matrix_rows;
 pub use file::FileError;
 pub(crate) use file::absolute;
@@ -27,9 +28,10 @@ pub(crate) use load::{is_scene_file, title};
 pub use load::{load, load_with};
 pub use load_error::LoadError;
 pub use loaded::Loaded;
-pub use mesh_files::{Detail, MeshFile, MeshFiles};
+pub use mesh_files::{MeshFile, MeshFiles};
 pub use obj::{ObjError, ObjFile};
 pub use problem::{DescriptionError, Problem, SaveError};
 pub use progress::{Cancelled, Progress};
 pub use save::save;
+pub(crate) use stamp::Stamp;
 pub use warning::Warning;

@@ -2,33 +2,28 @@
 
 use super::ObjError;
 use crate::geometry::PlacementError;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Why a scene file was refused. One line that names the file and, where it can be told, the line.
 #[derive(Debug, thiserror::Error)]
-#[error("{}: {problem}", place(file, *line))]
+#[error("{}:{line}:{column}: {problem}", file.display())]
 pub struct DescriptionError {
     /// The scene file.
     pub file: PathBuf,
-    /// The line in it, from 1.
-    pub line: Option<usize>,
+    /// The line in it, and the column there, from 1.
+    pub line: usize,
+    /// See `line`.
+    pub column: usize,
     /// What is wrong there.
     #[source]
     pub problem: Box<Problem>,
-}
-
-fn place(file: &Path, line: Option<usize>) -> String {
-    match line {
-        Some(line) => format!("{}:{line}", file.display()),
-        None => file.display().to_string(),
-    }
 }
 
 /// What is wrong in a scene file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Problem {
-    /// It is not TOML, or not a scene file; in words for people.
+    /// It is not TOML, or not a scene file: what the parser says.
     #[error("{0}")]
     Syntax(String),
     /// Two fields that say the same thing.

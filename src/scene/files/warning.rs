@@ -1,5 +1,6 @@
 //! What a load left out or mended.
 
+use crate::plain;
 use std::path::PathBuf;
 
 /// Something in a file that was left out or mended, for people to read. Printed as one line.
@@ -31,7 +32,7 @@ pub(super) fn list<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String 
     let more = names.len().saturating_sub(NAMES_SHOWN);
     let shown = names.take(NAMES_SHOWN);
     let shown: Vec<String> = shown
-        .map(|name| name.escape_debug().take(80).collect())
+        .map(|name| plain::plain(name).chars().take(80).collect())
         .collect();
     let shown = shown.join(", ");
     if more > 0 {

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     camera::{CameraChoice, Viewport},
-    json::plain,
+    plain::plain,
     scene::{Loaded, Warning},
     viewer::{
         jobs::{self, Chart, Checking, Job, Typefaces, Watching},

@@ -6,7 +6,7 @@
 
 use super::program::App;
 use crate::{
-    json::plain,
+    plain::plain,
     scene,
     viewer::model::{Snapshot, State, Version},
 };

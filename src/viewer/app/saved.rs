@@ -50,7 +50,8 @@ impl App {
 
     /// Writes the scene on show to a file, and does then what waits for that.
     pub(super) fn save(&mut self, path: PathBuf, then: Option<Intent>) {
-        if self.watches.now.as_mut().is_some_and(Watching::is_due) {
+        let watching = self.watches.now.as_mut();
+        if watching.is_some_and(|watching| watching.look_at(&path)) {
             return self.read_first(then, "its files changed on the disk while you chose a name");
         }
         match scene_file(path) {

@@ -39,9 +39,8 @@ impl App {
         let is_due = before.as_ref().is_some_and(Watching::was_due);
         let known = before.as_ref().map(Watching::known).cloned();
         let known = known.unwrap_or_default().with(read);
-        if !files.is_empty()
-            && let Some(mut watching) = Watching::start(&files, &known, self.waker())
-        {
+        if !files.is_empty() {
+            let mut watching = Watching::start(&files, &known, self.waker());
             watching.set_due(is_due);
             self.watches.now = Some(watching);
         }

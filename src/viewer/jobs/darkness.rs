@@ -14,7 +14,8 @@ const QUESTION: Question = Question {
 
 /// Asks in the background whether the desktop is dark; calls `tell` if it answers.
 pub(in crate::viewer) fn ask_darkness(tell: impl FnOnce(bool) + Send + 'static) {
-    thread::spawn(move || {
+    // Where the system gives no more threads, the desktop counts as dark.
+    let _ = thread::Builder::new().spawn(move || {
         let mut answers =
             ask(&QUESTION).map(|output| String::from_utf8_lossy(&output.stdout).into_owned());
         if let Some(is_dark) = answers.find_map(|answer| is_dark(&answer)) {

@@ -4,7 +4,7 @@ use crate::scene::Progress;
 use std::{
     panic::{self, AssertUnwindSafe},
     sync::{
-        Arc,
+        Arc, Mutex, PoisonError,
         mpsc::{Receiver, channel},
     },
     thread,
@@ -17,7 +17,8 @@ pub(in crate::viewer) struct Job<T> {
 }
 
 impl<T: Send + 'static> Job<T> {
-    /// Begins; calls `wake` when done. The result of work that panics is `lost`: nobody waits for ever.
+    /// Begins; calls `wake` when done. The result of work that panics is `lost`: nobody waits for ever. Where the system
+    /// gives no more threads, the work is done before this returns.
     pub fn start(
         work: impl FnOnce(&Progress) -> T + Send + 'static,
         wake: impl FnOnce() + Send + 'static,
@@ -26,12 +27,27 @@ impl<T: Send + 'static> Job<T> {
         let (sender, result) = channel();
         let progress = Arc::new(Progress::default());
         let shared = Arc::clone(&progress);
-        thread::spawn(move || {
+        let run = move || {
             let done = panic::catch_unwind(AssertUnwindSafe(|| work(&shared)));
             // The receiver is gone if nobody wants the result any more.
             let _ = sender.send(done.unwrap_or_else(|_| lost()));
             wake();
-        });
+        };
+        let run = Arc::new(Mutex::new(Some(run)));
+        let run_once = {
+            let run = Arc::clone(&run);
+            move || {
+                if let Some(run) = take(&run) {
+                    run();
+                }
+            }
+        };
+        let spawned = thread::Builder::new().spawn(run_once);
+        if spawned.is_err()
+            && let Some(run) = take(&run)
+        {
+            run();
+        }
         Self { progress, result }
     }
 
@@ -60,6 +76,11 @@ impl<T: Send + 'static> Job<T> {
     pub fn wait(&self) -> Option<T> {
         self.result.recv().ok()
     }
+}
+
+/// What is kept for whoever comes first.
+fn take<F>(kept: &Mutex<Option<F>>) -> Option<F> {
+    kept.lock().unwrap_or_else(PoisonError::into_inner).take()
 }
 
 impl<T> Drop for Job<T> {

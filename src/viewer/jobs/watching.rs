@@ -1,34 +1,31 @@
 //! Watches files that other programs may change.
+//!
+//! It looks at them twice a second. What the system tells about changes would come sooner, but not about a folder that
+//! is gone and comes again, about a folder above it that is renamed, or through links.
 
-use crate::scene;
-use notify::{RecommendedWatcher, RecursiveMode, Watcher};
+use crate::scene::{self, Stamp};
 use std::{
     collections::{BTreeMap, BTreeSet},
-    fs, mem,
+    mem,
     path::{Path, PathBuf},
-    sync::mpsc::{Receiver, channel},
+    sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel},
     thread,
-    time::{Duration, SystemTime},
+    time::Duration,
 };
 
-/// Files that nothing has happened to for this long count as completely written.
-const QUIET: Duration = Duration::from_millis(300);
-/// A program that writes a file anew may take it away for a moment. A file that has been away for longer is gone.
-const AWAY: Duration = Duration::from_secs(1);
+/// The time between two looks. Files that are the same in two looks count as completely written, or as gone.
+const LOOK: Duration = Duration::from_millis(500);
 
-/// When a file was changed last, and its length; `None` while it is not there.
-type Stamp = Option<(SystemTime, u64)>;
-
-/// Files, and how each of them was at some time.
+/// Files, and how each of them was at some time; `None` while it is not there.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(in crate::viewer) struct Stamps(BTreeMap<PathBuf, Stamp>);
+pub(in crate::viewer) struct Stamps(BTreeMap<PathBuf, Option<Stamp>>);
 
 impl Stamps {
     /// How files are now, by their absolute paths.
     pub fn of<'a>(files: impl IntoIterator<Item = &'a PathBuf>) -> Self {
         let stamped = files
             .into_iter()
-            .map(|file| (scene::absolute(file), stamp(file)));
+            .map(|file| (scene::absolute(file), Stamp::of(file).ok()));
         Self(stamped.collect())
     }
 
@@ -50,7 +47,7 @@ impl Stamps {
 /// Files that are watched.
 pub(in crate::viewer) struct Watching {
     /// Dropping it ends the watch.
-    _watcher: RecommendedWatcher,
+    _until: Sender<()>,
     changed: Receiver<Stamps>,
     /// How the files were when they were read.
     read: Stamps,
@@ -64,72 +61,73 @@ pub(in crate::viewer) struct Watching {
 
 impl Watching {
     /// Watches files; calls `wake` whenever one of them has changed. `read` says how some of them were when they were
-    /// read: they may have changed since. `None` if the system cannot watch.
+    /// read: they may have changed since.
     pub fn start(
         files: &BTreeSet<PathBuf>,
         read: &Stamps,
         wake: impl Fn() + Send + 'static,
-    ) -> Option<Self> {
-        let (told, events) = channel();
-        // A first event, so that the thread looks once at the start.
-        let _ = told.send(());
-        let mut watcher = notify::recommended_watcher(move |_: notify::Result<notify::Event>| {
-            // Sending fails once the watch has ended.
-            let _ = told.send(());
-        })
-        .ok()?;
-        // When a file is replaced, only its folder gets the event.
-        let folders: BTreeSet<_> = files.iter().filter_map(|file| folder_of(file)).collect();
-        for folder in folders {
-            if let Err(error) = watcher.watch(folder, RecursiveMode::NonRecursive) {
-                log::info!("{}: {error}: not watched", folder.display());
-            }
-        }
-        // Taken now, before the thread runs, so that no change is missed.
+    ) -> Self {
         let known = files.iter().map(|file| {
-            let read = read.0.get(file).copied();
-            (file.clone(), read.unwrap_or_else(|| stamp(file)))
+            let read = read.0.get(file).cloned();
+            (file.clone(), read.unwrap_or_else(|| Stamp::of(file).ok()))
         });
         let known = Stamps(known.collect());
-        let mut last = known.clone();
+        let (until, end) = channel();
         let (sender, changed) = channel();
-        thread::spawn(move || {
-            while events.recv().is_ok() {
-                while events.recv_timeout(QUIET).is_ok() {}
-                let mut now = Stamps::of(last.0.keys());
-                if !last.gone(&now).is_empty() {
-                    thread::sleep(AWAY);
-                    now = Stamps::of(last.0.keys());
-                }
-                if now != last {
-                    last = now.clone();
-                    if sender.send(now).is_err() {
+        let mut told = known.clone();
+        let watch = move || {
+            let mut before = Stamps::default();
+            while end.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
+                let now = Stamps::of(told.0.keys());
+                if now == before && now != told {
+                    told = now.clone();
+                    if sender.send(now.clone()).is_err() {
                         return;
                     }
                     wake();
                 }
+                before = now;
             }
-        });
-        Some(Self {
-            _watcher: watcher,
+        };
+        if let Err(error) = thread::Builder::new().spawn(watch) {
+            log::warn!("changed files are not followed: {error}");
+        }
+        Self {
+            _until: until,
             changed,
             read: known.clone(),
             known,
             is_due: false,
             gone: Vec::new(),
-        })
+        }
     }
 
     /// Whether a file has changed, and that is still to be read. While a file is gone there is nothing to read.
     pub fn is_due(&mut self) -> bool {
-        for now in self.changed.try_iter() {
-            self.gone.extend(self.known.gone(&now));
-            let is_gone = |file: &PathBuf| now.0.get(file).is_some_and(Option::is_none);
-            self.gone.retain(is_gone);
-            self.is_due = self.read.gone(&now).is_empty();
-            self.known = now;
+        while let Ok(now) = self.changed.try_recv() {
+            self.take(now);
         }
         self.is_due
+    }
+
+    /// The same; looks at this moment whether a file that is about to be written has changed.
+    pub fn look_at(&mut self, file: &Path) -> bool {
+        let is_due = self.is_due();
+        let file = scene::absolute(file);
+        let known = self.known.0.get(&file);
+        if known.is_some_and(|known| *known != Stamp::of(&file).ok()) {
+            self.take(Stamps::of(self.known.0.keys()));
+            return self.is_due;
+        }
+        is_due
+    }
+
+    fn take(&mut self, now: Stamps) {
+        self.gone.extend(self.known.gone(&now));
+        let is_gone = |file: &PathBuf| now.0.get(file).is_some_and(Option::is_none);
+        self.gone.retain(is_gone);
+        self.is_due = now != self.read && self.read.gone(&now).is_empty();
+        self.known = now;
     }
 
     /// The same, by what was looked at so far.
@@ -163,18 +161,4 @@ impl Watching {
     pub fn is_of(&self, files: &BTreeSet<PathBuf>) -> bool {
         self.known.0.keys().eq(files)
     }
-}
-
-fn folder_of(file: &Path) -> Option<&Path> {
-    let folder = file.parent()?;
-    Some(if folder.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        folder
-    })
-}
-
-fn stamp(file: &PathBuf) -> Stamp {
-    let about = fs::metadata(file).ok()?;
-    Some((about.modified().ok()?, about.len()))
 }

@@ -1,82 +1,111 @@
 //! Builds one mesh from the blocks of its pieces and from the survey of all other lines.
 
 use super::{
-    ObjError, ObjFile,
+    BadLine, ObjError, ObjFile,
     block::{Block, Faces},
+    channels,
     contents::Contents,
-    material::{self, Material, Materials},
-    names::Names,
+    counts::Counts,
+    material::{self, Materials},
+    named::Named,
+    names::{Names, distinct_names},
     notes::{self, LeftOut},
-    survey::Survey,
+    survey::{Fault, Survey},
     triangulation::{Splitter, has_area},
     vertices::Stored,
 };
 use crate::{
-    geometry::{ColourRun, CornerNormals, Mesh, MeshData, Part},
+    geometry::{ColourRun, CornerNormals, Mesh, MeshData, Part, SmoothingRun},
     scene::{Cancelled, Detail, Progress},
 };
-use std::{collections::HashMap, path::Path, sync::Arc};
+use std::{ops::Range, path::Path, sync::Arc};
 
-/// Where the file has no normals, an edge whose faces differ by a larger angle is drawn sharp. In radians.
+/// Where the file has neither normals nor smoothing groups, an edge whose faces differ by a larger angle is drawn sharp.
+/// In radians.
 const CREASE: f32 = 30.0 * std::f32::consts::PI / 180.0;
 
 /// Builds the mesh of a file. In the progress, this counts as `bytes` bytes.
 pub(super) fn build(
     path: &Path,
-    blocks: Vec<Block>,
+    mut blocks: Vec<Block>,
     mut survey: Survey,
     detail: Detail,
     (progress, bytes): (&Progress, u64),
 ) -> Result<ObjFile, ObjError> {
     let said = std::mem::take(&mut survey.said);
     let names = Names::new(path, said, survey.faces, progress)?;
-    let materials = match detail {
-        Detail::Shapes => Materials::default(),
-        _ => material::read_libraries(path, &names.libraries, progress)?,
+    let mut materials = if detail.has_colours() {
+        let has_uses = !names.materials.is_empty();
+        material::read_libraries(path, &names.libraries, has_uses, progress)?
+    } else {
+        Materials::default()
     };
+    channels::spread_painted(&mut blocks);
+    let is_of_bytes = channels::scale_bytes(&mut blocks);
     let count = blocks.len().max(1) as u64;
     // Besides the steps of the vertices: splitting, merging, and making the mesh.
     let steps = (Stored::STEPS + 3) * count;
     progress.advance(bytes % steps)?;
     let bytes = bytes / steps;
-    let mut contents = Contents::new(blocks.iter().map(|block| block.counts));
+    let mut before = vec![Counts::default()];
+    for block in &blocks {
+        let last = before[before.len() - 1];
+        before.push(last.and(block.counts));
+    }
+    let all_counts = before[before.len() - 1];
     let (vertices, faces): (Vec<_>, Vec<_>) = (blocks.into_iter())
         .map(|block| (block.vertices, block.faces))
         .unzip();
-    let vertices = Stored::new(vertices, &faces, (progress, bytes))?;
+    let vertices = Stored::new(vertices, &faces, &before, (progress, bytes))?;
     let cuts = names.cuts();
     let (mut first, mut rest) = (0, &*cuts);
-    let with_cuts: Vec<_> = (faces.into_iter())
-        .map(|faces| {
+    let with_cuts: Vec<_> = (faces.into_iter().zip(&before))
+        .map(|(faces, before)| {
             let next = first + faces.count();
             let (cuts, others) = rest.split_at(rest.partition_point(|&cut| cut < next));
             let cuts: Vec<usize> = cuts.iter().map(|cut| cut - first).collect();
             (first, rest) = (next, others);
-            (faces, cuts)
+            let file = InFile {
+                before: *before,
+                all: all_counts,
+                has_lines: detail != Detail::Shapes,
+            };
+            (faces, cuts, file)
         })
         .collect();
-    let split = progress.on_all_cores(bytes, with_cuts.into_iter(), |(faces, cuts)| {
-        Triangles::of(&faces, &cuts, &vertices, progress)
+    let split = progress.on_all_cores(bytes, with_cuts.into_iter(), |(faces, cuts, file)| {
+        Triangles::of(&faces, &cuts, &vertices, &file, progress)
     })?;
     let split = split.into_iter().collect::<Result<Vec<_>, _>>()?;
     let mut all = Triangles::default();
+    let count_of = |of: fn(&Triangles) -> usize| split.iter().map(of).sum();
     all.corners
-        .reserve_exact(split.iter().map(|piece| piece.corners.len()).sum());
-    for (piece, next) in split.into_iter().enumerate() {
+        .reserve_exact(count_of(|piece| piece.corners.len()));
+    all.lines.reserve_exact(count_of(|piece| piece.lines.len()));
+    for next in split {
         progress.advance(bytes)?;
-        contents.begin(piece, all.count(), (next.faces, next.are_plain()));
         all.append(next);
     }
-    contents.end(all.count());
+    all.faults.drain(..).for_each(|fault| survey.add(fault));
+    survey.know_vertices(all_counts.vertices);
+    survey.bad_normals = all.bad_normals;
     if all.corners.is_empty() {
-        return Err(notes::nothing(path, &survey, &all.left_out));
+        let vertices = all_counts.vertices;
+        return Err(notes::nothing(path, vertices, &survey, &all.left_out));
     }
     let mut warnings: Vec<_> = notes::about_lines(path, &survey).collect();
     warnings.extend(notes::about_geometry(path, &survey, &all.left_out));
-    warnings.extend(notes::about_materials(path, &names, &materials.by_name));
-    warnings.extend(materials.warnings);
+    warnings.extend(is_of_bytes.then(|| notes::of_bytes(path)));
+    warnings.extend(notes::about_materials(path, &names, &materials));
+    warnings.extend(std::mem::take(&mut materials.warnings));
 
-    let data = all.mesh(vertices, names, &cuts, &materials.by_name, progress)?;
+    let contents = Contents {
+        starts: before,
+        lines: std::mem::take(&mut all.lines),
+        libraries: std::mem::take(&mut materials.files),
+        stamp: None,
+    };
+    let data = all.mesh(vertices, names, &cuts, &materials, progress)?;
     let mesh = Mesh::new(data);
     progress.advance(count * bytes)?;
     let mesh = mesh.map_err(|source| ObjError::NoMesh {
@@ -84,9 +113,8 @@ pub(super) fn build(
         source,
     })?;
     let mesh = Arc::new(mesh);
-    let libraries = materials.files.iter();
+    let libraries = contents.libraries.iter();
     let named = libraries.map(|(file, _)| file.clone()).collect();
-    contents.libraries = materials.files;
     Ok(ObjFile {
         mesh,
         warnings,
@@ -104,11 +132,23 @@ struct Triangles {
     shading: Vec<[u32; 3]>,
     /// For each cut, the number of triangles before it.
     before_cuts: Vec<u32>,
+    /// For each triangle, the line of its face in the file, from 1; empty where nobody asks for it.
+    lines: Vec<u32>,
     left_out: LeftOut,
-    /// The number of faces.
-    faces: usize,
-    /// How many polygons were split into another number of triangles than two fewer than corners.
-    odd: usize,
+    /// The lines of faces that name vertices that do not exist.
+    faults: Vec<Fault>,
+    /// How many faces name normals that do not exist.
+    bad_normals: usize,
+}
+
+/// What is known of the file when the faces of a piece are split.
+struct InFile {
+    /// What comes before the piece.
+    before: Counts,
+    /// What the whole file has.
+    all: Counts,
+    /// Whether the lines of triangles are kept.
+    has_lines: bool,
 }
 
 impl Triangles {
@@ -117,57 +157,72 @@ impl Triangles {
         faces: &Faces,
         cuts: &[usize],
         vertices: &Stored,
+        file: &InFile,
         progress: &Progress,
     ) -> Result<Self, Cancelled> {
-        let mut all = Self {
-            faces: faces.count(),
-            ..Self::default()
-        };
-        all.corners.reserve_exact(faces.corners.len() / 3);
+        let InFile { before, all, .. } = file;
+        let mut made = Self::default();
+        made.corners.reserve_exact(faces.corners.len() / 3);
         let mut cuts = cuts.iter().peekable();
         let mut splitter = Splitter::default();
-        let mut places = Vec::new();
-        let mut at = 0;
-        for (face, &with_normals) in faces.with_normals.iter().enumerate() {
+        let (mut places, mut normals) = (Vec::new(), Vec::new());
+        for (face, (at, named)) in faces.each().enumerate() {
             if cuts.next_if_eq(&&face).is_some() {
-                all.before_cuts.push(all.count());
+                made.before_cuts.push(made.count());
             }
-            let arity = faces.arities.get(face).map_or(3, |&arity| arity as usize);
-            let corners = at..at + arity;
-            at += arity;
+            let arity = named.len();
+            let line = before.lines + faces.lines[face] as usize + 1;
             places.clear();
-            let named = faces.corners[corners.clone()].iter();
-            places.extend(named.map(|&vertex| vertices.place(vertex)));
+            let known = named.iter();
+            let known = known.map_while(|corner| corner.index(before.vertices, all.vertices));
+            places.extend(known.map(|vertex| vertices.place(vertex)));
+            if let Some(missing) = named.get(places.len()) {
+                made.faults.push(Fault {
+                    what: no_such_vertex(*missing, before.vertices),
+                    line,
+                    count: 1,
+                });
+                continue;
+            }
             if vertices.any_nowhere(&places) {
-                all.left_out.nowhere += 1;
+                made.left_out.nowhere += 1;
                 continue;
             }
-            let normals = Some(&faces.normals)
-                .filter(|_| with_normals)
-                .and_then(|normals| normals.get(corners))
-                .filter(|normals| normals.iter().all(|&i| vertices.has_normal(i)));
+            normals.clear();
+            let named = faces.normals.get(at..at + arity).unwrap_or_default();
+            let is_named = named.first().is_some_and(|first| *first != Named::NONE);
+            if is_named {
+                let known = named.iter();
+                let known = known.map_while(|normal| normal.index(before.normals, all.normals));
+                normals.extend(known);
+                made.bad_normals += usize::from(normals.len() < arity);
+            }
+            let are_usable =
+                normals.len() == arity && normals.iter().all(|&normal| vertices.has_normal(normal));
+            let normals = are_usable.then_some(&*normals);
+            let first = made.corners.len();
             if arity == 3 {
-                all.add(&places, normals, [0, 1, 2], vertices);
-                continue;
+                made.add(&places, normals, [0, 1, 2], vertices);
+            } else {
+                if arity > 4 {
+                    progress.advance(0)?;
+                }
+                let split = splitter.face(&places, |place| vertices.position(place));
+                let Some(triangles) = split else {
+                    made.left_out.repetitive += 1;
+                    continue;
+                };
+                for &corners in triangles {
+                    made.add(&places, normals, corners, vertices);
+                }
             }
-            if arity > 4 {
-                progress.advance(0)?;
-            }
-            let Some(triangles) = splitter.face(&places, |place| vertices.position(place)) else {
-                all.left_out.repetitive += 1;
-                continue;
-            };
-            all.odd += usize::from(triangles.len() + 2 != arity);
-            for &corners in triangles {
-                all.add(&places, normals, corners, vertices);
+            if file.has_lines {
+                let line = u32::try_from(line).unwrap_or(u32::MAX);
+                let added = made.corners.len() - first;
+                made.lines.extend(std::iter::repeat_n(line, added));
             }
         }
-        Ok(all)
-    }
-
-    /// Whether each face has two triangles fewer than corners.
-    fn are_plain(&self) -> bool {
-        self.odd == 0 && self.left_out.is_nothing()
+        Ok(made)
     }
 
     fn count(&self) -> u32 {
@@ -206,6 +261,9 @@ impl Triangles {
         self.before_cuts
             .extend(before_cuts.map(|count| before + count));
         self.corners.extend(next.corners);
+        self.lines.extend(next.lines);
+        self.faults.extend(next.faults);
+        self.bad_normals += next.bad_normals;
         self.shading.extend(next.shading);
         self.left_out.without_area += next.left_out.without_area;
         self.left_out.nowhere += next.left_out.nowhere;
@@ -218,7 +276,7 @@ impl Triangles {
         vertices: Stored,
         names: Names,
         cuts: &[usize],
-        materials: &HashMap<String, Material>,
+        materials: &Materials,
         progress: &Progress,
     ) -> Result<MeshData, Cancelled> {
         let end = self.count();
@@ -239,34 +297,23 @@ impl Triangles {
         }
         parts.pop_if(|part| part.triangles.is_empty());
         // Triangles before the first use of a material have no colour.
-        let mut colours = vec![ColourRun {
-            triangles: 0..end,
-            colour: None,
-            material: None,
-        }];
-        for (step, (face, material)) in names.uses.into_iter().enumerate() {
-            progress.go_on_at(step)?;
-            let (name, _) = &names.materials[material];
-            let colour = materials.get(name).and_then(|known| known.colour);
-            let material = u32::try_from(material).ok();
-            let triangles = start_of(face)..end;
-            if let Some(last) = colours.last_mut() {
-                last.triangles.end = triangles.start;
-            }
-            colours.pop_if(|run| run.triangles.is_empty());
-            match colours.last_mut() {
-                Some(last) if last.material == material => last.triangles.end = end,
-                _ => colours.push(ColourRun {
-                    triangles,
-                    colour,
-                    material,
-                }),
-            }
-        }
-        colours.pop_if(|run| run.triangles.is_empty());
-
-        let materials = names.materials.into_iter();
-        let materials = materials.map(|(name, _)| name).collect();
+        let uses = names.uses.iter().copied();
+        let uses = runs(None, uses, &start_of, end, progress)?;
+        let known = names.materials.iter().map(|(name, _)| materials.find(name));
+        let known: Vec<_> = known.collect();
+        let colours = uses.into_iter().map(|(triangles, material)| ColourRun {
+            triangles,
+            colour: material
+                .and_then(|material| known[material])
+                .and_then(|found| materials.all[found.material].colour),
+            material: material.and_then(|material| u32::try_from(material).ok()),
+        });
+        let colours = colours.collect();
+        let smoothing = names.smoothing.iter().copied();
+        let smoothing = runs(0, smoothing, &start_of, end, progress)?.into_iter();
+        let smoothing = smoothing.map(|(triangles, group)| SmoothingRun { triangles, group });
+        let mut smoothing: Vec<_> = smoothing.collect();
+        let materials = distinct_names(names.materials);
 
         let mut corners = self.shading;
         let is_complete = !corners.is_empty() && !corners.contains(&CornerNormals::NONE);
@@ -279,6 +326,9 @@ impl Triangles {
             // Each vertex has one normal, at its own index.
             corners = Vec::new();
         }
+        if is_complete || smoothing.iter().all(|run| run.group == 0) {
+            smoothing = Vec::new();
+        }
         Ok(MeshData {
             origin: vertices.origin,
             positions: vertices.positions,
@@ -289,6 +339,44 @@ impl Triangles {
             vertex_colours: vertices.colours,
             normals: CornerNormals { normals, corners },
             crease: (!is_complete).then_some(CREASE),
+            smoothing,
         })
+    }
+}
+
+/// Runs of triangles with one value. `starts` has the faces at which a value begins, in order; it is `first` before.
+fn runs<T: Copy + PartialEq>(
+    first: T,
+    starts: impl Iterator<Item = (usize, T)>,
+    start_of: &impl Fn(usize) -> u32,
+    end: u32,
+    progress: &Progress,
+) -> Result<Vec<(Range<u32>, T)>, Cancelled> {
+    let mut runs = vec![(0..end, first)];
+    for (step, (face, value)) in starts.enumerate() {
+        progress.go_on_at(step)?;
+        let start = start_of(face);
+        if let Some((last, _)) = runs.last_mut() {
+            last.end = start;
+        }
+        runs.pop_if(|(last, _)| (*last).is_empty());
+        match runs.last_mut() {
+            Some((last, known)) if *known == value => last.end = end,
+            _ => runs.push((start..end, value)),
+        }
+    }
+    runs.pop_if(|(last, _)| (*last).is_empty());
+    Ok(runs)
+}
+
+/// What is wrong with a face that names this vertex, which does not exist.
+fn no_such_vertex(named: Named, before: usize) -> BadLine {
+    if named.is_counted_back() {
+        return BadLine::BeforeFirst;
+    }
+    BadLine::NoSuchVertex {
+        vertex: named.number(before).to_string(),
+        // Said later.
+        vertices: 0,
     }
 }

@@ -1,199 +1,234 @@
 //! Reads a piece of a file into a [`Block`] of vertices and faces.
 //!
-//! `tobj` reads the coordinates of vertices and normals. It gets them as two small OBJ files, and no line that it would
-//! refuse: a vertex or a normal that cannot be read becomes NaN, so that the others keep their numbers. A face that
-//! cannot be read is left out. The contents of the other lines are kept in the [`Survey`], by face number.
+//! The lines of vertices and normals go to `tobj` as they are ([`coordinates`](super::coordinates)). Where it refuses one, or one
+//! has a number beyond the range, the piece is read again line by line: what cannot be read becomes NaN, so that the
+//! others keep their numbers. A face that cannot be read is left out. The contents of the other lines are kept in the
+//! [`Survey`], by face number.
 
 use super::{
-    BadLine,
-    corners::{MOST_CORNERS, Normal, read_corners, without_comment},
+    BadLine, Stop,
+    coordinates::{NumberLines, Vertices, plain_lines},
+    corners::{MOST_CORNERS, read_corners},
+    counts::Counts,
+    keyword::Keyword,
+    named::Named,
     names::Said,
-    pieces::{Counts, Piece},
+    pieces::check_line,
     survey::Survey,
-    text_lines::Lines,
-    words::{Number, fields, three_plain_numbers},
+    text_lines::{Lines, text_of},
+    words::{Number, fields, integer, without_comment},
 };
-use std::{fmt::Write, io::Read, ops::Range};
+use crate::{geometry::range, scene::files::detail::Detail};
+use glam::DVec3;
+use std::{borrow::Cow, io, ops::Range};
 
 /// The longest name of an object or group, in characters. Longer names are cut.
 const LONGEST_NAME: usize = 120;
-/// The coordinates of a vertex or normal that cannot be read.
-const NOWHERE: &str = " nan nan nan";
-/// The colour of a vertex without one.
-const WHITE: &str = " 1 1 1";
+/// A vertex and a normal that cannot be read.
+const NO_VERTEX: &[u8] = b"v nan nan nan\n";
+const NO_NORMAL: &[u8] = b"vn nan nan nan\n";
 
-/// The vertices and faces of a piece. Indices count from 0, over the whole file.
+/// The vertices and faces of a piece.
 pub(super) struct Block {
     pub vertices: Vertices,
     pub faces: Faces,
-    /// What the file has before this piece, and before the next one.
-    pub counts: [Counts; 2],
-}
-
-/// The vertices and normals of a piece.
-pub(super) struct Vertices {
-    pub positions: Vec<[f64; 3]>,
-    /// The colour of every vertex; empty if no vertex has one.
-    pub colours: Vec<[f64; 3]>,
-    pub normals: Vec<[f64; 3]>,
+    /// The colours in `#MRGB` lines.
+    pub painted: Vec<[f64; 3]>,
+    /// How much the piece has.
+    pub counts: Counts,
 }
 
 /// The faces of a piece.
 #[derive(Default)]
 pub(super) struct Faces {
-    /// The vertex index of each corner, face after face.
-    pub corners: Vec<u32>,
-    /// The normal index of each corner, up to the last face with normals.
-    pub normals: Vec<u32>,
+    /// The vertex of each corner, face after face.
+    pub corners: Vec<Named>,
+    /// The normal of each corner, up to the last face with normals.
+    pub normals: Vec<Named>,
     /// The number of corners of each face; empty if all faces are triangles.
     pub arities: Vec<u32>,
-    /// For each face, whether every corner names a normal. If not, its entries in `normals` have no meaning.
-    pub with_normals: Vec<bool>,
+    /// The line of each face in the piece, from 0.
+    pub lines: Vec<u32>,
 }
 
 impl Faces {
     /// The number of faces.
     pub fn count(&self) -> usize {
-        self.with_normals.len()
+        self.lines.len()
     }
 
-    /// Adds a face of these vertices, whose corners all name normals if it is `with_normals`. Numbers count from 1.
-    fn add(&mut self, corners: &[(usize, Normal)], with_normals: bool) {
-        // A mesh never has a larger index: faces that name one are left out.
-        let index = |number: usize| u32::try_from(number - 1).unwrap_or(u32::MAX);
+    /// Each face: its first corner's place among all, and its vertices.
+    pub fn each(&self) -> impl Iterator<Item = (usize, &[Named])> {
+        let arities =
+            (0..self.count()).map(|face| self.arities.get(face).map_or(3, |&n| n as usize));
+        let mut next = 0;
+        arities.map(move |arity| {
+            let first = next;
+            next += arity;
+            (first, &self.corners[first..next])
+        })
+    }
+
+    /// Adds a face of these vertices and normals. Without `has_normals`, it counts as one that names none.
+    fn add(&mut self, corners: &[(Named, Named)], line: usize, has_normals: bool) {
         if corners.len() != 3 || !self.arities.is_empty() {
             self.arities.resize(self.count(), 3);
             let arity = u32::try_from(corners.len());
             self.arities.push(arity.unwrap_or(u32::MAX));
         }
-        if with_normals {
-            self.normals.resize(self.corners.len(), 0);
-            let normals = corners.iter().map(|(_, normal)| match normal {
-                Normal::There(number) => index(*number),
-                Normal::Absent | Normal::Nowhere => 0,
-            });
-            self.normals.extend(normals);
+        if has_normals && corners.iter().all(|(_, normal)| *normal != Named::NONE) {
+            self.normals.resize(self.corners.len(), Named::NONE);
+            self.normals
+                .extend(corners.iter().map(|(_, normal)| normal));
         }
-        let vertices = corners.iter().map(|(number, _)| index(*number));
-        self.corners.extend(vertices);
-        self.with_normals.push(with_normals);
+        self.corners
+            .extend(corners.iter().map(|(vertex, _)| vertex));
+        self.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
     }
 }
 
 impl Block {
-    /// Reads a piece. `known` is the number of vertices in the file, if it is known. Then faces that name a higher
-    /// vertex are left out. Normals and colours are checked, but left out unless `is_shaded`.
-    pub fn read(
-        piece: Piece,
-        known: Option<usize>,
-        is_shaded: bool,
-    ) -> Result<(Self, Survey), tobj::LoadError> {
-        let mut sorted = Sorted {
-            before: piece.before,
-            known,
-            is_shaded,
-            may_have_comments: memchr::memchr(b'#', &piece.text).is_some(),
-            ..Sorted::default()
+    /// Reads a piece. Normals and colours are left out where `detail` has none.
+    pub fn read(text: &[u8], detail: Detail) -> Result<(Self, Survey), Stop> {
+        let mut sorted = Sorted::of(text, detail, true)?;
+        let numbers = std::mem::take(&mut sorted.numbers);
+        let is_in_range =
+            |position: &[f64; 3]| range::stored_vector(DVec3::from_array(*position)).is_some();
+        let vertices = numbers.read();
+        let vertices = vertices.filter(|read| read.positions.iter().all(is_in_range));
+        let vertices = if let Some(vertices) = vertices {
+            vertices
+        } else {
+            sorted = Sorted::of(text, detail, false)?;
+            let vertices = std::mem::take(&mut sorted.numbers).read();
+            let refused = || Stop::Unreadable(io::Error::other("tobj refuses a checked vertex"));
+            vertices.ok_or_else(refused)?
         };
-        let mut lines = Lines::new(&piece.text, piece.before.lines);
-        while let Some((number, line)) = lines.next() {
-            sorted.before.lines = number - 1;
-            sorted.add(line);
+        let mut vertices = vertices;
+        if !detail.has_colours() {
+            vertices.colours = Vec::new();
         }
-        let counts = [piece.before, piece.after];
-        drop(piece);
         let (mut faces, mut survey) = (sorted.faces, sorted.survey);
         faces.corners.shrink_to_fit();
         faces.normals.shrink_to_fit();
         survey.faces = faces.count();
-        let [positions, colours] = numbers(&sorted.vertices)?;
-        let [normals, _] = numbers(&sorted.normals)?;
-        let vertices = Vertices {
-            positions,
-            colours,
-            normals,
-        };
         let block = Self {
             vertices,
             faces,
-            counts,
+            painted: sorted.painted,
+            counts: sorted.counts,
         };
         Ok((block, survey))
     }
 }
 
-/// The coordinates and the colours of lines of vertices, as `tobj` reads them. It returns only the vertices that faces
-/// use, in the order of their use. So a face that names them all is added.
-fn numbers(lines: &str) -> Result<[Vec<[f64; 3]>; 2], tobj::LoadError> {
-    if lines.is_empty() {
-        return Ok([Vec::new(), Vec::new()]);
-    }
-    let mut face = String::from("f");
-    for vertex in 1..=memchr::memchr_iter(b'\n', lines.as_bytes()).count() {
-        // Writing to a string cannot fail.
-        let _ = write!(face, " {vertex}");
-    }
-    let mut text = lines.as_bytes().chain(face.as_bytes());
-    let no_materials = |_: &_| Err(tobj::LoadError::GenericFailure);
-    let (models, _) = tobj::load_obj_buf(&mut text, &tobj::LoadOptions::default(), no_materials)?;
-    let mesh = models.into_iter().next().map(|model| model.mesh);
-    let mesh = mesh.unwrap_or_default();
-    Ok([mesh.positions, mesh.vertex_color].map(|values| values.as_chunks::<3>().0.to_vec()))
-}
-
 /// What the lines of a piece hold.
-#[derive(Default)]
-struct Sorted {
-    /// The counts before the current line.
-    before: Counts,
-    /// The number of vertices in the file, if it is known.
-    known: Option<usize>,
-    /// Whether normals and colours are kept.
-    is_shaded: bool,
-    /// Whether the piece may have comments.
-    may_have_comments: bool,
-    /// The vertex and the normal of each corner of the current face.
-    corners: Vec<(usize, Normal)>,
-    /// The vertices, as lines for `tobj`. All have a colour or none has: those without one in the file are white.
-    vertices: String,
-    are_coloured: bool,
-    /// The normals, as lines of vertices for `tobj`.
-    normals: String,
+struct Sorted<'a> {
+    /// How much there was before the current line.
+    counts: Counts,
+    detail: Detail,
+    /// The corners of the current face.
+    corners: Vec<(Named, Named)>,
+    numbers: NumberLines<'a>,
     faces: Faces,
+    painted: Vec<[f64; 3]>,
     /// The contents of the other lines.
     survey: Survey,
 }
 
-impl Sorted {
-    /// Adds a line, according to its keyword.
-    fn add(&mut self, line: &[u8]) {
-        let keyword = fields(line).next().unwrap_or_default();
-        let end = keyword.end;
-        let values = || match &line[end..] {
-            values if self.may_have_comments => without_comment(values),
-            values => values,
+impl<'a> Sorted<'a> {
+    /// Sorts the lines of a piece. Unless it `trusts` them, each vertex and normal is checked.
+    fn of(text: &'a [u8], detail: Detail, trusts: bool) -> Result<Self, Stop> {
+        let mut sorted = Self {
+            counts: Counts::default(),
+            detail,
+            corners: Vec::new(),
+            numbers: NumberLines::default(),
+            faces: Faces::default(),
+            painted: Vec::new(),
+            survey: Survey::default(),
         };
-        match &line[keyword] {
-            b"v" => self.vertex(values()),
-            b"vn" => self.normal(values()),
-            b"f" => self.face(values()),
-            b"o" => self.say(Said::Object(short_rest(&line[end..]))),
-            b"g" => self.say(Said::Group(short_rest(&line[end..]))),
-            b"usemtl" => self.say(Said::Material(rest(&line[end..]), self.number())),
-            b"mtllib" => self.say(Said::Library(rest(&line[end..]), self.number())),
-            b"l" | b"p" => self.survey.points_and_lines += 1,
-            b"curv" | b"curv2" | b"surf" => self.survey.free_form += 1,
-            _ => {}
+        let mut lines = Lines::new(text, 0);
+        loop {
+            if trusts && let Some(taken) = sorted.plain(lines.rest()) {
+                lines.skip(taken.bytes, taken.lines);
+            }
+            let Some((number, line)) = lines.next() else {
+                break;
+            };
+            check_line(line)?;
+            sorted.counts.lines = number - 1;
+            sorted.line(line);
         }
+        let is_ended = matches!(text.last(), None | Some(b'\n' | b'\r'));
+        sorted.counts.lines = lines.ends + usize::from(!is_ended);
+        sorted.counts.bytes = text.len();
+        Ok(sorted)
     }
 
-    /// The number of the current line, from 1.
+    /// Takes the plain lines of vertices and normals at the start of a text, and says how much that is.
+    fn plain(&mut self, text: &'a [u8]) -> Option<Counts> {
+        let mut taken = Counts::default();
+        loop {
+            let rest = &text[taken.bytes..];
+            let (keyword, is_normal) = match rest {
+                [b'v', b' ' | b'\t', ..] => (&rest[..2], false),
+                [b'v', b'n', b' ' | b'\t', ..] => (&rest[..3], true),
+                _ => break,
+            };
+            let Some(plain) = plain_lines(rest, keyword) else {
+                break;
+            };
+            let lines = Cow::Borrowed(&rest[..plain.bytes]);
+            if is_normal && plain.words != 3 {
+                break;
+            }
+            if is_normal {
+                self.counts.normals += plain.count;
+                if self.detail.has_normals() {
+                    self.numbers.normals(lines, plain.count);
+                }
+            } else {
+                self.counts.vertices += plain.count;
+                self.numbers.vertices(lines, plain.count, plain.words == 6);
+            }
+            taken.bytes += plain.bytes;
+            taken.lines += plain.count;
+        }
+        (taken.lines > 0).then_some(taken)
+    }
+
+    /// Adds a line, according to its keyword.
+    fn line(&mut self, line: &[u8]) {
+        let word = fields(line).next().unwrap_or_default();
+        let rest_of_line = &line[word.end..];
+        let faces = self.faces.count();
+        let said = match Keyword::of(&line[word]) {
+            Keyword::Vertex => return self.vertex(without_comment(rest_of_line)),
+            Keyword::Normal => return self.normal(without_comment(rest_of_line)),
+            Keyword::Face => return self.face(rest_of_line),
+            Keyword::Painted if self.detail.has_colours() => return self.paint(rest_of_line),
+            Keyword::PointOrLine => {
+                self.survey.points_and_lines += 1;
+                return;
+            }
+            Keyword::FreeForm => {
+                self.survey.free_form += 1;
+                return;
+            }
+            Keyword::Painted | Keyword::Other => return,
+            Keyword::Object => Said::Object(short_rest(rest_of_line)),
+            Keyword::Group => Said::Group(short_rest(rest_of_line)),
+            Keyword::Material => Said::Material(rest(rest_of_line), self.number()),
+            Keyword::Library => Said::Library(rest(rest_of_line), self.number()),
+            Keyword::Smoothing => Said::Smoothing(smoothing_group(rest_of_line)),
+        };
+        self.survey.said.push((faces, said));
+    }
+
+    /// The number of the current line in the piece, from 1.
     fn number(&self) -> usize {
-        self.before.lines + 1
-    }
-
-    fn say(&mut self, said: Said) {
-        self.survey.said.push((self.faces.count(), said));
+        self.counts.lines + 1
     }
 
     fn note(&mut self, what: BadLine) {
@@ -201,58 +236,66 @@ impl Sorted {
     }
 
     fn vertex(&mut self, values: &[u8]) {
-        let (numbers, is_coloured) = match read_vertex(values) {
-            Ok((_, Some(end))) if self.is_shaded => (text(&values[..end]), true),
-            Ok((end, _)) => (text(&values[..end]), false),
+        self.counts.vertices += 1;
+        let (line, is_coloured) = match read_vertex(values) {
+            Ok((_, Some(end))) if self.detail.has_colours() => (&values[..end], true),
+            Ok((end, _)) => (&values[..end], false),
             Err(fault) => {
                 self.note(fault);
-                (NOWHERE, false)
+                return self.numbers.vertices(NO_VERTEX.into(), 1, false);
             }
         };
-        if is_coloured && !self.are_coloured {
-            self.are_coloured = true;
-            self.vertices = self.vertices.replace('\n', &format!("{WHITE}\n"));
-        }
-        let is_white = self.are_coloured && !is_coloured;
-        let colour = if is_white { WHITE } else { "" };
-        self.vertices.extend(["v", numbers, colour, "\n"]);
-        self.before.vertices += 1;
-        self.survey.vertices += 1;
+        self.numbers
+            .vertices([b"v ", line, b"\n"].concat().into(), 1, is_coloured);
     }
 
     fn normal(&mut self, values: &[u8]) {
+        self.counts.normals += 1;
+        if !self.detail.has_normals() {
+            return;
+        }
         let words = fields(values).take(3);
         let numbers = words.filter(|word| Number::of(&values[word.clone()]) >= Number::OutOfRange);
         let ends: Vec<usize> = numbers.map(|word| word.end).collect();
-        let numbers = if let [_, _, end] = *ends {
-            text(&values[..end])
+        if let [_, _, end] = *ends {
+            self.numbers
+                .normals([b"vn ", &values[..end], b"\n"].concat().into(), 1);
         } else {
             self.note(BadLine::Normal);
-            NOWHERE
-        };
-        if self.is_shaded {
-            self.normals.extend(["v", numbers, "\n"]);
+            self.numbers.normals(NO_NORMAL.into(), 1);
         }
-        self.before.normals += 1;
+    }
+
+    /// Adds the colours of an `#MRGB` line: for each vertex eight hexadecimal digits, a mask's two and the colour's six.
+    fn paint(&mut self, values: &[u8]) {
+        let bytes = values.iter().filter(|byte| !byte.is_ascii_whitespace());
+        let digits = bytes
+            .clone()
+            .map_while(|byte| char::from(*byte).to_digit(16));
+        let digits: Vec<u32> = digits.collect();
+        let (vertices, rest) = digits.as_chunks::<8>();
+        if !rest.is_empty() || digits.len() < bytes.count() {
+            self.note(BadLine::Painted);
+        }
+        let colours = vertices.iter().map(|[_, _, colour @ ..]| {
+            let [red, green, blue] = [0, 2, 4].map(|at| 16 * colour[at] + colour[at + 1]);
+            [red, green, blue].map(|channel| f64::from(channel) / 255.0)
+        });
+        self.painted.extend(colours);
     }
 
     fn face(&mut self, corners: &[u8]) {
-        let corners = read_corners(corners, self.before, self.known, &mut self.corners);
-        if let Err(fault) = corners {
+        self.counts.faces += 1;
+        if let Err(fault) = read_corners(corners, self.counts, &mut self.corners) {
             return self.note(fault);
         }
-        let (corners, survey) = (&*self.corners, &mut self.survey);
-        match corners.len() {
-            0..3 => survey.points_and_lines += 1,
+        match self.corners.len() {
+            0..3 => self.survey.points_and_lines += 1,
             3..=MOST_CORNERS => {
-                let mut normals = corners.iter().map(|(_, normal)| normal);
-                survey.bad_normals += usize::from(normals.clone().any(|n| *n == Normal::Nowhere));
-                let all_there = normals.all(|normal| matches!(normal, Normal::There(_)));
-                let highest = corners.iter().map(|(vertex, _)| *vertex).max();
-                survey.highest_vertex = survey.highest_vertex.max(highest.unwrap_or(0));
-                self.faces.add(corners, self.is_shaded && all_there);
+                let (line, has_normals) = (self.counts.lines, self.detail.has_normals());
+                self.faces.add(&self.corners, line, has_normals);
             }
-            _ => survey.oversized += 1,
+            _ => self.survey.oversized += 1,
         }
     }
 }
@@ -260,10 +303,6 @@ impl Sorted {
 /// The end of a vertex's three coordinates, and the end of its colour if it has one. A fourth coordinate, a weight for
 /// free-form curves, is dropped.
 fn read_vertex(values: &[u8]) -> Result<(usize, Option<usize>), BadLine> {
-    // Nearly all vertices take this fast path.
-    if let Some(end) = three_plain_numbers(values) {
-        return Ok((end, None));
-    }
     let mut words: [Range<usize>; 6] = Default::default();
     for (word, found) in words.iter_mut().zip(fields(values)) {
         *word = found;
@@ -282,21 +321,23 @@ fn read_vertex(values: &[u8]) -> Result<(usize, Option<usize>), BadLine> {
     Ok((end, is_coloured.then_some(colour_end)))
 }
 
-/// Digits as text. They were parsed before, so they are ASCII.
-fn text(numbers: &[u8]) -> &str {
-    std::str::from_utf8(numbers).unwrap_or(NOWHERE)
+/// The rest of a line after its keyword and the character that ends it, as written.
+fn rest(line: &[u8]) -> String {
+    text_of(line.get(1..).unwrap_or_default()).into_owned()
 }
 
-/// The name after a keyword. A `#` in it begins a comment only if it is a word by itself.
-fn rest(line: &[u8]) -> String {
-    let text = String::from_utf8_lossy(line).replace('\t', " ");
-    let name = text.split_once(" # ").map_or(&*text, |(name, _)| name);
-    name.trim().trim_end_matches(" #").to_owned()
+/// The group of an `s` line: a number above 0, or 0 for `off`.
+fn smoothing_group(values: &[u8]) -> u32 {
+    let word = fields(values).next().unwrap_or_default();
+    match &values[word] {
+        b"on" => 1,
+        word => integer(word).map_or(0, |(group, _)| u32::try_from(group).unwrap_or(u32::MAX)),
+    }
 }
 
 /// The name of an object or group. A very long name is cut, because each face may have another name.
 fn short_rest(line: &[u8]) -> String {
-    let mut name = rest(line);
+    let mut name = rest(line).trim().to_owned();
     if let Some((end, _)) = name.char_indices().nth(LONGEST_NAME) {
         name.truncate(end);
         name.push('…');

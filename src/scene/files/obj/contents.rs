@@ -1,87 +1,26 @@
-//! Stores where in a file its faces and vertices are: one entry for each piece of the file. With it, the text of a face
-//! can be read again without the pieces before it.
+//! Stores where in a file its faces and vertices are: the line of each triangle's face, and what comes before each piece
+//! of the file. With it, the text of a face can be read again without the pieces before it.
 
-use super::{FileError, file, pieces::Counts};
+use super::{Stamp, counts::Counts};
 use std::{
-    fs::Metadata,
+    ops::Range,
     path::{Path, PathBuf},
-    time::SystemTime,
 };
 
-/// How much of a file comes before each of its pieces. A piece has about 256 KiB.
+/// Where in a file its faces and vertices are. A piece has about 256 KiB.
 #[derive(Clone, Debug, Default)]
 pub struct Contents {
-    /// One entry for each piece, and one for the end of the file.
-    starts: Vec<Start>,
+    /// What comes before each piece and, at the end, what the whole file has.
+    pub(super) starts: Vec<Counts>,
+    /// For each triangle of the mesh, the line of its face, from 1; empty where the mesh was loaded without.
+    pub(super) lines: Vec<u32>,
     /// The stamp of the file when it was loaded; `None` if the bytes came from no file.
     pub(super) stamp: Option<Stamp>,
     /// The MTL files that the file names, and the stamp of each when it was read; `None` for a missing one.
     pub(super) libraries: Vec<(PathBuf, Option<Stamp>)>,
 }
 
-/// How much of the file and of the mesh comes before a piece.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Start {
-    pub counts: Counts,
-    /// The number of triangles of the mesh.
-    pub triangles: u32,
-    /// Whether each face of the piece has two triangles fewer than corners, as a polygon has: none is left out.
-    pub is_plain: bool,
-}
-
-/// Properties of a file that show whether it was changed.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Stamp {
-    bytes: u64,
-    modified: Option<SystemTime>,
-    /// The system's number of the file, because another file may have the same name, size and time.
-    number: u64,
-}
-
-impl Stamp {
-    /// The stamp of a file as it is now.
-    ///
-    /// # Errors
-    /// When the path is no regular file, or nothing is there.
-    pub fn of(path: &Path) -> Result<Self, FileError> {
-        let about = file::about(path)?;
-        Ok(Self {
-            bytes: about.len(),
-            modified: about.modified().ok(),
-            number: number(&about),
-        })
-    }
-}
-
-/// The number by which the system identifies a file; 0 if the system has no such number.
-#[cfg(unix)]
-fn number(about: &Metadata) -> u64 {
-    std::os::unix::fs::MetadataExt::ino(about)
-}
-
-#[cfg(not(unix))]
-fn number(_: &Metadata) -> u64 {
-    0
-}
-
 impl Contents {
-    /// The contents of pieces in order. Each is given by the counts before it and before the next one.
-    pub(super) fn new(pieces: impl Iterator<Item = [Counts; 2]>) -> Self {
-        let start = |counts| Start {
-            counts,
-            ..Start::default()
-        };
-        let mut starts = Vec::new();
-        for [before, after] in pieces {
-            starts.pop();
-            starts.extend([start(before), start(after)]);
-        }
-        Self {
-            starts,
-            ..Self::default()
-        }
-    }
-
     /// Whether the file at `path` and the MTL files that it names are those that were loaded, unchanged since. False
     /// where the bytes came from no file.
     pub fn is_current(&self, path: &Path) -> bool {
@@ -92,37 +31,38 @@ impl Contents {
             && libraries.all(|(file, stamp)| now(file) == *stamp)
     }
 
-    /// Records how many triangles come before a piece. Of its faces, `faces` were read; `are_plain` says that
-    /// each of those has two triangles fewer than corners.
-    pub(super) fn begin(
-        &mut self,
-        piece: usize,
-        triangles: u32,
-        (faces, are_plain): (usize, bool),
-    ) {
-        let lines = self.starts[piece + 1].counts.faces - self.starts[piece].counts.faces;
-        let start = &mut self.starts[piece];
-        start.triangles = triangles;
-        start.is_plain = are_plain && faces == lines;
+    /// The line of a triangle's face, from 1; the first of continued lines. `None` where it is not kept.
+    pub fn line_of(&self, triangle: u32) -> Option<usize> {
+        Some(*self.lines.get(triangle as usize)? as usize)
     }
 
-    /// Records the total number of triangles.
-    pub(super) fn end(&mut self, triangles: u32) {
-        if let Some(end) = self.starts.last_mut() {
-            end.triangles = triangles;
-        }
+    /// The triangles of a triangle's face: each line has one face.
+    pub(super) fn triangles_of_face(&self, triangle: u32) -> Option<Range<u32>> {
+        let line = *self.lines.get(triangle as usize)?;
+        let is_other = |known: &u32| *known != line;
+        let (before, after) = self.lines.split_at(triangle as usize);
+        let start = before.iter().rposition(&is_other);
+        let end = after.iter().position(is_other).unwrap_or(after.len());
+        let start = start.map_or(0, |last| last + 1);
+        let start = u32::try_from(start).ok()?;
+        Some(start..triangle + u32::try_from(end).ok()?)
     }
 
-    /// The entries of a piece and of the next one.
-    pub(super) fn piece(&self, piece: usize) -> [&Start; 2] {
-        [&self.starts[piece], &self.starts[piece + 1]]
+    /// The piece that holds the item with this index, for the kind of item that `count` counts, and what comes before the
+    /// piece and before the next one; `None` past the last item.
+    pub(super) fn holding(
+        &self,
+        index: usize,
+        count: impl Fn(&Counts) -> usize,
+    ) -> Option<(usize, [Counts; 2])> {
+        let next = self.starts.partition_point(|start| count(start) <= index);
+        let piece = next.checked_sub(1)?;
+        Some((piece, [self.starts[piece], *self.starts.get(next)?]))
     }
 
-    /// The piece that holds the item with this index, for the kind of item that `count` counts; `None` past the last
-    /// item.
-    pub(super) fn holding(&self, before: usize, count: impl Fn(&Start) -> usize) -> Option<usize> {
-        let next = self.starts.partition_point(|start| count(start) <= before);
-        (next < self.starts.len()).then(|| next.checked_sub(1))?
+    /// What the whole file has.
+    pub(super) fn all(&self) -> Counts {
+        self.starts.last().copied().unwrap_or_default()
     }
 
     /// How many pieces the file was read in.
@@ -133,6 +73,6 @@ impl Contents {
 
     /// How many vertices the file has.
     pub fn vertices(&self) -> usize {
-        self.starts.last().map_or(0, |end| end.counts.vertices)
+        self.all().vertices
     }
 }

@@ -2,46 +2,37 @@
 
 use super::{
     BadLine,
-    pieces::Counts,
-    words::{fields, index, integer},
+    counts::Counts,
+    named::Named,
+    text_lines::text_of,
+    words::{fields, integer},
 };
+use crate::plain;
 
 /// A face with more corners is left out. Modelling programs write no such faces.
 pub(super) const MOST_CORNERS: usize = 1 << 16;
 
-/// The normal that a corner names.
-#[derive(PartialEq, Eq)]
-pub(super) enum Normal {
-    /// The corner names no normal.
-    Absent,
-    /// The number of the normal, from 1.
-    There(usize),
-    /// The corner names a normal that does not exist.
-    Nowhere,
-}
-
-/// Reads the corners of a face into `into`: for each, the number of its vertex, from 1, and its normal. `text` is the
-/// line after the keyword. `before` counts what comes before the line. `known` is the number of vertices in the file,
-/// if it is known.
+/// Reads the corners of a face into `into`: for each its vertex and its normal. `text` is the line after the keyword;
+/// `before` counts what comes before the line in its piece.
 ///
 /// # Errors
-/// What is wrong with the first corner that cannot be read or names a vertex that does not exist.
+/// What is wrong with the first corner that cannot be read.
 pub(super) fn read_corners(
     text: &[u8],
     before: Counts,
-    known: Option<usize>,
-    into: &mut Vec<(usize, Normal)>,
+    into: &mut Vec<(Named, Named)>,
 ) -> Result<(), BadLine> {
     into.clear();
     let mut rest = text.trim_ascii_start();
-    while !rest.is_empty() {
-        let length = if let Some((read, length)) = plain_corner(rest, before, known) {
+    while !rest.is_empty() && rest[0] != b'#' {
+        let length = if let Some((read, length)) = plain_corner(rest) {
             into.push(read);
             length
         } else {
             let word = fields(rest).next().unwrap_or_default();
-            into.push(corner(&rest[word.clone()], before, known)?);
-            word.end
+            let end = memchr::memchr(b'#', &rest[..word.end]).unwrap_or(word.end);
+            into.push(corner(&rest[..end], before)?);
+            end
         };
         rest = rest[length..].trim_ascii_start();
     }
@@ -50,15 +41,11 @@ pub(super) fn read_corners(
 
 /// [`corner`] for the first word of a text, and the length of the word. Nearly all corners take this fast path:
 /// `None` for the others.
-fn plain_corner(
-    text: &[u8],
-    before: Counts,
-    known: Option<usize>,
-) -> Option<((usize, Normal), usize)> {
+fn plain_corner(text: &[u8]) -> Option<((Named, Named), usize)> {
     let is_end = |at: usize| text.get(at).is_none_or(u8::is_ascii_whitespace);
     let is_slash = |at: usize| text.get(at) == Some(&b'/');
     let (vertex, mut at) = digits(text, 0);
-    if vertex == 0 || known.is_some_and(|known| vertex > known) {
+    if vertex == 0 {
         return None;
     }
     let mut normal = 0;
@@ -67,16 +54,16 @@ fn plain_corner(
         if is_slash(at) {
             (normal, at) = digits(text, at + 1);
             // A normal that is written as 0 is no plain one.
-            if normal > before.normals || normal == 0 && !is_slash(at - 1) {
+            if normal == 0 && !is_slash(at - 1) {
                 return None;
             }
         }
     }
     let normal = match normal {
-        0 => Normal::Absent,
-        normal => Normal::There(normal),
+        0 => Named::NONE,
+        normal => Named::in_file(normal),
     };
-    is_end(at).then_some(((vertex, normal), at))
+    is_end(at).then_some(((Named::in_file(vertex), normal), at))
 }
 
 /// The number that some digits of a text write, from a position, and the position after them. So few are read that no
@@ -96,35 +83,35 @@ fn digits(text: &[u8], mut at: usize) -> (usize, usize) {
 
 /// The vertex and the normal that a corner names. Its texture coordinate must be an integer or empty; whether it exists
 /// is not checked.
-fn corner(corner: &[u8], before: Counts, known: Option<usize>) -> Result<(usize, Normal), BadLine> {
-    let slash = corner.iter().position(|&b| b == b'/');
-    let (vertex, others) = corner.split_at(slash.unwrap_or(corner.len()));
-    let is_there = |&number: &usize| known.is_none_or(|known| number <= known);
-    let Some(number) = index(vertex, before.vertices).filter(is_there) else {
-        let named = String::from_utf8_lossy(&vertex[..vertex.len().min(24)]);
-        return Err(BadLine::NoSuchVertex {
-            vertex: named.escape_debug().to_string(),
-            vertices: known.unwrap_or(before.vertices),
-        });
+fn corner(corner: &[u8], before: Counts) -> Result<(Named, Named), BadLine> {
+    let mut words = corner.split(|&b| b == b'/');
+    let [vertex, texture, normal] = [(); 3].map(|()| words.next().unwrap_or_default());
+    let nothing = || BadLine::NoSuchVertex {
+        vertex: plain::plain(&text_of(&vertex[..vertex.len().min(24)])),
+        // Said later.
+        vertices: 0,
     };
-    if others.is_empty() {
-        return Ok((number, Normal::Absent));
-    }
-    let mut others = others[1..].split(|&b| b == b'/');
-    let [texture, normal] = [(); 2].map(|()| others.next().unwrap_or_default());
-    if !(texture.is_empty() || integer(texture).is_some()) || others.next().is_some() {
+    let number = integer(vertex).ok_or_else(nothing)?;
+    if words.next().is_some() || !texture.is_empty() && integer(texture).is_none() {
         return Err(BadLine::Corner);
     }
-    let normal = match index(normal, before.normals) {
-        _ if normal.is_empty() => Normal::Absent,
-        Some(normal) if normal <= before.normals => Normal::There(normal),
-        _ => Normal::Nowhere,
+    let named = |(value, is_counted_back): (usize, bool), before: usize| {
+        let signed = |value: usize| isize::try_from(value).unwrap_or(isize::MAX);
+        if is_counted_back && value > 0 {
+            Named::in_piece(signed(before) + 1 - signed(value))
+        } else {
+            Named::in_file(value)
+        }
     };
-    Ok((number, normal))
-}
-
-/// The line without its comment.
-pub(super) fn without_comment(line: &[u8]) -> &[u8] {
-    let end = memchr::memchr(b'#', line);
-    &line[..end.unwrap_or(line.len())]
+    let (value, is_counted_back) = number;
+    // It names nothing, whatever the file has.
+    if !is_counted_back && value >= Named::MOST {
+        return Err(nothing());
+    }
+    let normal = match integer(normal) {
+        _ if normal.is_empty() => Named::NONE,
+        Some(number) => named(number, before.normals),
+        None => Named::in_file(0),
+    };
+    Ok((named(number, before.vertices), normal))
 }

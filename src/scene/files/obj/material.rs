@@ -3,8 +3,11 @@
 //! `tobj` is not used for MTL files, because it panics on `Kd 0.5` and drops a whole file for one bad line.
 
 use super::{
-    contents::Stamp,
-    text_lines::{Lines, decode},
+    Stamp,
+    channels::are_bytes,
+    library::{Finder, Library},
+    material_name::{Found, MaterialNames},
+    text_lines::{Lines, decode, text_of},
 };
 use crate::{
     colour::Srgb,
@@ -14,7 +17,7 @@ use crate::{
     },
 };
 use std::{
-    collections::{HashMap, HashSet},
+    collections::HashSet,
     fs::{self, File},
     io::{self, BufReader, ErrorKind, Read},
     path::{Path, PathBuf},
@@ -24,69 +27,106 @@ use std::{
 const MOST_BYTES: u64 = 1 << 26;
 /// The most material files that are looked for.
 const MOST_FILES: usize = 1 << 12;
-/// The most material files that one line may name.
-const MOST_ON_A_LINE: usize = 1 << 6;
 
 /// What is used of a material, and which properties are only warned about.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Material {
-    /// `Kd`.
+    /// Its name, as its line has it.
+    pub name: String,
+    /// `Kd`. None where it is black and a texture has the colours: a black surface would show no form.
     pub colour: Option<Srgb>,
-    /// Whether `d` is below 1.
+    /// Whether `d` is below 1 or, without `d`, `Tr` above 0.
     pub transparent: bool,
     /// The files that it names for textures of any kind.
     pub textures: Vec<String>,
+    /// Whether one of them has the surface's own colours.
+    is_painted: bool,
+    kd: Option<[f64; 3]>,
+    /// `d`, and `Tr`.
+    opacity: Option<f64>,
+    transparency: Option<f64>,
+}
+
+impl Material {
+    /// Sets what follows from its lines. `scale` is 1, or 1/255 in a file whose colours go up to 255.
+    fn finish(&mut self, scale: f64) {
+        let kd = self.kd.map(|kd| kd.map(|channel| scale * channel));
+        let is_black = kd == Some([0.0; 3]);
+        self.colour = kd
+            .filter(|_| !(is_black && self.is_painted))
+            .map(Srgb::from_unit);
+        self.transparent = match (self.opacity, self.transparency) {
+            (Some(opacity), _) => opacity < 1.0,
+            (None, transparency) => transparency.is_some_and(|share| share > 0.0),
+        };
+    }
 }
 
 /// The contents of all material files of an OBJ file.
 #[derive(Default)]
 pub(super) struct Materials {
-    /// The materials by name. Of materials with the same name, the last one counts.
-    pub by_name: HashMap<String, Material>,
+    /// In the order of their definition.
+    pub all: Vec<Material>,
+    names: MaterialNames,
     /// Warnings about files and colours that could not be read.
     pub warnings: Vec<Warning>,
     /// The absolute paths of the files, including missing ones, and the stamp of each before it was read.
     pub files: Vec<(PathBuf, Option<Stamp>)>,
 }
 
-/// Reads the files that `mtllib` lines name. `libraries` has the names and their line numbers. Names are relative to
-/// the folder of `obj`. A file with several names is read once.
+/// Reads the files that `mtllib` lines name; `libraries` has the rest of each such line and its number. If there is no
+/// such line and materials are used, the file of the OBJ file's own name is read. A file with several names is read
+/// once.
 pub(super) fn read_libraries(
     obj: &Path,
     libraries: &[(String, usize)],
+    has_uses: bool,
     progress: &Progress,
 ) -> Result<Materials, Cancelled> {
-    let folder = obj.parent().unwrap_or(Path::new(""));
     let mut materials = Materials::default();
     let mut unread: Vec<Unread> = Vec::new();
     let mut known = HashSet::new();
     let mut bytes_left = MOST_BYTES;
-    let each = libraries.iter().flat_map(|(named, line)| {
-        files(folder, named)
-            .into_iter()
-            .zip(std::iter::repeat(*line))
-    });
-    for ((name, file), line) in each.take(MOST_FILES) {
-        if !known.insert(file.canonicalize().unwrap_or_else(|_| file.clone())) {
-            continue;
+    let mut finder = Finder::beside(obj);
+    if libraries.is_empty() && has_uses {
+        let Library { path, .. } = finder.of_stem(obj);
+        let stamp = Stamp::of(&path).ok();
+        // Nobody named it, so it may be missing, or be something else.
+        if let Ok(text) = read(&path, &mut bytes_left) {
+            materials.add(&path, Lines::new(&text, 0), progress)?;
         }
-        materials
-            .files
-            .push((absolute(&file), Stamp::of(&file).ok()));
-        let text = read(&file, &mut bytes_left);
-        let read = text.map(|text| materials.add(&file, Lines::new(&text, 0), progress));
-        let why = match read {
-            Ok(count) if count? == 0 => "has no materials in it".to_owned(),
-            Ok(_) => continue,
-            Err(why) => why,
-        };
-        match unread.iter_mut().find(|other| other.why == why) {
-            Some(other) => other.names.push(name),
-            None => unread.push(Unread {
-                why,
-                line,
-                names: vec![name],
-            }),
+        materials.files.push((absolute(&path), stamp));
+    }
+    let mut files = 0;
+    for (rest, line) in libraries {
+        progress.advance(0)?;
+        for library in finder.libraries(rest) {
+            files += 1;
+            let path = &library.path;
+            let is_known = !known.insert(path.canonicalize().unwrap_or_else(|_| path.clone()));
+            if files > MOST_FILES || is_known {
+                continue;
+            }
+            materials.files.push((absolute(path), Stamp::of(path).ok()));
+            let text = read(path, &mut bytes_left);
+            let read = text.map(|text| materials.add(path, Lines::new(&text, 0), progress));
+            let why = match read {
+                Ok(count) if count? == 0 => "has no materials in it".to_owned(),
+                Ok(_) => continue,
+                Err(why) => why,
+            };
+            match unread.iter_mut().find(|other| other.why == why) {
+                Some(other) => other.names.push(library.name),
+                None => unread.push(Unread {
+                    why,
+                    line: *line,
+                    names: vec![library.name],
+                    tried: library.tried,
+                }),
+            }
+        }
+        if files > MOST_FILES {
+            break;
         }
     }
     materials
@@ -105,38 +145,25 @@ struct Unread {
     /// The number of the line that names the first of them.
     line: usize,
     names: Vec<String>,
+    /// What else the first of them was looked for as.
+    tried: Vec<String>,
 }
 
 impl Unread {
     fn message(&self) -> String {
-        let Self { why, names, .. } = self;
+        let Self {
+            why, names, tried, ..
+        } = self;
         let first = list(names.iter().take(1).map(String::as_str));
-        if names.len() == 1 {
+        if names.len() == 1 && tried.is_empty() {
             return format!("the material file {first} {why}");
+        }
+        if names.len() == 1 {
+            let tried = list(tried.iter().map(String::as_str));
+            return format!("the material file {first} {why}; tried, too: {tried}");
         }
         let others = list(names.iter().skip(1).map(String::as_str));
         format!("the material file {first} {why}; the same with {others}")
-    }
-}
-
-/// The files that an `mtllib` line names: one file, whose name may have spaces, or several.
-fn files(folder: &Path, named: &str) -> Vec<(String, PathBuf)> {
-    let find = |name: &str| {
-        let as_written = folder.join(name);
-        let file = if as_written.exists() {
-            as_written
-        } else {
-            folder.join(name.replace('\\', "/"))
-        };
-        (name.to_owned(), file)
-    };
-    let whole = find(named);
-    let words = named.split_whitespace().take(MOST_ON_A_LINE);
-    let each: Vec<_> = words.map(find).collect();
-    if whole.1.exists() || !each.iter().any(|(_, file)| file.exists()) {
-        vec![whole]
-    } else {
-        each
     }
 }
 
@@ -164,6 +191,11 @@ fn cannot_be_read(error: &io::Error) -> String {
 }
 
 impl Materials {
+    /// The number of the material that a `usemtl` line means.
+    pub fn find(&self, name: &str) -> Option<Found> {
+        self.names.find(name)
+    }
+
     /// Adds the materials of a file and returns their number.
     fn add(
         &mut self,
@@ -171,56 +203,93 @@ impl Materials {
         mut lines: Lines,
         progress: &Progress,
     ) -> Result<usize, Cancelled> {
-        let mut current: Option<(String, Material)> = None;
+        let before = self.all.len();
         let mut bad_colours = Vec::new();
-        let mut count = 0;
+        let mut beyond_one = None;
         while let Some((number, line)) = lines.next() {
             progress.advance(0)?;
-            let text = String::from_utf8_lossy(line);
-            let text = text.trim();
-            let (keyword, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
-            let rest = rest.split_once(" #").map_or(rest, |(rest, _)| rest).trim();
+            let text = text_of(line.trim_ascii_start());
+            let (keyword, rest) = text.split_once(char::is_whitespace).unwrap_or((&text, ""));
+            let keyword = keyword.to_lowercase();
             if keyword == "newmtl" {
-                let next = (rest.to_owned(), Material::default());
-                self.by_name.extend(current.replace(next));
-                count += 1;
+                self.all.push(Material {
+                    name: rest.to_owned(),
+                    ..Material::default()
+                });
                 continue;
             }
-            let Some((_, material)) = &mut current else {
+            let Some(material) = self.all[before..].last_mut() else {
                 continue;
             };
-            match keyword {
-                "Kd" => match colour(rest) {
-                    Some(colour) => material.colour = Some(colour),
+            let last = || {
+                let words = without_comment(rest).split_whitespace();
+                words.last().and_then(|word| word.parse().ok())
+            };
+            match &*keyword {
+                "kd" => match channels(without_comment(rest)) {
+                    Some(kd) => {
+                        material.kd = Some(kd);
+                        let is_beyond = kd.iter().any(|channel| *channel > 1.0);
+                        beyond_one = beyond_one.or(is_beyond.then_some(number));
+                    }
                     None => bad_colours.push(number),
                 },
-                "d" => {
-                    let opacity = rest.split_whitespace().last().and_then(|d| d.parse().ok());
-                    material.transparent = opacity.is_some_and(|d: f64| d < 1.0);
+                "d" => material.opacity = last(),
+                "tr" => material.transparency = last(),
+                "bump" | "disp" | "decal" | "refl" | "norm" => {
+                    material.textures.extend(texture(rest));
                 }
-                "bump" | "disp" | "decal" | "refl" | "norm" => texture(rest, material),
-                _ if keyword.starts_with("map_") => texture(rest, material),
+                _ if keyword.starts_with("map_") => {
+                    let texture = texture(rest);
+                    let has_colours = ["map_kd", "map_ka", "map_ke"].contains(&&*keyword);
+                    material.is_painted |= has_colours && texture.is_some();
+                    material.textures.extend(texture);
+                }
                 _ => {}
             }
         }
-        self.by_name.extend(current);
+        let own = &mut self.all[before..];
+        let is_of_bytes = are_bytes(own.iter().filter_map(|material| material.kd).flatten());
+        let scale = if is_of_bytes { 1.0 / 255.0 } else { 1.0 };
+        for (index, material) in (before..).zip(own) {
+            material.finish(scale);
+            self.names.add(&material.name, index);
+        }
+        let mut warn = |line: Option<usize>, message: String| {
+            let file = file.to_owned();
+            self.warnings.push(Warning {
+                file,
+                line,
+                message,
+            });
+        };
+        if is_of_bytes {
+            warn(
+                beyond_one,
+                "Kd goes up to 255: it is read as Kd / 255".to_owned(),
+            );
+        } else if beyond_one.is_some() {
+            warn(beyond_one, "Kd is above 1: it is drawn as 1".to_owned());
+        }
         if let [first, more @ ..] = &*bad_colours {
             let more = match more.len() {
                 0 => String::new(),
                 n => format!(" (more such lines: {n})"),
             };
-            self.warnings.push(Warning {
-                file: file.to_owned(),
-                line: Some(*first),
-                message: format!("Kd is not a colour: it takes one to three numbers{more}"),
-            });
+            let message = format!("Kd is not a colour: it takes one to three numbers{more}");
+            warn(Some(*first), message);
         }
-        Ok(count)
+        Ok(self.all.len() - before)
     }
 }
 
-/// The colour of `Kd r g b`. If green or blue is absent, it equals red.
-fn colour(text: &str) -> Option<Srgb> {
+/// The text before a comment. A name may have a `#` in it, so this is not for names.
+fn without_comment(text: &str) -> &str {
+    text.split_once('#').map_or(text, |(before, _)| before)
+}
+
+/// The channels of `Kd r g b`. If green or blue is absent, it equals red.
+fn channels(text: &str) -> Option<[f64; 3]> {
     let values: Option<Vec<f64>> = text
         .split_whitespace()
         .map(|word| word.parse().ok())
@@ -228,18 +297,18 @@ fn colour(text: &str) -> Option<Srgb> {
     let values = values.filter(|values| values.iter().all(|c| c.is_finite()))?;
     let &red = values.first()?;
     let or_red = |i: usize| values.get(i).copied().unwrap_or(red);
-    Some(Srgb::from_unit([red, or_red(1), or_red(2)]))
+    Some([red, or_red(1), or_red(2)])
 }
 
-/// Adds the name of a texture file. The name follows the options, which begin with a dash and have values. If there are
-/// options, only the last word surely belongs to the name, so it is taken.
-fn texture(text: &str, material: &mut Material) {
+/// The name of a texture file, if there is one. It follows the options, which begin with a dash and have values. If
+/// there are options, only the last word surely belongs to the name, so it is taken.
+fn texture(text: &str) -> Option<String> {
+    let text = text.trim();
     let name = if text.starts_with('-') {
-        text.split_whitespace().last()
+        text.split_whitespace().last()?
     } else {
-        Some(text)
+        text
     };
-    material
-        .textures
-        .extend(name.filter(|name| !name.is_empty()).map(str::to_owned));
+    let name = name.trim_matches('"');
+    (!name.is_empty()).then(|| name.to_owned())
 }

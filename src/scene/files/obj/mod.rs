@@ -1,15 +1,25 @@
 //! Loads OBJ files, and the MTL files that they name, into meshes; also writes meshes as OBJ and MTL files.
 //!
-//! Loading has these steps:
+//! How a file flows:
 //!
-//! 1. The file is cut into pieces of whole lines (`pieces`), which are read on all cores.
-//! 2. The lines of each piece (`text_lines`, `words`) are read into vertices and faces (`block`, `corners`). `tobj`
-//!    reads the coordinates of vertices. The other lines of the piece are collected (`survey`, `names`).
-//! 3. Vertices are converted to `f32` (`vertices`), polygons are split into triangles (`triangulation`, `tangled`),
-//!    and colours are read from the MTL files (`material`). `assembling` makes the mesh.
+//!  1. `pieces` cuts the file into pieces of whole lines, about 256 KiB each, which are read on all cores.
+//!  2. `text_lines` finds the lines of a piece: any line ends, lines that a backslash continues, UTF-16.
+//!  3. `keyword` says what a line is about; `words` splits it.
+//!  4. `coordinates` gives lines of vertices and normals to `tobj` as they are, which reads their numbers.
+//!  5. `corners` reads the corners of faces. What they count back becomes a number once the pieces before are known
+//!     (`named`).
+//!  6. `block` holds a piece's vertices and faces, each face with its line; `survey` names, counts and bad lines.
+//!  7. `names` finds objects, uses of materials and smoothing groups. `material` reads the MTL files that `library`
+//!     finds; `material_name` compares the names of both.
+//!  8. `vertices` stores the vertices that faces use as `f32`; `channels` scales colours from 0 to 255.
+//!  9. `triangulation` splits polygons by earcut, except those that `tangled` finds.
+//! 10. `assembling` makes the mesh; `notes` says what was left out, and `contents` keeps the line of each triangle.
 //!
-//! The text of the faces (`in_file`) is not kept in memory. It is read from the file again when it is needed (`again`);
-//! `contents` stores where. `write` writes a mesh as OBJ and MTL text. The rules of loading:
+//! A digit is read twice: by a look for the end of its line, which also tells whether it is a plain line of numbers, and
+//! as a part of its number. Only a piece with a vertex that cannot be read is gone through once more.
+//!
+//! The text of the faces is not kept. It is read again when it is needed (`again`, `in_file`). `write` writes a mesh as
+//! OBJ and MTL text. The rules of loading:
 //!
 //! - **What is valid loads.** A face is left out if one of its vertices does not exist or has no three finite
 //!   coordinates. Warnings say so and name the first bad line. A file is refused when no triangle is left, or at the
@@ -19,17 +29,25 @@
 //!   one group, else `object/group`. A group outside any object has the group's name. Faces without any name are named
 //!   after the file. Objects without faces are dropped.
 //! - **Vertices** are shared across objects and materials, as in the file. Vertices that no face uses are left out.
-//! - **Normals** come from the file on faces that have a usable normal at each corner. The others are computed from a
-//!   crease angle.
-//! - **Colours** are `Kd`, as sRGB. Textures and transparency are not shown; one warning each says so.
+//! - **Normals** come from the file on faces that have a usable normal at each corner. The others are computed: smooth
+//!   within a smoothing group, else by a crease angle.
+//! - **Colours** are `Kd`, as sRGB, times those of vertices. Textures and transparency are not shown; one warning each
+//!   says so.
 
 mod again;
 mod assembling;
 mod block;
+mod channels;
 mod contents;
+mod coordinates;
 mod corners;
+mod counts;
 mod in_file;
+mod keyword;
+mod library;
 mod material;
+mod material_name;
+mod named;
 mod names;
 mod notes;
 mod pieces;
@@ -43,13 +61,12 @@ mod vertices;
 mod words;
 pub(super) mod write;
 
-use super::{Cancelled, Detail, FileError, Progress, Warning, file};
+use super::{Cancelled, Detail, FileError, Progress, Stamp, Warning, file};
 use crate::geometry::{Mesh, MeshError, shares::on_all_cores};
 pub use crate::scene::in_file::{FaceInFile, InFile, VertexInFile};
 pub use again::Again;
 use block::Block;
 pub use contents::Contents;
-use contents::Stamp;
 pub use in_file::AgainError;
 use pieces::Pieces;
 use std::{
@@ -145,17 +162,23 @@ pub enum BadLine {
     /// A normal with fewer than three coordinates, or with one that is not a number.
     #[error("a normal needs three numbers")]
     Normal,
+    /// An `#MRGB` line without eight hexadecimal digits for each vertex.
+    #[error("an #MRGB line has eight hexadecimal digits for each vertex")]
+    Painted,
     /// A corner of a face that is not in one of the four valid forms.
     #[error("a corner of a face is written as 1, 1/2, 1//3 or 1/2/3")]
     Corner,
     /// A corner of a face names a vertex that does not exist.
     #[error("a face names vertex {vertex} of {vertices}")]
     NoSuchVertex {
-        /// The vertex index as the face writes it.
+        /// The vertex as the face writes it.
         vertex: String,
-        /// How many vertices the file has; for an invalid relative index, how many come before the line.
+        /// How many vertices the file has.
         vertices: usize,
     },
+    /// A corner of a face names a vertex by counting back, and comes to none.
+    #[error("a face counts back to before the first vertex")]
+    BeforeFirst,
 }
 
 /// Why reading the lines of a file stopped early.
@@ -227,33 +250,23 @@ fn read<R: BufRead + Send>(
     open: impl Fn() -> Result<(R, u64), ObjError>,
 ) -> Result<ObjFile, ObjError> {
     let start = Instant::now();
-    let mut known = None;
-    let (blocks, survey, looks_like, bytes) = loop {
-        let (mut input, bytes) = open()?;
-        // Building the mesh takes about a quarter as long as reading, and computing normals another quarter. Both are
-        // done once, even if the file is read twice.
-        let more = if detail == Detail::Drawn { 2 } else { 1 };
-        progress.expect(bytes + known.map_or(more * (bytes / 4), |_| 0));
-        let looks_like = looks_like(&mut input);
-        if let Some(Look::Archive(looks_like)) = looks_like {
-            return Err(ObjError::NotObj {
-                file: path.to_owned(),
-                looks_like,
-            });
-        }
-        let input = decode(input).map_err(Stop::Unreadable);
-        let read = input.and_then(|input| {
-            let pieces = Pieces::new(input, piece, progress);
-            read_pieces(pieces, (known, detail), progress)
+    let (mut input, bytes) = open()?;
+    // Building the mesh takes about a quarter as long as reading, and computing normals another quarter.
+    let more = if detail == Detail::Drawn { 2 } else { 1 };
+    progress.expect(bytes + more * (bytes / 4));
+    let looks_like = looks_like(&mut input);
+    if let Some(Look::Archive(looks_like)) = looks_like {
+        return Err(ObjError::NotObj {
+            file: path.to_owned(),
+            looks_like,
         });
-        let (blocks, survey) = read.map_err(|stop| stop.at(path))?;
-        // The number of vertices is known only at the end. If a face names a vertex past the last one, the file is read
-        // again with this number.
-        if survey.highest_vertex <= survey.vertices {
-            break (blocks, survey, looks_like, bytes / 4);
-        }
-        known = Some(survey.vertices);
-    };
+    }
+    let read = decode(input).map_err(Stop::Unreadable).and_then(|input| {
+        let pieces = Pieces::new(input, piece, progress);
+        read_pieces(pieces, detail, progress)
+    });
+    let (blocks, survey) = read.map_err(|stop| stop.at(path))?;
+    let bytes = bytes / 4;
     let (read, start) = (start.elapsed(), Instant::now());
     let built = assembling::build(path, blocks, survey, detail, (progress, bytes));
     let built = built.map_err(|error| match (error, looks_like) {
@@ -280,20 +293,19 @@ fn read<R: BufRead + Send>(
 /// Reads the pieces of a file on all cores. Returns the blocks, and the survey of all other lines.
 fn read_pieces(
     pieces: Pieces,
-    (known, detail): (Option<usize>, Detail),
+    detail: Detail,
     progress: &Progress,
 ) -> Result<(Vec<Block>, Survey), Stop> {
-    let read = on_all_cores(pieces, |piece| {
-        let block = Block::read(piece?, known, detail.is_shaded());
-        block.map_err(|error| Stop::Unreadable(io::Error::other(error)))
-    });
+    let read = on_all_cores(pieces, |piece| Block::read(&piece?, detail));
     let mut blocks = Vec::with_capacity(read.len());
     let mut survey = Survey::default();
+    let mut lines = 0;
     for piece in read {
         let (block, next) = piece?;
         progress.advance(0).map_err(Stop::Cancelled)?;
+        survey.append(next, lines);
+        lines += block.counts.lines;
         blocks.push(block);
-        survey.append(next);
     }
     Ok((blocks, survey))
 }

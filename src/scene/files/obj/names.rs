@@ -1,5 +1,6 @@
 //! Finds the objects and materials of the faces from the lines that name objects, groups, materials and libraries.
 
+use super::material_name::is_bare;
 use crate::scene::{Cancelled, Progress};
 use std::{
     collections::{HashMap, HashSet},
@@ -16,6 +17,19 @@ pub(super) enum Said {
     Material(String, usize),
     /// `mtllib`, and the number of its line.
     Library(String, usize),
+    /// `s`: the number of a smoothing group, or 0.
+    Smoothing(u32),
+}
+
+impl Said {
+    /// The same, once it is known how many lines come before the piece.
+    pub fn after(self, lines: usize) -> Self {
+        match self {
+            Self::Material(name, line) => Self::Material(name, lines + line),
+            Self::Library(name, line) => Self::Library(name, lines + line),
+            other => other,
+        }
+    }
 }
 
 /// The current object and group. Consecutive faces with equal names are one object.
@@ -34,12 +48,14 @@ struct Name {
 pub(super) struct Names {
     /// The objects: the first face of each, and its name.
     pub objects: Vec<(usize, String)>,
-    /// The `usemtl` lines: for each, the face that comes next and an index into `materials`.
-    pub uses: Vec<(usize, usize)>,
-    /// The materials that `usemtl` lines name, each once, with the line that names it first.
+    /// The `usemtl` lines: for each, the face that comes next and an index into `materials`, if it names one.
+    pub uses: Vec<(usize, Option<usize>)>,
+    /// The materials that `usemtl` lines name, as written, each once, with the line that names it first.
     pub materials: Vec<(String, usize)>,
-    /// The names in `mtllib` lines, each once, with the line that has it first.
+    /// The `mtllib` lines' texts, each once, with the line that has it first.
     pub libraries: Vec<(String, usize)>,
+    /// The smoothing groups: for each, the face that comes next.
+    pub smoothing: Vec<(usize, u32)>,
 }
 
 impl Names {
@@ -76,15 +92,21 @@ impl Names {
                     }
                 }
                 Said::Group(group) => name.group = group,
+                Said::Material(material, _) if is_bare(&material) => names.uses.push((face, None)),
                 Said::Material(material, line) => {
                     let index = *known_materials.entry(material).or_insert_with_key(|name| {
                         names.materials.push((name.clone(), line));
                         names.materials.len() - 1
                     });
-                    names.uses.push((face, index));
+                    names.uses.push((face, Some(index)));
+                }
+                Said::Smoothing(group) => {
+                    if names.smoothing.last().map_or(0, |(_, last)| *last) != group {
+                        names.smoothing.push((face, group));
+                    }
                 }
                 Said::Library(library, line) => {
-                    if known_libraries.insert(library.clone()) {
+                    if !library.trim().is_empty() && known_libraries.insert(library.clone()) {
                         names.libraries.push((library, line));
                     }
                 }
@@ -97,15 +119,16 @@ impl Names {
         Ok(names)
     }
 
-    /// The faces before which an object or a material begins, in order.
+    /// The faces before which an object, a material or a smoothing group begins, in order.
     #[expect(
         clippy::stable_sort_primitive,
-        reason = "each of the two is in order, and only the stable sort merges runs"
+        reason = "each of the three is in order, and only the stable sort merges runs"
     )]
     pub fn cuts(&self) -> Vec<usize> {
         let objects = self.objects.iter().map(|&(face, _)| face);
         let uses = self.uses.iter().map(|&(face, _)| face);
-        let mut cuts: Vec<usize> = objects.chain(uses).collect();
+        let smoothing = self.smoothing.iter().map(|&(face, _)| face);
+        let mut cuts: Vec<usize> = objects.chain(uses).chain(smoothing).collect();
         cuts.sort();
         cuts.dedup();
         cuts
@@ -137,4 +160,15 @@ fn called(
         Ok((face, call(name)))
     });
     called.collect()
+}
+
+/// The names of materials for people: trimmed, unless that makes two of them one.
+pub(super) fn distinct_names(written: Vec<(String, usize)>) -> Vec<String> {
+    let mut known = HashSet::new();
+    let names = written.into_iter().map(|(name, _)| {
+        let trimmed = name.trim().to_owned();
+        let is_new = known.insert(trimmed.clone());
+        if is_new { trimmed } else { name }
+    });
+    names.collect()
 }

@@ -1,9 +1,9 @@
 //! Writes the messages about a file: why it is refused, which parts of it are not shown, and what was repaired.
 
-use super::{BadLine, ObjError, material::Material, names::Names, survey::Survey};
+use super::{BadLine, ObjError, material::Materials, names::Names, survey::Survey};
 use crate::scene::{Warning, files::warning::list};
 use std::{
-    collections::{HashMap, HashSet},
+    collections::{BTreeMap, HashSet},
     path::Path,
 };
 
@@ -18,15 +18,13 @@ pub(super) struct LeftOut {
     pub repetitive: usize,
 }
 
-impl LeftOut {
-    /// Whether nothing was left out for these reasons.
-    pub fn is_nothing(&self) -> bool {
-        [self.without_area, self.nowhere, self.repetitive] == [0; 3]
-    }
-}
-
 /// The error for a file without a single triangle.
-pub(super) fn nothing(path: &Path, survey: &Survey, left_out: &LeftOut) -> ObjError {
+pub(super) fn nothing(
+    path: &Path,
+    vertices: usize,
+    survey: &Survey,
+    left_out: &LeftOut,
+) -> ObjError {
     let file = path.to_owned();
     if let Some(first) = survey.faults.iter().min_by_key(|fault| fault.line) {
         return ObjError::BadLine {
@@ -36,7 +34,7 @@ pub(super) fn nothing(path: &Path, survey: &Survey, left_out: &LeftOut) -> ObjEr
         };
     }
     let counts = [
-        (survey.vertices, "vertices"),
+        (vertices, "vertices"),
         (survey.points_and_lines, "points and lines"),
         (survey.free_form, "free-form curves and surfaces"),
         (left_out.without_area, "triangles without area"),
@@ -64,8 +62,11 @@ pub(super) fn about_lines(path: &Path, survey: &Survey) -> impl Iterator<Item = 
     survey.faults.iter().map(|fault| {
         let mended = match fault.what {
             BadLine::Vertex | BadLine::OutOfRange => "",
+            BadLine::Painted => "; its rest is not shown",
             BadLine::Normal => "; it is computed",
-            BadLine::Corner | BadLine::NoSuchVertex { .. } => "; it is left out",
+            BadLine::Corner | BadLine::NoSuchVertex { .. } | BadLine::BeforeFirst => {
+                "; it is left out"
+            }
         };
         let more = match fault.count - 1 {
             0 => String::new(),
@@ -116,28 +117,46 @@ fn about(path: &Path, message: String) -> Warning {
     }
 }
 
+/// The warning that the colours of vertices are not from 0 to 1.
+pub(super) fn of_bytes(path: &Path) -> Warning {
+    let message = "colours of vertices go up to 255: they are read as colour / 255";
+    about(path, message.to_owned())
+}
+
 /// Warnings about the materials in use: textures and transparency are not shown, and some materials are not defined.
-pub(super) fn about_materials(
-    path: &Path,
-    names: &Names,
-    materials: &HashMap<String, Material>,
-) -> Vec<Warning> {
+pub(super) fn about_materials(path: &Path, names: &Names, materials: &Materials) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    let used = names.materials.iter();
-    let (defined, unknown): (Vec<_>, Vec<_>) =
-        used.partition(|(name, _)| materials.contains_key(name));
+    let mut warn_of = |used: &[(String, usize)]| {
+        if let Some((_, line)) = used.first() {
+            let names = list(used.iter().map(|(name, _)| &**name));
+            warnings.push(Warning {
+                line: Some(*line),
+                ..about(path, format!("no material file defines {names}"))
+            });
+        }
+    };
+    let mut defined = BTreeMap::new();
+    let (mut unknown, mut unsure) = (Vec::new(), Vec::new());
+    for (name, line) in &names.materials {
+        let (found, name) = (materials.find(name), name.trim());
+        let Some(found) = found else {
+            unknown.push((name.to_owned(), *line));
+            continue;
+        };
+        let material = &materials.all[found.material];
+        if !found.is_sure {
+            let used = material.name.trim();
+            unsure.push((format!("{name} ({used} is used)"), *line));
+        }
+        defined.insert(found.material, material);
+    }
     // Without any material, a file needs no warning about its names: either it names no material file, or there is
     // already a warning about that file.
-    if let Some((_, line)) = unknown.first()
-        && !materials.is_empty()
-    {
-        let names = list(unknown.iter().map(|(name, _)| &**name));
-        warnings.push(Warning {
-            line: Some(*line),
-            ..about(path, format!("no material file defines {names}"))
-        });
+    if !materials.all.is_empty() {
+        warn_of(&unknown);
     }
-    let defined = || defined.iter().map(|(name, _)| &materials[name]);
+    warn_of(&unsure);
+    let defined = || defined.values();
     let mut known = HashSet::new();
     let textures = defined().flat_map(|material| &material.textures);
     let textures = textures

@@ -1,33 +1,13 @@
-//! Cuts a file into pieces of whole lines. Each piece has the counts of what comes before it (lines, vertices, normals,
-//! faces), so that the pieces can be parsed in parallel and in any order.
+//! Cuts a file into pieces of whole lines, which can be read in parallel and in any order.
 
-use super::{Stop, text_lines::Lines, words::fields};
+use super::{Stop, text_lines::is_continued};
 use crate::scene::Progress;
 use std::io::Read;
 
 /// A line of at least this many bytes with a NUL in it is binary data.
 const LONG: usize = 1 << 18;
 
-/// How much comes before a position in a file.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Counts {
-    /// Bytes of text; a byte order mark does not count.
-    pub bytes: usize,
-    pub lines: usize,
-    pub vertices: usize,
-    pub normals: usize,
-    /// `f` lines, valid or not.
-    pub faces: usize,
-}
-
-/// Consecutive whole lines of a file.
-pub(super) struct Piece {
-    pub text: Vec<u8>,
-    pub before: Counts,
-    pub after: Counts,
-}
-
-/// An iterator over the pieces of a file.
+/// An iterator over the pieces of a file: texts of consecutive whole lines.
 pub(super) struct Pieces<'a> {
     input: Box<dyn Read + Send + 'a>,
     /// The approximate size of a piece in bytes. A piece with a longer line is larger.
@@ -35,7 +15,6 @@ pub(super) struct Pieces<'a> {
     progress: &'a Progress,
     /// The bytes that were read past the last piece: the beginning of the next one.
     rest: Vec<u8>,
-    before: Counts,
     has_ended: bool,
 }
 
@@ -47,32 +26,31 @@ impl<'a> Pieces<'a> {
             size,
             progress,
             rest: Vec::new(),
-            before: Counts::default(),
             has_ended: false,
         }
     }
 
     /// Reads the next piece; `None` at the end.
-    fn read(&mut self) -> Result<Option<Piece>, Stop> {
+    fn read(&mut self) -> Result<Option<Vec<u8>>, Stop> {
         let mut text = std::mem::take(&mut self.rest);
         loop {
             // For a line longer than a piece, the text doubles each time, so that the search for its end takes linear
             // time.
             let more = self.size.max(text.len());
             let is_all = self.append(&mut text, more)?;
-            let (length, after) = whole_lines(&text, self.before, is_all)?;
+            let length = if is_all {
+                text.len()
+            } else {
+                whole_lines(&text)
+            };
             if length > 0 {
                 self.rest = text.split_off(length);
-                let before = std::mem::replace(&mut self.before, after);
-                return Ok(Some(Piece {
-                    text,
-                    before,
-                    after,
-                }));
+                return Ok(Some(text));
             }
             if is_all {
                 return Ok(None);
             }
+            check_line(&text)?;
         }
     }
 
@@ -96,7 +74,7 @@ impl<'a> Pieces<'a> {
 }
 
 impl Iterator for Pieces<'_> {
-    type Item = Result<Piece, Stop>;
+    type Item = Result<Vec<u8>, Stop>;
 
     /// Nothing comes after an error, and nothing is read after the end.
     fn next(&mut self) -> Option<Self::Item> {
@@ -109,62 +87,31 @@ impl Iterator for Pieces<'_> {
     }
 }
 
-/// The total length of the lines that are surely complete, and the counts before the next line. A line is complete if
-/// some text follows it, or if `is_all`. Otherwise the line could go on, or its end could be the first half of CR LF.
-///
-/// # Errors
-/// When a line, complete or not, is binary data.
-fn whole_lines(text: &[u8], before: Counts, is_all: bool) -> Result<(usize, Counts), Stop> {
-    if !is_all && let Some(found) = whole_plain_lines(text, before) {
-        return Ok(found);
+/// Refuses a line that is binary data.
+pub(super) fn check_line(line: &[u8]) -> Result<(), Stop> {
+    if line.len() >= LONG && memchr::memchr(0, line).is_some() {
+        return Err(Stop::Binary);
     }
-    let mut lines = Lines::new(text, before.lines);
-    let (mut length, mut after) = (0, before);
-    let mut counts = before;
-    while let Some((_, line)) = lines.next() {
-        if line.len() >= LONG && memchr::memchr(0, line).is_some() {
-            return Err(Stop::Binary);
-        }
-        match &line[fields(line).next().unwrap_or_default()] {
-            b"v" => counts.vertices += 1,
-            b"vn" => counts.normals += 1,
-            b"f" => counts.faces += 1,
-            _ => {}
-        }
-        counts.lines = lines.ends;
-        if is_all || lines.taken < text.len() {
-            length = lines.taken;
-            counts.bytes = before.bytes + length;
-            after = counts;
-        }
-    }
-    Ok((length, after))
+    Ok(())
 }
 
-/// The same for a text whose lines all begin with their keyword, end in LF or in CR LF, and are not continued; `None`
-/// for any other text, or for one that may be binary.
-fn whole_plain_lines(text: &[u8], before: Counts) -> Option<(usize, Counts)> {
-    let (_, complete) = text.split_last()?;
-    let length = memchr::memrchr(b'\n', complete)? + 1;
-    let text = &text[..length];
-    if memchr::memchr2(b'\\', 0, text).is_some() {
-        return None;
-    }
-    let mut after = before;
-    after.bytes += length;
-    let (mut start, mut returns) = (0, 0);
-    for end in memchr::memchr_iter(b'\n', text) {
-        match &text[start..=end] {
-            [b'v', next, ..] if next.is_ascii_whitespace() => after.vertices += 1,
-            [b'v', b'n', next, ..] if next.is_ascii_whitespace() => after.normals += 1,
-            [b'f', next, ..] if next.is_ascii_whitespace() => after.faces += 1,
-            [b'\n'] | [b'\r', b'\n'] => {}
-            [first, ..] if first.is_ascii_whitespace() => return None,
-            _ => {}
+/// The length of the lines at the start of a text that are surely complete: some text follows, which no line goes on in.
+/// A text that ends in CR could go on with LF.
+fn whole_lines(text: &[u8]) -> usize {
+    let mut end = text.len().saturating_sub(1);
+    while let Some(at) = memchr::memrchr2(b'\n', b'\r', &text[..end]) {
+        let is_half = text[at] == b'\r' && text[at + 1] == b'\n';
+        let length = at + 1 + usize::from(is_half);
+        let before = &text[..at];
+        let line = match text[at] {
+            b'\n' => before.strip_suffix(b"\r").unwrap_or(before),
+            _ => before,
+        };
+        let start = memchr::memrchr2(b'\n', b'\r', line).map_or(0, |end| end + 1);
+        if length < text.len() && !is_continued(&line[start..]) {
+            return length;
         }
-        after.lines += 1;
-        returns += usize::from(text[start..end].ends_with(b"\r"));
-        start = end + 1;
+        end = at;
     }
-    (memchr::memchr_iter(b'\r', text).count() == returns).then_some((length, after))
+    0
 }

@@ -6,12 +6,8 @@ use super::{BadLine, names::Said};
 /// out.
 #[derive(Default)]
 pub(super) struct Survey {
-    /// The number of vertices.
-    pub vertices: usize,
     /// The number of faces.
     pub faces: usize,
-    /// The largest vertex number that a face names, from 1.
-    pub highest_vertex: usize,
     /// The lines that name objects, groups, materials and libraries, each with the number of the face that comes next.
     pub said: Vec<(usize, Said)>,
     /// The number of points, lines, and faces with fewer than three corners.
@@ -43,28 +39,45 @@ impl Survey {
         self.add(Fault { what, line, count });
     }
 
-    fn add(&mut self, fault: Fault) {
+    /// Adds lines with one kind of fault.
+    pub fn add(&mut self, fault: Fault) {
         let kind = std::mem::discriminant(&fault.what);
         let mut faults = self.faults.iter_mut();
         match faults.find(|known| std::mem::discriminant(&known.what) == kind) {
-            Some(known) => known.count += fault.count,
+            Some(known) => {
+                let count = known.count + fault.count;
+                if fault.line < known.line {
+                    *known = fault;
+                }
+                known.count = count;
+            }
             None => self.faults.push(fault),
         }
     }
 
-    /// Appends the survey of the lines that follow.
-    pub fn append(&mut self, next: Self) {
+    /// Completes the messages that say how many vertices there are.
+    pub fn know_vertices(&mut self, count: usize) {
+        for fault in &mut self.faults {
+            if let BadLine::NoSuchVertex { vertices, .. } = &mut fault.what {
+                *vertices = count;
+            }
+        }
+    }
+
+    /// Appends the survey of a piece that so many lines come before.
+    pub fn append(&mut self, next: Self, lines: usize) {
         let before = self.faces;
         let said = next.said.into_iter();
         self.said
-            .extend(said.map(|(face, said)| (before + face, said)));
-        self.vertices += next.vertices;
+            .extend(said.map(|(face, said)| (before + face, said.after(lines))));
         self.faces += next.faces;
-        self.highest_vertex = self.highest_vertex.max(next.highest_vertex);
         self.points_and_lines += next.points_and_lines;
         self.free_form += next.free_form;
         self.oversized += next.oversized;
         self.bad_normals += next.bad_normals;
-        next.faults.into_iter().for_each(|fault| self.add(fault));
+        for mut fault in next.faults {
+            fault.line += lines;
+            self.add(fault);
+        }
     }
 }

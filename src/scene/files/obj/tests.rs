@@ -8,12 +8,11 @@ mod shortcuts;
 use super::{ObjError, ObjFile, PIECE, Stamp, decode, load, open, read};
 use crate::{
     geometry::{CornerNormals, random::Random},
-    scene::{Detail, Progress},
+    scene::{Detail, Progress, Warning},
 };
 use glam::{DVec3, Vec3};
 use real_files::real_files;
 use std::{
-    cell::Cell,
     fmt::Write as _,
     fs,
     io::{self, BufReader, Cursor, Read, Write as _},
@@ -394,6 +393,7 @@ fn a_smooth_mesh_keeps_no_more_than_its_docs_say() {
         let tree = mesh.tree().expect("a tree").bytes();
         assert!(tree <= 64 * triangles, "{tree}");
         assert!(file.contents.pieces() <= pieces + 1);
+        assert_eq!(file.contents.lines.capacity(), triangles);
     }
 }
 
@@ -426,9 +426,9 @@ fn every_step_of_a_load_reports_and_can_be_the_last() {
     }
 }
 
-/// Picks need no normals and no colours. Without them, everything else is the same.
+/// Picks need no normals. Without them and what is said of them, everything else is the same.
 #[test]
-fn what_shades_is_left_out_where_nothing_is_shaded() {
+fn normals_are_left_out_where_nothing_is_shaded() {
     let path = Path::new("any.obj");
     let (mut shaded, mut coloured) = (0, 0);
     for seed in 0..200 {
@@ -437,13 +437,18 @@ fn what_shades_is_left_out_where_nothing_is_shaded() {
         let outcome = |file: &Result<ObjFile, ObjError>| match file {
             Ok(file) => {
                 let data = file.mesh.data();
-                let rest = (&data.parts, &file.warnings);
+                let is_other = |warning: &&Warning| !warning.message.contains("normal");
+                let warnings: Vec<_> = file.warnings.iter().filter(is_other).collect();
+                let rest = (&data.parts, warnings);
                 format!("{:?}{:?}{rest:?}", data.positions, data.triangles)
             }
             Err(error) => error.to_string(),
         };
         let [all, picked] = [Detail::All, Detail::Picked].map(read_as);
-        assert_eq!(outcome(&all), outcome(&picked), "{seed}");
+        let outcomes = [outcome(&all), outcome(&picked)];
+        if !outcomes[0].starts_with("any.obj") || !outcomes[0].contains("normal") {
+            assert_eq!(outcomes[0], outcomes[1], "{seed}");
+        }
         let (Ok(all), Ok(picked)) = (all, picked) else {
             continue;
         };
@@ -451,7 +456,7 @@ fn what_shades_is_left_out_where_nothing_is_shaded() {
         shaded += all.normals.normals.len();
         coloured += all.vertex_colours.len();
         assert_eq!(picked.normals, CornerNormals::default());
-        assert!(picked.vertex_colours.is_empty());
+        assert_eq!(picked.vertex_colours, all.vertex_colours);
     }
     assert!(shaded > 100 && coloured > 100, "{shaded}, {coloured}");
 }
@@ -496,35 +501,25 @@ fn a_file_that_changes_while_it_is_read_is_refused_in_one_line() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("some.obj");
     let start = "v 0 0 0\nv 1 0 0\nv 0 10 0\nv 5 5 0\n";
-    // The second file is read twice: a face names a vertex past the last one.
-    for faces in ["f 1 2 3\nf 1 2 ", "f 1 2 3\nf 1 2 99\nf 1 2 "] {
-        let text = format!("{start}{faces}");
-        let changes: [Change; 3] = [
-            |path, text| fs::write(path, format!("{text}4\n")).expect("writable"),
-            |path, text| fs::write(path, &text[..text.len() - 6]).expect("writable"),
-            |path, _| fs::remove_file(path).expect("removable"),
-        ];
-        for change in changes {
-            // It changes whenever the first bytes, then the second ones, have been read.
-            let passes = if faces.contains("99") { 2 } else { 1 };
-            for at in 1..=passes {
-                fs::write(&path, format!("{text}3")).expect("writable");
-                let stamp = Stamp::of(&path).expect("a file");
-                let opened = Cell::new(0);
-                let refused = read(&path, &Progress::default(), (PIECE, Detail::All), || {
-                    opened.set(opened.get() + 1);
-                    let input = open(&path, &stamp)?;
-                    if opened.get() == at {
-                        change(&path, &text);
-                    }
-                    Ok(input)
-                });
-                let message = refused.expect_err("it is refused").to_string();
-                let expected = "changed while it was read: open it again once it is complete";
-                assert_eq!(message, format!("{}: {expected}", path.display()));
-            }
-        }
+    let text = format!("{start}f 1 2 3\nf 1 2 ");
+    let changes: [Change; 3] = [
+        |path, text| fs::write(path, format!("{text}4\n")).expect("writable"),
+        |path, text| fs::write(path, &text[..text.len() - 6]).expect("writable"),
+        |path, _| fs::remove_file(path).expect("removable"),
+    ];
+    for change in changes {
+        // It changes once the first bytes have been read.
         fs::write(&path, format!("{text}3")).expect("writable");
-        load(&path, &Progress::default()).expect("it loads while nobody changes it");
+        let stamp = Stamp::of(&path).expect("a file");
+        let refused = read(&path, &Progress::default(), (PIECE, Detail::All), || {
+            let input = open(&path, &stamp)?;
+            change(&path, &text);
+            Ok(input)
+        });
+        let message = refused.expect_err("it is refused").to_string();
+        let expected = "changed while it was read: open it again once it is complete";
+        assert_eq!(message, format!("{}: {expected}", path.display()));
     }
+    fs::write(&path, format!("{text}3")).expect("writable");
+    load(&path, &Progress::default()).expect("it loads while nobody changes it");
 }

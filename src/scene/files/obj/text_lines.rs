@@ -2,6 +2,7 @@
 //! decodes UTF-16.
 
 use std::{
+    borrow::Cow,
     fs::File,
     io::{self, BufRead, BufReader, Cursor, Read},
     ops::RangeInclusive,
@@ -14,8 +15,6 @@ pub(super) struct Lines<'a> {
     pub taken: usize,
     /// How many line ends were read, including those before the text.
     pub ends: usize,
-    /// Whether the text has a backslash.
-    may_continue: bool,
     joined: Vec<u8>,
 }
 
@@ -26,16 +25,26 @@ impl<'a> Lines<'a> {
             text,
             taken: 0,
             ends: before,
-            may_continue: memchr::memchr(b'\\', text).is_some(),
             joined: Vec::new(),
         }
+    }
+
+    /// The text that was not read yet.
+    pub fn rest(&self) -> &'a [u8] {
+        &self.text[self.taken..]
+    }
+
+    /// Leaves out whole lines.
+    pub fn skip(&mut self, bytes: usize, lines: usize) {
+        self.taken += bytes;
+        self.ends += lines;
     }
 
     /// The next line without its end, and its number, from 1. Joined lines have the number of the first one.
     pub fn next(&mut self) -> Option<(usize, &[u8])> {
         let number = self.ends + 1;
         let mut line = self.unjoined()?;
-        if !self.may_continue || !is_continued(line) {
+        if !is_continued(line) {
             return Some((number, line));
         }
         self.joined.clear();
@@ -68,7 +77,21 @@ impl<'a> Lines<'a> {
     }
 }
 
-fn is_continued(line: &[u8]) -> bool {
+/// The text of a line. One that is no UTF-8 is Latin-1, as old exporters write it: two names never become the same.
+pub(super) fn text_of(line: &[u8]) -> Cow<'_, str> {
+    match std::str::from_utf8(line) {
+        Ok(text) => text.into(),
+        Err(_) => line
+            .iter()
+            .copied()
+            .map(char::from)
+            .collect::<String>()
+            .into(),
+    }
+}
+
+/// Whether a line goes on in the next one.
+pub(super) fn is_continued(line: &[u8]) -> bool {
     line.trim_ascii_end().last() == Some(&b'\\') && !line.contains(&b'#')
 }
 

@@ -1,6 +1,6 @@
 //! Converts the vertices of a file to what a mesh stores: only the used ones, as `f32` positions relative to an origin.
 
-use super::block::{Faces, Vertices};
+use super::{block::Faces, coordinates::Vertices, counts::Counts, named::Named};
 use crate::{
     colour::Srgb,
     geometry::{Aabb, binary::power_of_two_below, range},
@@ -35,14 +35,16 @@ impl Stored {
     /// How many times [`Self::new`] goes through all blocks and reports progress for each.
     pub const STEPS: u64 = 4;
 
-    /// Stores the vertices that faces use. In the progress, each block counts as `bytes` bytes in each step.
+    /// Stores the vertices that faces use. `before` counts what comes before each block, and at the end, before none. In
+    /// the progress, each block counts as `bytes` bytes in each step.
     pub fn new(
         blocks: Vec<Vertices>,
         faces: &[Faces],
+        before: &[Counts],
         (progress, bytes): (&Progress, u64),
     ) -> Result<Self, Cancelled> {
         let coloured = blocks.iter().any(|block| !block.colours.is_empty());
-        let used = used(&blocks, faces, (progress, bytes))?;
+        let used = used(faces, before, (progress, bytes))?;
         let mut unread = &*used;
         let mut blocks: Vec<Block> = (blocks.into_iter())
             .map(|block| {
@@ -153,17 +155,23 @@ pub(super) fn position(vertex: DVec3, origin: DVec3) -> Option<Vec3> {
 
 /// For each vertex, whether a face uses it.
 fn used(
-    blocks: &[Vertices],
     faces: &[Faces],
+    before: &[Counts],
     (progress, bytes): (&Progress, u64),
 ) -> Result<Vec<bool>, Cancelled> {
-    let count = blocks.iter().map(|block| block.positions.len()).sum();
+    let count = before.last().map_or(0, |all| all.vertices);
     let used: Vec<_> = std::iter::repeat_with(AtomicBool::default)
         .take(count)
         .collect();
-    progress.on_all_cores(bytes, faces.iter(), |faces| {
-        for &vertex in &faces.corners {
-            used[vertex as usize].store(true, Relaxed);
+    let blocks = faces.iter().zip(before);
+    progress.on_all_cores(bytes, blocks, |(faces, before)| {
+        for (_, corners) in faces.each() {
+            let index = |corner: &Named| corner.index(before.vertices, count);
+            if corners.iter().all(|corner| index(corner).is_some()) {
+                for vertex in corners.iter().filter_map(index) {
+                    used[vertex as usize].store(true, Relaxed);
+                }
+            }
         }
     })?;
     Ok(used.into_iter().map(AtomicBool::into_inner).collect())

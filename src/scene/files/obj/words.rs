@@ -15,6 +15,12 @@ pub(super) fn fields(line: &[u8]) -> impl Iterator<Item = Range<usize>> {
     })
 }
 
+/// The line without its comment.
+pub(super) fn without_comment(line: &[u8]) -> &[u8] {
+    let end = memchr::memchr(b'#', line);
+    &line[..end.unwrap_or(line.len())]
+}
+
 /// Which kind of number a word is.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Number {
@@ -47,45 +53,8 @@ impl Number {
     }
 }
 
-/// The end of three numbers without exponents on a line that has nothing else; `None` where there may be more to it.
-pub(super) fn three_plain_numbers(line: &[u8]) -> Option<usize> {
-    let mut at = 0;
-    for _ in 0..3 {
-        at += count(&line[at..], u8::is_ascii_whitespace);
-        at += usize::from(line.get(at) == Some(&b'-'));
-        let whole = count(&line[at..], u8::is_ascii_digit);
-        at += whole;
-        let mut part = 0;
-        if line.get(at) == Some(&b'.') {
-            part = count(&line[at + 1..], u8::is_ascii_digit);
-            at += 1 + part;
-        }
-        let is_end = line.get(at).is_none_or(u8::is_ascii_whitespace);
-        if !is_end || whole >= MOST_WHOLE || whole + part == 0 {
-            return None;
-        }
-    }
-    line[at..].trim_ascii().is_empty().then_some(at)
-}
-
-/// How many bytes at the start of a text are of a kind.
-fn count(text: &[u8], is_of_it: impl Fn(&u8) -> bool) -> usize {
-    let end = text.iter().position(|byte| !is_of_it(byte));
-    end.unwrap_or(text.len())
-}
-
 /// A number without an exponent is in range if it has fewer whole digits.
 const MOST_WHOLE: usize = 33;
-
-/// Parses an index of a face and returns it counted from 1. Negative indices count back from `count`. The result may be
-/// greater than `count`. `None` if the text is no valid index.
-pub(super) fn index(text: &[u8], count: usize) -> Option<usize> {
-    match integer(text)? {
-        (0, _) => None,
-        (value, false) => Some(value),
-        (value, true) => (count + 1).checked_sub(value).filter(|&i| i > 0),
-    }
-}
 
 /// Parses an integer: its magnitude, and whether it is negative.
 pub(super) fn integer(text: &[u8]) -> Option<(usize, bool)> {

@@ -62,7 +62,9 @@ fn assert_read_again(path: &Path, bytes: &[u8], piece: usize, step: usize) -> [u
             let before = &lines[at - 1];
             before.trim_end().ends_with('\\') && !before.contains('#')
         };
-        !continues && joined(&lines, at).split_whitespace().next() == Some(keyword)
+        let line = joined(&lines, at);
+        let first = line.split_whitespace().next().unwrap_or_default();
+        !continues && first.eq_ignore_ascii_case(keyword)
     };
     let all = |keyword: &'static str| (0..lines.len()).filter(move |at| is(*at, keyword));
     let (vertex_lines, face_lines): (Vec<_>, Vec<_>) = (all("v").collect(), all("f").collect());
@@ -173,7 +175,6 @@ fn files_from_elsewhere_say_where_a_triangle_is_from() {
     assert!(are_many, "{counts:?}");
 }
 
-/// Where no face is left out, faces are not split again, so their other vertices are not needed.
 #[test]
 fn a_triangle_takes_the_pieces_of_its_face_and_of_its_vertices_alone() {
     const COUNT: usize = 1_999;
@@ -188,7 +189,7 @@ fn a_triangle_takes_the_pieces_of_its_face_and_of_its_vertices_alone() {
     };
     let faces: String = (0..COUNT).map(face).collect();
     let with_flat = faces.replace("9 ", "9 1 1 ");
-    for (faces, is_plain) in [(faces, true), (with_flat, false)] {
+    for faces in [faces, with_flat] {
         let (_folder, path, file) = loaded(1 << 10, format!("{vertices}{faces}").as_bytes());
         let count = u32::try_from(file.mesh.data().triangles.len()).expect("few");
         let mut most = 0;
@@ -198,13 +199,13 @@ fn a_triangle_takes_the_pieces_of_its_face_and_of_its_vertices_alone() {
             let face = again.face_of(triangle).expect("it is there");
             assert!(face.triangles.contains(&triangle));
             most = most.max(again.pieces_read());
-            // The same again reads nothing: its piece stays in memory, however many pieces counting took.
+            // The same again reads nothing: its pieces stay in memory.
             progress.cancel();
             let same = again.face_of(triangle).expect("it is in memory");
             assert_eq!(same.face, face.face);
         }
         // The vertices of a face follow each other: they lie in one piece or in two.
-        assert_eq!(most <= 3, is_plain, "{most}");
+        assert!(most <= 3, "{most}");
     }
 }
 

@@ -152,8 +152,7 @@ fn material(ui: &mut Ui, of: Option<(Option<String>, Srgb)>) {
             return;
         };
         swatch(ui, colour);
-        let Srgb([r, g, b]) = colour;
-        let colour = format!("#{r:02x}{g:02x}{b:02x}");
+        let colour = colour.to_string();
         let text = name.unwrap_or_else(|| colour.clone());
         ui.add(Label::new(value_text(text)).truncate())
             .hint(format!("{hint}: {colour}"));

@@ -1,0 +1,56 @@
+//! Colours that some programs write from 0 to 255, in place of 0 to 1.
+
+use super::block::Block;
+
+/// The largest number of a byte.
+const BYTE: f64 = 255.0;
+
+/// Whether the channels of all colours of a file are clearly from 0 to 255: some are above 1.5, all are within, and none
+/// is a share between 0 and 1. (`Kd 2.5 0.3 0.1` is a bright light, and not nearly black.)
+pub(super) fn are_bytes(channels: impl Iterator<Item = f64>) -> bool {
+    let mut has_large = false;
+    for channel in channels {
+        if !(0.0..=BYTE).contains(&channel) || channel > 0.0 && channel < 1.0 {
+            return false;
+        }
+        has_large |= channel > 1.5;
+    }
+    has_large
+}
+
+/// Gives vertices the colours of the file's `#MRGB` lines, if no vertex has one on its own line. `ZBrush` writes such a
+/// block after the vertices, with a mask and a colour for each. Vertices without a colour are white.
+pub(super) fn spread_painted(blocks: &mut [Block]) {
+    let is_coloured = |block: &Block| !block.vertices.colours.is_empty();
+    let painted: Vec<[f64; 3]> = (blocks.iter_mut())
+        .flat_map(|block| std::mem::take(&mut block.painted))
+        .collect();
+    if painted.is_empty() || blocks.iter().any(is_coloured) {
+        return;
+    }
+    let mut rest = painted.into_iter();
+    for block in blocks {
+        let colours = std::iter::repeat_with(|| rest.next().unwrap_or(WHITE));
+        block.vertices.colours = colours.take(block.vertices.positions.len()).collect();
+    }
+}
+
+const WHITE: [f64; 3] = [1.0; 3];
+
+/// Scales the colours of vertices if they are from 0 to 255, and says whether they were. Those that a file lacks, which
+/// are NaN, become white.
+pub(super) fn scale_bytes(blocks: &mut [Block]) -> bool {
+    let channels = blocks.iter().flat_map(|block| &block.vertices.colours);
+    let is_of_bytes = are_bytes(channels.flatten().copied().filter(|c| !c.is_nan()));
+    for colour in blocks
+        .iter_mut()
+        .flat_map(|block| &mut block.vertices.colours)
+    {
+        if colour[0].is_nan() {
+            *colour = WHITE;
+        } else if is_of_bytes {
+            *colour = colour.map(|channel| channel / BYTE);
+        }
+    }
+    is_of_bytes
+}

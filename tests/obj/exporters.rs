@@ -1,0 +1,376 @@
+//! Files as exporters write them, and their like: each has the colours and the form that its author saw.
+
+use super::{CUBE, Folder};
+use sightline::{colour::Srgb, geometry::CornerNormals};
+
+const RED: Srgb = Srgb([255, 0, 0]);
+const GREEN: Srgb = Srgb([0, 255, 0]);
+const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+/// The colours of the triangles of `some.obj` with this text, which follows three vertices, and the warnings.
+fn read(text: &str, files: &[(&str, &str)]) -> (Vec<Option<Srgb>>, Vec<String>) {
+    let text = format!("{TRIANGLE}{text}");
+    let files = files.iter().map(|(name, text)| (*name, text.as_bytes()));
+    let files: Vec<_> = files.chain([("some.obj", text.as_bytes())]).collect();
+    let folder = Folder::new(&files);
+    let file = folder.load("some.obj").expect("it loads");
+    let count = u32::try_from(file.mesh.data().triangles.len()).expect("few");
+    let colours = (0..count).map(|triangle| file.mesh.triangle_colour(triangle));
+    (colours.collect(), folder.warnings(&file))
+}
+
+/// The colour of a triangle of a material, with these libraries.
+fn used(material: &str, library: &str) -> (Option<Srgb>, Vec<String>) {
+    let text = format!("mtllib a.mtl\nusemtl {material}\nf 1 2 3\n");
+    let (colours, warnings) = read(&text, &[("a.mtl", library)]);
+    (colours[0], warnings)
+}
+
+const TWO: &str = "newmtl Plastic\nKd 1 0 0\nnewmtl Plastic #1\nKd 0 1 0\n";
+
+#[test]
+fn names_are_the_rest_of_their_lines() {
+    let none = Vec::<String>::new();
+    for (name, library, colour) in [
+        ("Plastic", TWO, RED),
+        ("Plastic #1", TWO, GREEN),
+        ("Plastic\t#1", TWO, GREEN),
+        ("Plastic  #1 ", TWO, GREEN),
+        ("Plastic # the lid", TWO, RED),
+        ("Plastic #1 # the lid", TWO, GREEN),
+        (
+            "Grey # 1",
+            "newmtl Grey # 1\nKd 1 0 0\nnewmtl Grey # 2\nKd 0 1 0\n",
+            RED,
+        ),
+        (
+            "Grey # 2",
+            "newmtl Grey # 1\nKd 1 0 0\nnewmtl Grey # 2\nKd 0 1 0\n",
+            GREEN,
+        ),
+        ("red", "newmtl\tred  # the lid\nKd 1 0 0\n", RED),
+        ("a  b", "newmtl a b\nKd 0 1 0\nnewmtl a  b\nKd 1 0 0\n", RED),
+        ("a b", "newmtl a\tb\nKd 1 0 0\n", RED),
+        ("\"a b\"", "newmtl a b\nKd 1 0 0\n", RED),
+        ("Wall, 3/4\" : 1", "newmtl Wall, 3/4\" : 1\nKd 1 0 0\n", RED),
+        (
+            "twice",
+            "newmtl twice\nKd 1 0 0\nnewmtl twice\nKd 0 1 0\n",
+            RED,
+        ),
+    ] {
+        assert_eq!(used(name, library), (Some(colour), none.clone()), "{name}");
+    }
+}
+
+#[test]
+fn no_material_is_silently_another() {
+    let told = |name: &str, library: &str, message: &str| {
+        let (colour, warnings) = used(name, library);
+        assert_eq!(warnings, [format!("some.obj:5: {message}")], "{name}");
+        colour
+    };
+    let message = "no material file defines Plastic #2";
+    let library = "newmtl Plastic #1\nKd 1 0 0\n";
+    assert_eq!(told("Plastic #2", library, message), None);
+    let message = format!("{message} (Plastic is used)");
+    assert_eq!(told("Plastic #2", TWO, &message), Some(RED));
+    let message = "no material file defines plastic (Plastic is used)";
+    assert_eq!(told("plastic", TWO, message), Some(RED));
+}
+
+/// Latin-1 names differ in bytes that are no UTF-8.
+#[test]
+fn names_in_latin_1_stay_apart() {
+    let name = |last: u8| [b"Caf".as_slice(), &[last]].concat();
+    let line = |keyword: &str, last: u8| [keyword.as_bytes(), &name(last), b"\n"].concat();
+    let library = [
+        line("newmtl ", 0xe9),
+        b"Kd 1 0 0\n".to_vec(),
+        line("newmtl ", 0xe8),
+        b"Kd 0 1 0\n".to_vec(),
+    ]
+    .concat();
+    let text = [
+        b"mtllib a.mtl\n".to_vec(),
+        TRIANGLE.into(),
+        line("usemtl ", 0xe8),
+        b"f 1 2 3\n".to_vec(),
+    ]
+    .concat();
+    let folder = Folder::new(&[("some.obj", &text), ("a.mtl", &library)]);
+    let file = folder.load("some.obj").expect("it loads");
+    assert_eq!(file.mesh.triangle_colour(0), Some(GREEN));
+    assert_eq!(file.mesh.triangle_material(0), Some("Caf\u{e8}"));
+}
+
+#[test]
+fn a_bare_usemtl_ends_a_material() {
+    for bare in ["usemtl", "usemtl ", "usemtl\t", "usemtl # none", "usemtl #"] {
+        let text = format!("mtllib a.mtl\nusemtl Plastic\nf 1 2 3\n{bare}\nf 1 3 2\n");
+        let (colours, warnings) = read(&text, &[("a.mtl", TWO)]);
+        assert_eq!(
+            (colours, warnings),
+            (vec![Some(RED), None], vec![]),
+            "{bare}"
+        );
+    }
+}
+
+const RED_LIBRARY: &str = "newmtl paint\nKd 1 0 0\n";
+
+#[test]
+fn libraries_are_found_however_they_are_named() {
+    for (line, file) in [
+        ("mtllib a b.mtl", "a b.mtl"),
+        ("mtllib \"a b.mtl\"", "a b.mtl"),
+        ("mtllib 'a b.mtl'", "a b.mtl"),
+        ("mtllib   \"a b.mtl\"  ", "a b.mtl"),
+        ("mtllib \"no.mtl\" \"a b.mtl\"", "a b.mtl"),
+        ("mtllib no.mtl a b.mtl", "a b.mtl"),
+        ("mtllib a b.mtl no.mtl", "a b.mtl"),
+        ("mtllib\ta.mtl", "a.mtl"),
+        ("mtllib a.mtl # of the house", "a.mtl"),
+        ("mtllib a b.mtl #1", "a b.mtl"),
+        ("mtllib .\\sub\\a.mtl", "sub/a.mtl"),
+        ("mtllib sub\\a b.mtl", "sub/a b.mtl"),
+        ("mtllib C:\\Users\\someone\\export\\a.mtl", "a.mtl"),
+        ("mtllib \"C:\\Users\\some one\\a b.mtl\"", "a b.mtl"),
+        ("mtllib C:/Users/some one/a b.mtl", "a b.mtl"),
+        ("mtllib \\\\server\\share\\a.mtl", "a.mtl"),
+        ("mtllib /home/someone/sub/a.mtl", "sub/a.mtl"),
+        ("mtllib file:///C:/export/a.mtl", "a.mtl"),
+        ("mtllib export/a.mtl", "a.mtl"),
+        ("mtllib A.MTL", "a.mtl"),
+        ("mtllib a.mtl", "A.MTL"),
+        ("mtllib Sub\\A.mtl", "sub/a.mtl"),
+        ("mtllib C:\\Export\\A.Mtl", "a.mtl"),
+        ("# no library", "some.mtl"),
+        ("mtllib", "some.mtl"),
+        ("# no library", "Some.MTL"),
+    ] {
+        let text = format!("{line}\nusemtl paint\nf 1 2 3\n");
+        let (colours, warnings) = read(&text, &[(file, RED_LIBRARY)]);
+        assert_eq!(colours, [Some(RED)], "{line}: {warnings:?}");
+        let told = usize::from(line.contains("no.mtl"));
+        assert_eq!(warnings.len(), told, "{line}: {warnings:?}");
+    }
+}
+
+#[test]
+fn as_written_comes_first_and_the_first_library_wins() {
+    let green = "newmtl paint\nKd 0 1 0\n";
+    for (line, files) in [
+        ("mtllib a.mtl b.mtl", ["a.mtl", "b.mtl"]),
+        ("mtllib a.mtl\nmtllib b.mtl", ["a.mtl", "b.mtl"]),
+        ("mtllib a b.mtl", ["a b.mtl", "b.mtl"]),
+        ("mtllib 'a.mtl'", ["'a.mtl'", "a.mtl"]),
+        ("mtllib a.mtl", ["a.mtl", "A.mtl"]),
+        ("mtllib sub/a.mtl", ["sub/a.mtl", "a.mtl"]),
+        ("mtllib a.mtl", ["a.mtl", "some.mtl"]),
+    ] {
+        let text = format!("{line}\nusemtl paint\nf 1 2 3\n");
+        let found = read(&text, &[(files[0], RED_LIBRARY), (files[1], green)]);
+        assert_eq!(found, (vec![Some(RED)], vec![]), "{line}");
+    }
+}
+
+/// A file that nobody names is read only where a material is used.
+#[test]
+fn a_missing_library_is_told_with_what_was_tried() {
+    let told = |line: &str| read(&format!("{line}\nusemtl paint\nf 1 2 3\n"), &[]).1;
+    assert_eq!(
+        told("mtllib C:\\export\\a.mtl"),
+        [
+            "some.obj:4: the material file C:\\export\\a.mtl does not exist; tried, too: C:/export/a.mtl, a.mtl"
+        ]
+    );
+    assert_eq!(
+        told("mtllib a.mtl"),
+        ["some.obj:4: the material file a.mtl does not exist"]
+    );
+    assert_eq!(told("# none"), [""; 0]);
+    let unused = read("f 1 2 3\n", &[("some.mtl", "newmtl a\nKd what\n")]);
+    assert_eq!(unused, (vec![None], vec![]));
+}
+
+#[test]
+fn keywords_of_materials_are_read_in_any_case() {
+    for library in [
+        "NEWMTL a\nKD 1 0 0\n",
+        "newmtl a\n\tkd 1 0 0\n",
+        "Newmtl a\nKd 1 0 0 # red\n",
+    ] {
+        assert_eq!(used("a", library), (Some(RED), vec![]), "{library}");
+    }
+    let transparent = "some.obj: transparency is not shown: 1 material is drawn opaque";
+    for (lines, is_told) in [
+        ("Tr 0.8", true),
+        ("tr 0.2", true),
+        ("Tr 0", false),
+        ("d 1\nTr 0.8", false),
+        ("Tr 0\nd 0.5", true),
+        ("D 0.5", true),
+        ("d -halo 0.5 # glass", true),
+    ] {
+        let (colour, warnings) = used("a", &format!("newmtl a\nKd 1 0 0\n{lines}\n"));
+        let told: &[&str] = if is_told { &[transparent] } else { &[] };
+        assert_eq!(
+            (colour, warnings),
+            (
+                Some(RED),
+                told.iter().map(|told| (*told).to_owned()).collect()
+            ),
+            "{lines}"
+        );
+    }
+}
+
+#[test]
+fn colours_from_0_to_255_are_scaled() {
+    let told = |line: usize| {
+        vec![format!(
+            "a.mtl:{line}: Kd goes up to 255: it is read as Kd / 255"
+        )]
+    };
+    let bytes = "newmtl b\nKd 0 0 1\nnewmtl a\nKd 128 64 32\n";
+    assert_eq!(used("a", bytes), (Some(Srgb([128, 64, 32])), told(4)));
+    assert_eq!(used("b", bytes), (Some(Srgb([0, 0, 1])), told(4)));
+    let bright = "newmtl a\nKd 2.5 0.3 0\n";
+    let above = vec!["a.mtl:2: Kd is above 1: it is drawn as 1".to_owned()];
+    assert_eq!(used("a", bright), (Some(Srgb([255, 77, 0])), above));
+    let large = "newmtl a\nKd 300 0 0\n";
+    assert_eq!(used("a", large).0, Some(RED));
+
+    let vertices = |colours: [&str; 3]| {
+        let mut corners = ["0 0 0", "1 0 0", "0 1 0"].iter();
+        let lines = colours.map(|colour| format!("v {} {colour}\n", corners.next().expect("one")));
+        let folder = Folder::new(&[(
+            "some.obj",
+            format!("{}f 1 2 3\n", lines.concat()).as_bytes(),
+        )]);
+        let file = folder.load("some.obj").expect("it loads");
+        let colours = file.mesh.data().vertex_colours.clone();
+        (colours, folder.warnings(&file))
+    };
+    let (colours, warnings) = vertices(["255 0 0", "0 128 1", ""]);
+    assert_eq!(colours, [RED, Srgb([0, 128, 1]), Srgb::WHITE]);
+    assert_eq!(
+        warnings,
+        ["some.obj: colours of vertices go up to 255: they are read as colour / 255"; 1]
+    );
+    let (colours, warnings) = vertices(["1 0 0", "0 0.5 0", "1 1 1"]);
+    assert_eq!(colours, [RED, Srgb([0, 128, 0]), Srgb::WHITE]);
+    assert_eq!(warnings, [""; 0]);
+}
+
+#[test]
+fn painted_vertices_have_the_colours_of_mrgb_lines() {
+    let colours = |lines: &str| {
+        let text = format!("{TRIANGLE}v 1 1 0\n{lines}f 1 2 4 3\n");
+        let folder = Folder::new(&[("some.obj", text.as_bytes())]);
+        let file = folder.load("some.obj").expect("it loads");
+        (
+            file.mesh.data().vertex_colours.clone(),
+            folder.warnings(&file),
+        )
+    };
+    let all = [RED, GREEN, Srgb([0, 0, 255]), Srgb([18, 171, 205])];
+    for lines in [
+        "#MRGB ffff0000ff00ff00ff0000ff0012abcd\n",
+        "#MRGB ffff0000ff00ff00\n#MRGB ff0000ff0012ABCD\n# End of MRGB block\n",
+        "#mrgb\tffff0000 ff00ff00 ff0000ff 0012abcd\r\n",
+        "#MRGB ffff0000ff00ff00ff0000ff0012abcdffffffff\n",
+    ] {
+        assert_eq!(colours(lines), (all.to_vec(), vec![]), "{lines}");
+    }
+    let (few, _) = colours("#MRGB ffff0000\n");
+    assert_eq!(few, [RED, Srgb::WHITE, Srgb::WHITE, Srgb::WHITE]);
+    let told = "some.obj:5: an #MRGB line has eight hexadecimal digits for each vertex; its rest is not shown";
+    assert_eq!(colours("#MRGB ffff00\n"), (vec![], vec![told.to_owned()]));
+    let (cut, warnings) = colours("#MRGB ffff0000ff00ffxx\n#MRGB ff0000ff\n");
+    assert_eq!(cut, [RED, Srgb([0, 0, 255]), Srgb::WHITE, Srgb::WHITE]);
+    assert_eq!(warnings, [told]);
+}
+
+/// A black surface shows no form, and where a texture has the colours, black is not meant.
+#[test]
+fn black_under_a_texture_is_neutral() {
+    for (lines, colour) in [
+        ("Kd 0 0 0\nmap_Kd skin.png", None),
+        ("map_kd \"skin one.png\"\nKd 0.00 0.00 0.00", None),
+        ("Kd 0\nmap_Ka -s 1 1 1 skin.png", None),
+        ("Kd 0 0 0", Some(Srgb([0; 3]))),
+        ("Kd 0 0 0\nmap_Kd", Some(Srgb([0; 3]))),
+        ("Kd 0 0 0\nmap_Bump bumps.png", Some(Srgb([0; 3]))),
+        ("Kd 1 0 0\nmap_Kd skin.png", Some(RED)),
+    ] {
+        let (found, _) = used("a", &format!("newmtl a\n{lines}\n"));
+        assert_eq!(found, colour, "{lines}");
+    }
+}
+
+/// A smoothing group without normals is shaded smoothly over any edge, and sharply against other groups.
+#[test]
+fn smoothing_groups_are_smooth_within_and_sharp_between() {
+    let normals = |text: &str| {
+        let folder = Folder::new(&[("some.obj", text.as_bytes())]);
+        let file = folder.load("some.obj").expect("it loads");
+        let CornerNormals { normals, corners } = file.mesh.normals();
+        (normals.len(), corners.is_empty())
+    };
+    let faces = CUBE.find("f ").expect("faces");
+    let (vertices, faces) = CUBE.split_at(faces);
+    let smooth = (8, true);
+    let sharp = (24, false);
+    assert_eq!(normals(CUBE), sharp, "90 degrees is a crease");
+    for (group, wanted) in [
+        ("s 1", smooth),
+        ("s 17", smooth),
+        ("s\t1", smooth),
+        ("s on", smooth),
+        ("s off", sharp),
+        ("s 0", sharp),
+        ("s", sharp),
+    ] {
+        assert_eq!(
+            normals(&format!("{vertices}{group}\n{faces}")),
+            wanted,
+            "{group}"
+        );
+    }
+    // Each face has its own group.
+    let apart = faces
+        .lines()
+        .zip(1..)
+        .map(|(face, group)| format!("s {group}\n{face}\n"));
+    assert_eq!(
+        normals(&format!("{vertices}{}", apart.collect::<String>())),
+        sharp
+    );
+    // One face is of no group, and the other five are smooth among themselves.
+    let off = faces.replacen("\nf", "\ns 1\nf", 1);
+    assert_eq!(normals(&format!("{vertices}s off\n{off}")), (12, false));
+}
+
+#[test]
+fn what_has_no_faces_is_refused_and_counted() {
+    for (text, counts) in [
+        (
+            format!("{TRIANGLE}l 1 2 3\nl 2 3\n"),
+            "vertices: 3, points and lines: 2",
+        ),
+        (
+            format!("{TRIANGLE}p 1 2 3\n"),
+            "vertices: 3, points and lines: 1",
+        ),
+        (TRIANGLE.to_owned(), "vertices: 3"),
+    ] {
+        let folder = Folder::new(&[("some.obj", text.as_bytes())]);
+        let refused = folder.load("some.obj").expect_err("nothing to pick");
+        assert_eq!(
+            folder.relative(&refused),
+            format!("some.obj: no faces to show ({counts})")
+        );
+    }
+}
