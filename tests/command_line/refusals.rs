@@ -189,8 +189,20 @@ fn a_scene_file_too_large_for_memory_is_refused() {
     );
 }
 
-/// A camera that cannot be is refused by the line where the file has it, also far down in a long file, which is parsed
-/// in pieces.
+/// Its text is not read at all: it is a hole.
+#[test]
+fn an_obj_file_too_large_for_memory_is_refused() {
+    let folder = Folder::new();
+    let file = std::fs::File::create(folder.path("long.obj")).unwrap();
+    file.set_len(1_000_000_000).unwrap();
+    let said = crate::error(&run_within(&folder, 1_000_000, "list long.obj"), 3, "list");
+    assert!(
+        said.contains("long.obj: cannot be read: out of memory"),
+        "{said}"
+    );
+}
+
+/// A camera that cannot be is refused by the line where the file has it, also far down in a long file.
 #[test]
 fn a_camera_that_cannot_be_is_named_by_file_and_line() {
     let folder = Folder::new();

@@ -80,6 +80,15 @@ pub(super) fn open(path: &Path, most: u64) -> Result<(File, u64), FileError> {
     Ok((opened, bytes))
 }
 
+/// Refuses a file whose reading takes more memory than there is, in bytes.
+pub(super) fn check_memory(path: &Path, bytes: usize) -> Result<(), FileError> {
+    let reserved = Vec::<u8>::new().try_reserve_exact(bytes);
+    reserved.map_err(|source| FileError::Unreadable {
+        file: path.to_owned(),
+        source: source.into(),
+    })
+}
+
 /// The whole text of a file of at most `most` bytes.
 pub(super) fn text(path: &Path, most: u64) -> Result<String, FileError> {
     let file = || path.to_owned();

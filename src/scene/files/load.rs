@@ -1,7 +1,7 @@
 //! Loads the files that the user names as one scene.
 
 use super::{
-    Detail, FileError, LoadError, Loaded, MeshFiles, Object, Progress, Scene, Shape, Warning, demo,
+    Detail, LoadError, Loaded, MeshFiles, Object, Progress, Scene, Shape, Warning, demo,
     description, file, gallery::Exhibit,
 };
 use crate::{
@@ -55,7 +55,7 @@ pub fn load_with(
             (described, file)
         } else if is_scene_file(path) {
             let text = file::text(path, MOST_BYTES)?;
-            check_memory(path, text.len())?;
+            file::check_memory(path, text.len().saturating_mul(PARSED))?;
             let described = description::parse(&text, path, &mut meshes, progress, &mut warnings)?;
             (described, path.clone())
         } else {
@@ -122,16 +122,6 @@ fn of_all(camera: CameraChoice, own: &Range<usize>, count: usize) -> CameraChoic
         section: Some(SectionChoice::Face { id, face }),
         ..camera
     }
-}
-
-/// Refuses a text whose parse does not fit into memory, before it begins: the parser would abort the program.
-fn check_memory(file: &Path, text_bytes: usize) -> Result<(), FileError> {
-    let bytes = text_bytes.saturating_mul(PARSED);
-    let reserved = Vec::<u8>::new().try_reserve_exact(bytes);
-    reserved.map_err(|source| FileError::Unreadable {
-        file: file.to_owned(),
-        source: source.into(),
-    })
 }
 
 /// Whether a path names a scene file.
