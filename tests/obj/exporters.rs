@@ -106,7 +106,14 @@ fn names_in_latin_1_stay_apart() {
 
 #[test]
 fn a_bare_usemtl_ends_a_material() {
-    for bare in ["usemtl", "usemtl ", "usemtl\t", "usemtl # none", "usemtl #"] {
+    for bare in [
+        "usemtl",
+        "usemtl ",
+        "usemtl\t",
+        "usemtl # none",
+        "usemtl #",
+        "usemtl (null)",
+    ] {
         let text = format!("mtllib a.mtl\nusemtl Plastic\nf 1 2 3\n{bare}\nf 1 3 2\n");
         let (colours, warnings) = read(&text, &[("a.mtl", TWO)]);
         assert_eq!(
@@ -132,6 +139,7 @@ fn libraries_are_found_however_they_are_named() {
         ("mtllib\ta.mtl", "a.mtl"),
         ("mtllib a.mtl # of the house", "a.mtl"),
         ("mtllib a b.mtl #1", "a b.mtl"),
+        ("mtllib \"\"", "some.mtl"),
         ("mtllib .\\sub\\a.mtl", "sub/a.mtl"),
         ("mtllib sub\\a b.mtl", "sub/a b.mtl"),
         ("mtllib C:\\Users\\someone\\export\\a.mtl", "a.mtl"),
@@ -239,6 +247,9 @@ fn colours_from_0_to_255_are_scaled() {
     let bright = "newmtl a\nKd 2.5 0.3 0\n";
     let above = vec!["a.mtl:2: Kd is above 1: it is drawn as 1".to_owned()];
     assert_eq!(used("a", bright), (Some(Srgb([255, 77, 0])), above));
+    let lamp = "newmtl w\nKd 1 1 1\nnewmtl a\nKd 5 5 0\n";
+    assert_eq!(used("a", lamp).0, Some(Srgb([255, 255, 0])));
+    assert_eq!(used("w", lamp).0, Some(Srgb::WHITE));
     let large = "newmtl a\nKd 300 0 0\n";
     assert_eq!(used("a", large).0, Some(RED));
 
@@ -291,6 +302,23 @@ fn painted_vertices_have_the_colours_of_mrgb_lines() {
     let (cut, warnings) = colours("#MRGB ffff0000ff00ffxx\n#MRGB ff0000ff\n");
     assert_eq!(cut, [RED, Srgb([0, 0, 255]), Srgb::WHITE, Srgb::WHITE]);
     assert_eq!(warnings, [told]);
+}
+
+/// A backslash at the end of a name belongs to it, and joined files have byte order marks inside.
+#[test]
+fn names_may_end_in_a_backslash_and_lines_begin_with_a_mark() {
+    let folders = "newmtl a\nKd 1 0 0\nmap_Kd C:\\tex\\\nnewmtl b\nKd 0 1 0\n";
+    assert_eq!(used("a", folders).0, Some(RED));
+    assert_eq!(used("b", folders), (Some(GREEN), vec![]));
+    let text = "g Rooms\\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\n";
+    let rooms = super::mesh(text);
+    assert_eq!(super::parts(&rooms), [("Rooms\\", 1)]);
+    assert_eq!(super::bounds(&rooms).max, glam::DVec3::new(1.0, 1.0, 0.0));
+    let marks = "\u{feff}newmtl red\nKd 1 0 0\n\u{feff}newmtl a\nKd 0 1 0\n";
+    assert_eq!(used("red", marks), (Some(RED), vec![]));
+    assert_eq!(used("a", marks), (Some(GREEN), vec![]));
+    let (colour, warnings) = used("a", "newmtl a\nKd 1.#IND 1.#IND 1.#IND\n");
+    assert_eq!((colour, warnings.len()), (None, 1));
 }
 
 /// A black surface shows no form, and where a texture has the colours, black is not meant.

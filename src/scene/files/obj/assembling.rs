@@ -7,6 +7,7 @@ use super::{
     contents::Contents,
     counts::Counts,
     material::{self, Materials},
+    material_name::is_bare,
     named::Named,
     names::{Names, distinct_names},
     notes::{self, LeftOut},
@@ -297,10 +298,13 @@ impl Triangles {
         }
         parts.pop_if(|part| part.triangles.is_empty());
         // Triangles before the first use of a material have no colour.
-        let uses = names.uses.iter().copied();
-        let uses = runs(None, uses, &start_of, end, progress)?;
         let known = names.materials.iter().map(|(name, _)| materials.find(name));
         let known: Vec<_> = known.collect();
+        let is_none =
+            |material: &usize| known[*material].is_none() && is_bare(&names.materials[*material].0);
+        let uses = names.uses.iter();
+        let uses = uses.map(|(face, material)| (*face, material.filter(|of| !is_none(of))));
+        let uses = runs(None, uses, &start_of, end, progress)?;
         let colours = uses.into_iter().map(|(triangles, material)| ColourRun {
             triangles,
             colour: material

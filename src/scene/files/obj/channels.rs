@@ -6,16 +6,21 @@ use super::block::Block;
 const BYTE: f64 = 255.0;
 
 /// Whether the channels of all colours of a file are clearly from 0 to 255: some are above 1.5, all are within, and none
-/// is a share between 0 and 1. (`Kd 2.5 0.3 0.1` is a bright light, and not nearly black.)
+/// is a share between 0 and 1. (`Kd 2.5 0.3 0.1` is a bright light, and not nearly black.) A 1 is such a share, too, unless
+/// others are far above it.
+#[expect(clippy::float_cmp, reason = "a 1 as it is written")]
 pub(super) fn are_bytes(channels: impl Iterator<Item = f64>) -> bool {
-    let mut has_large = false;
+    /// A light is hardly ever brighter.
+    const BRIGHTEST: f64 = 16.0;
+    let (mut largest, mut has_one) = (0.0_f64, false);
     for channel in channels {
         if !(0.0..=BYTE).contains(&channel) || channel > 0.0 && channel < 1.0 {
             return false;
         }
-        has_large |= channel > 1.5;
+        largest = largest.max(channel);
+        has_one |= channel == 1.0;
     }
-    has_large
+    largest > if has_one { BRIGHTEST } else { 1.5 }
 }
 
 /// Gives vertices the colours of the file's `#MRGB` lines, if no vertex has one on its own line. `ZBrush` writes such a

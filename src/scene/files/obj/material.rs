@@ -283,9 +283,18 @@ impl Materials {
     }
 }
 
-/// The text before a comment. A name may have a `#` in it, so this is not for names.
+/// The text before a comment, which begins a word: `1.#IND` is none. A name may have a `#` in it, so this is not for
+/// names.
 fn without_comment(text: &str) -> &str {
-    text.split_once('#').map_or(text, |(before, _)| before)
+    let mut hashes = text.match_indices('#');
+    let is_comment = |at: usize| {
+        text[..at]
+            .chars()
+            .next_back()
+            .is_none_or(char::is_whitespace)
+    };
+    let comment = hashes.find(|(at, _)| is_comment(*at));
+    comment.map_or(text, |(at, _)| &text[..at])
 }
 
 /// The channels of `Kd r g b`. If green or blue is absent, it equals red.

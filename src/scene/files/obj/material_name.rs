@@ -4,7 +4,7 @@
 //! compared in three ways. The first that finds a material counts:
 //!
 //! 1. as written;
-//! 2. trimmed, with each run of blanks and tabs as one blank, and without quotes around all of it;
+//! 2. trimmed; then with each run of blanks and tabs as one blank, and without quotes around all of it;
 //! 3. without a comment at the end of one of the two. `usemtl red # the door` finds `newmtl red`. But `Plastic #2` never
 //!    finds `Plastic #1`: a comment is cut from one side only.
 //!
@@ -17,6 +17,7 @@ use std::collections::HashMap;
 #[derive(Default)]
 pub(super) struct MaterialNames {
     written: HashMap<String, usize>,
+    trimmed: HashMap<String, usize>,
     squeezed: HashMap<String, usize>,
     lower: HashMap<String, usize>,
     /// By what stands before a `#`, which may begin a comment.
@@ -42,6 +43,12 @@ impl MaterialNames {
     /// Adds a name as written.
     pub fn add(&mut self, name: &str, material: usize) {
         let squeezed = squeezed(name);
+        self.written.entry(name.to_owned()).or_insert(material);
+        let trimmed = self.trimmed.entry(name.trim().to_owned());
+        trimmed.or_insert(material);
+        if self.squeezed.contains_key(&squeezed) {
+            return;
+        }
         for (before, is_comment) in before_comments(&squeezed) {
             let defined = Defined {
                 material,
@@ -50,7 +57,6 @@ impl MaterialNames {
             let all = self.before_comments.entry(before.to_owned());
             all.or_default().push(defined);
         }
-        self.written.entry(name.to_owned()).or_insert(material);
         self.lower
             .entry(squeezed.to_lowercase())
             .or_insert(material);
@@ -60,7 +66,9 @@ impl MaterialNames {
     /// The material that a name means, as written; `None` where none is defined for it.
     pub fn find(&self, name: &str) -> Option<Found> {
         let short = squeezed(name);
-        let named = self.written.get(name).or_else(|| self.squeezed.get(&short));
+        let named = self.written.get(name);
+        let named = named.or_else(|| self.trimmed.get(name.trim()));
+        let named = named.or_else(|| self.squeezed.get(&short));
         if let Some(&material) = named {
             let is_sure = true;
             return Some(Found { material, is_sure });
@@ -70,7 +78,8 @@ impl MaterialNames {
             // Where names differ only behind a `#`, it belongs to the names.
             let alike = self.before_comments.get(before);
             let has_alike = alike.is_some_and(|all| all.iter().any(|one| one.is_comment));
-            Some((*self.squeezed.get(before)?, is_comment && !has_alike))
+            let material = *self.squeezed.get(unquoted(before))?;
+            Some((material, is_comment && !has_alike))
         }) {
             return Some(Found { material, is_sure });
         }
@@ -86,10 +95,11 @@ impl MaterialNames {
     }
 }
 
-/// Whether a name as written names no material: it is empty, or nothing but a comment.
+/// Whether a name as written, for which nothing is defined, names no material: it is empty, nothing but a comment, or what
+/// some exporters write for none.
 pub(super) fn is_bare(name: &str) -> bool {
     let name = name.trim();
-    name.is_empty() || name == "#" || name.starts_with("# ")
+    name.is_empty() || name == "#" || name.starts_with("# ") || name == "(null)"
 }
 
 /// Trimmed, with each run of white space as one blank, and without quotes around all of it.
@@ -101,7 +111,9 @@ fn squeezed(name: &str) -> String {
 /// What stands before each `#` that follows a blank, the longest first, and whether a blank follows that `#`, as in a
 /// comment.
 fn before_comments(squeezed: &str) -> impl Iterator<Item = (&str, bool)> {
-    let hashes = squeezed.rmatch_indices(" #");
+    // A name with more of them is no name.
+    const MOST: usize = 8;
+    let hashes = squeezed.rmatch_indices(" #").take(MOST);
     hashes.map(|(at, hash)| {
         let rest = &squeezed[at + hash.len()..];
         (&squeezed[..at], rest.is_empty() || rest.starts_with(' '))
@@ -130,6 +142,8 @@ mod tests {
         assert_eq!(found(&plastic, "Plastic #1 "), Some((3, true)));
         assert_eq!(found(&plastic, "Plastic\t#1"), Some((1, true)));
         assert_eq!(found(&["a", "a"], "a"), Some((0, true)), "the first");
+        assert_eq!(found(&["\"a\"", "a"], "a "), Some((1, true)));
+        assert_eq!(found(&["a  b", "a b"], "\ta b"), Some((1, true)));
         assert_eq!(found(&["a", "\"b c\""], "b c"), Some((1, true)));
         assert_eq!(found(&["a", "b c"], "'b c'"), Some((1, true)));
         assert_eq!(
@@ -142,6 +156,8 @@ mod tests {
     fn a_comment_is_cut_from_one_side() {
         assert_eq!(found(&["red"], "red # the door"), Some((0, true)));
         assert_eq!(found(&["red # the door"], "red"), Some((0, true)));
+        assert_eq!(found(&["red # a", "red # a"], "red"), Some((0, true)));
+        assert_eq!(found(&["red"], "\"red\" # a"), Some((0, true)));
         assert_eq!(found(&["red #1"], "red #1 # the door"), Some((0, true)));
         assert_eq!(found(&["red"], "red #1 # the door"), Some((0, false)));
         assert_eq!(found(&["red"], "red #2"), Some((0, false)));

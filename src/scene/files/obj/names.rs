@@ -1,6 +1,6 @@
 //! Finds the objects and materials of the faces from the lines that name objects, groups, materials and libraries.
 
-use super::material_name::is_bare;
+use super::library::unquoted;
 use crate::scene::{Cancelled, Progress};
 use std::{
     collections::{HashMap, HashSet},
@@ -92,7 +92,9 @@ impl Names {
                     }
                 }
                 Said::Group(group) => name.group = group,
-                Said::Material(material, _) if is_bare(&material) => names.uses.push((face, None)),
+                Said::Material(material, _) if material.trim().is_empty() => {
+                    names.uses.push((face, None));
+                }
                 Said::Material(material, line) => {
                     let index = *known_materials.entry(material).or_insert_with_key(|name| {
                         names.materials.push((name.clone(), line));
@@ -106,7 +108,8 @@ impl Names {
                     }
                 }
                 Said::Library(library, line) => {
-                    if !library.trim().is_empty() && known_libraries.insert(library.clone()) {
+                    let is_named = !unquoted(library.trim()).trim_matches('"').is_empty();
+                    if is_named && known_libraries.insert(library.clone()) {
                         names.libraries.push((library, line));
                     }
                 }

@@ -1,6 +1,8 @@
 //! Writes the messages about a file: why it is refused, which parts of it are not shown, and what was repaired.
 
-use super::{BadLine, ObjError, material::Materials, names::Names, survey::Survey};
+use super::{
+    BadLine, ObjError, material::Materials, material_name::is_bare, names::Names, survey::Survey,
+};
 use crate::scene::{Warning, files::warning::list};
 use std::{
     collections::{BTreeMap, HashSet},
@@ -140,7 +142,9 @@ pub(super) fn about_materials(path: &Path, names: &Names, materials: &Materials)
     for (name, line) in &names.materials {
         let (found, name) = (materials.find(name), name.trim());
         let Some(found) = found else {
-            unknown.push((name.to_owned(), *line));
+            if !is_bare(name) {
+                unknown.push((name.to_owned(), *line));
+            }
             continue;
         };
         let material = &materials.all[found.material];

@@ -73,7 +73,9 @@ impl<'a> Lines<'a> {
         };
         self.taken += length + end;
         self.ends += usize::from(end > 0);
-        Some(&rest[..length])
+        // Files that were joined have byte order marks inside.
+        let line = &rest[..length];
+        Some(line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line))
     }
 }
 
@@ -90,9 +92,29 @@ pub(super) fn text_of(line: &[u8]) -> Cow<'_, str> {
     }
 }
 
-/// Whether a line goes on in the next one.
+/// Lines of these keywords hold numbers.
+const OF_NUMBERS: [&[u8]; 10] = [
+    b"v", b"vn", b"vt", b"vp", b"f", b"l", b"p", b"curv", b"curv2", b"surf",
+];
+
+/// Whether a line goes on in the next one. A name may end in a backslash, as `g Rooms\` or `map_Kd C:\maps\`, and as the
+/// second byte of some letters in Shift-JIS. So a line that is not of numbers goes on only if a blank comes before it.
 pub(super) fn is_continued(line: &[u8]) -> bool {
-    line.trim_ascii_end().last() == Some(&b'\\') && !line.contains(&b'#')
+    let Some(before) = line.trim_ascii_end().strip_suffix(b"\\") else {
+        return false;
+    };
+    let first = before
+        .split(u8::is_ascii_whitespace)
+        .find(|word| !word.is_empty());
+    let is_of_numbers = first.is_none_or(|word| {
+        let is_number = matches!(word[0], b'0'..=b'9' | b'-' | b'+' | b'.');
+        is_number
+            || OF_NUMBERS
+                .iter()
+                .any(|known| known.eq_ignore_ascii_case(word))
+    });
+    let may_go_on = is_of_numbers || before.last().is_some_and(u8::is_ascii_whitespace);
+    may_go_on && !line.contains(&b'#')
 }
 
 /// Removes the byte order mark and converts UTF-16 to UTF-8. UTF-16 is recognised by its byte order mark only.
