@@ -296,11 +296,16 @@ fn painted_vertices_have_the_colours_of_mrgb_lines() {
         assert_eq!(colours(lines), (all.to_vec(), vec![]), "{lines}");
     }
     let (few, _) = colours("#MRGB ffff0000\n");
-    assert_eq!(few, [RED, Srgb::WHITE, Srgb::WHITE, Srgb::WHITE]);
+    assert_eq!(few, [Srgb::WHITE, Srgb::WHITE, Srgb::WHITE, RED]);
+    let second = "#MRGB ff00ff00ff00ff00ff00ff00ff00ff00\nf 1 2 4 3\nv 2 0 0\nv 3 0 0\n#MRGB ffff0000ffff0000\nf 2 5 6\n";
+    assert_eq!(colours(second).0, [GREEN, GREEN, GREEN, GREEN, RED, RED]);
+    let third = "f 1 2 4 3\nv 2 0 0\nv 3 0 0\n#MRGB ffff0000ffff0000\nf 2 5 6\n";
+    let white = Srgb::WHITE;
+    assert_eq!(colours(third).0, [white, white, white, white, RED, RED]);
     let told = "some.obj:5: an #MRGB line has eight hexadecimal digits for each vertex; its rest is not shown";
     assert_eq!(colours("#MRGB ffff00\n"), (vec![], vec![told.to_owned()]));
     let (cut, warnings) = colours("#MRGB ffff0000ff00ffxx\n#MRGB ff0000ff\n");
-    assert_eq!(cut, [RED, Srgb([0, 0, 255]), Srgb::WHITE, Srgb::WHITE]);
+    assert_eq!(cut, [Srgb::WHITE, Srgb::WHITE, RED, Srgb([0, 0, 255])]);
     assert_eq!(warnings, [told]);
 }
 

@@ -123,6 +123,9 @@ impl Watching {
     }
 
     fn take(&mut self, now: Stamps) {
+        if now == self.known {
+            return;
+        }
         self.gone.extend(self.known.gone(&now));
         let is_gone = |file: &PathBuf| now.0.get(file).is_some_and(Option::is_none);
         self.gone.retain(is_gone);

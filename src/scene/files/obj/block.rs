@@ -32,8 +32,8 @@ const NO_NORMAL: &[u8] = b"vn nan nan nan\n";
 pub(super) struct Block {
     pub vertices: Vertices,
     pub faces: Faces,
-    /// The colours in `#MRGB` lines.
-    pub painted: Vec<[f64; 3]>,
+    /// The colours in `#MRGB` lines, each with how many vertices of the piece come before it.
+    pub painted: Vec<(usize, [f64; 3])>,
     /// How much the piece has.
     pub counts: Counts,
 }
@@ -131,7 +131,7 @@ struct Sorted<'a> {
     corners: Vec<(Named, Named)>,
     numbers: NumberLines<'a>,
     faces: Faces,
-    painted: Vec<[f64; 3]>,
+    painted: Vec<(usize, [f64; 3])>,
     /// The contents of the other lines.
     survey: Survey,
 }
@@ -176,13 +176,11 @@ impl<'a> Sorted<'a> {
                 [b'v', b'n', b' ' | b'\t', ..] => (&rest[..3], true),
                 _ => break,
             };
-            let Some(plain) = plain_lines(rest, keyword) else {
+            let counts: &[usize] = if is_normal { &[3] } else { &[3, 6] };
+            let Some(plain) = plain_lines(rest, keyword, counts) else {
                 break;
             };
             let lines = Cow::Borrowed(&rest[..plain.bytes]);
-            if is_normal && plain.words != 3 {
-                break;
-            }
             if is_normal {
                 self.counts.normals += plain.count;
                 if self.detail.has_normals() {
@@ -279,7 +277,8 @@ impl<'a> Sorted<'a> {
         }
         let colours = vertices.iter().map(|[_, _, colour @ ..]| {
             let [red, green, blue] = [0, 2, 4].map(|at| 16 * colour[at] + colour[at + 1]);
-            [red, green, blue].map(|channel| f64::from(channel) / 255.0)
+            let colour = [red, green, blue].map(|channel| f64::from(channel) / 255.0);
+            (self.counts.vertices, colour)
         });
         self.painted.extend(colours);
     }

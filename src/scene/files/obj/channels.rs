@@ -23,20 +23,34 @@ pub(super) fn are_bytes(channels: impl Iterator<Item = f64>) -> bool {
     largest > if has_one { BRIGHTEST } else { 1.5 }
 }
 
-/// Gives vertices the colours of the file's `#MRGB` lines, if no vertex has one on its own line. `ZBrush` writes such a
-/// block after the vertices, with a mask and a colour for each. Vertices without a colour are white.
+/// Gives vertices the colours of the file's `#MRGB` lines, if no vertex has one on its own line. `ZBrush` writes such lines
+/// after an object's vertices, with a mask and a colour for each: lines that follow each other belong to the last vertices
+/// before them. Vertices without a colour are white.
 pub(super) fn spread_painted(blocks: &mut [Block]) {
     let is_coloured = |block: &Block| !block.vertices.colours.is_empty();
-    let painted: Vec<[f64; 3]> = (blocks.iter_mut())
-        .flat_map(|block| std::mem::take(&mut block.painted))
-        .collect();
+    let (mut count, mut painted) = (0, Vec::new());
+    for block in &mut *blocks {
+        let own = std::mem::take(&mut block.painted).into_iter();
+        painted.extend(own.map(|(before, colour)| (count + before, colour)));
+        count += block.vertices.positions.len();
+    }
     if painted.is_empty() || blocks.iter().any(is_coloured) {
         return;
     }
-    let mut rest = painted.into_iter();
+    let mut colours = vec![WHITE; count];
+    let mut last = 0;
+    for lines in painted.chunk_by(|(a, _), (b, _)| a == b) {
+        let (end, _) = lines[0];
+        let start = end.saturating_sub(lines.len()).max(last);
+        for (colour, (_, painted)) in colours[start..end].iter_mut().zip(lines) {
+            *colour = *painted;
+        }
+        last = end;
+    }
+    let mut rest = colours.into_iter();
     for block in blocks {
-        let colours = std::iter::repeat_with(|| rest.next().unwrap_or(WHITE));
-        block.vertices.colours = colours.take(block.vertices.positions.len()).collect();
+        let own = rest.by_ref().take(block.vertices.positions.len());
+        block.vertices.colours = own.collect();
     }
 }
 
@@ -51,7 +65,7 @@ pub(super) fn scale_bytes(blocks: &mut [Block]) -> bool {
         .iter_mut()
         .flat_map(|block| &mut block.vertices.colours)
     {
-        if colour[0].is_nan() {
+        if colour.iter().any(|channel| channel.is_nan()) {
             *colour = WHITE;
         } else if is_of_bytes {
             *colour = colour.map(|channel| channel / BYTE);

@@ -152,16 +152,17 @@ pub(super) struct PlainLines {
     pub words: usize,
 }
 
-/// The lines at the start of a text that begin with a keyword and have the same count of plain numbers, three or six;
+/// The lines at the start of a text that begin with a keyword and have the same count of plain numbers, one of `counts`;
 /// `None` if the first line is no such one. Each of them has an end.
-pub(super) fn plain_lines(text: &[u8], keyword: &[u8]) -> Option<PlainLines> {
+pub(super) fn plain_lines(text: &[u8], keyword: &[u8], counts: &[usize]) -> Option<PlainLines> {
     let mut lines = PlainLines {
         bytes: 0,
         count: 0,
         words: 0,
     };
     while let Some(values) = text[lines.bytes..].strip_prefix(keyword)
-        && let Some((bytes, words @ (3 | 6))) = plain_line(values)
+        && let Some((bytes, words)) = plain_line(values)
+        && counts.contains(&words)
         && (lines.words == words || lines.count == 0)
     {
         lines.bytes += keyword.len() + bytes;

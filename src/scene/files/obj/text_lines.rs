@@ -75,7 +75,7 @@ impl<'a> Lines<'a> {
         self.ends += usize::from(end > 0);
         // Files that were joined have byte order marks inside.
         let line = &rest[..length];
-        Some(line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line))
+        Some(line.strip_prefix(MARK).unwrap_or(line))
     }
 }
 
@@ -92,6 +92,8 @@ pub(super) fn text_of(line: &[u8]) -> Cow<'_, str> {
     }
 }
 
+/// The byte order mark of UTF-8.
+const MARK: &[u8] = b"\xef\xbb\xbf";
 /// Lines of these keywords hold numbers.
 const OF_NUMBERS: [&[u8]; 10] = [
     b"v", b"vn", b"vt", b"vp", b"f", b"l", b"p", b"curv", b"curv2", b"surf",
@@ -100,6 +102,7 @@ const OF_NUMBERS: [&[u8]; 10] = [
 /// Whether a line goes on in the next one. A name may end in a backslash, as `g Rooms\` or `map_Kd C:\maps\`, and as the
 /// second byte of some letters in Shift-JIS. So a line that is not of numbers goes on only if a blank comes before it.
 pub(super) fn is_continued(line: &[u8]) -> bool {
+    let line = line.strip_prefix(MARK).unwrap_or(line);
     let Some(before) = line.trim_ascii_end().strip_suffix(b"\\") else {
         return false;
     };
