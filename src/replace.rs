@@ -17,10 +17,7 @@ pub(crate) struct Written {
 }
 
 /// A temporary file. It is removed when dropped, and by [`remove_unfinished`], which may find it gone.
-struct Unfinished {
-    path: PathBuf,
-    file: NamedTempFile,
-}
+struct Unfinished(NamedTempFile);
 
 /// The paths of all [`Unfinished`] files, and of some that were dropped.
 static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
@@ -31,15 +28,15 @@ fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
 
 impl Unfinished {
     fn new(file: NamedTempFile) -> Self {
-        let path = file.path().to_owned();
-        unfinished().insert(path.clone());
-        Self { path, file }
+        unfinished().insert(file.path().to_owned());
+        Self(file)
     }
 
     /// Renames it. Where that fails, it is removed.
     fn put(self, target: &Path) -> io::Result<()> {
-        let placed = self.file.persist(target);
-        unfinished().remove(&self.path);
+        let path = self.0.path().to_owned();
+        let placed = self.0.persist(target);
+        unfinished().remove(&path);
         placed.map(|_| ()).map_err(|error| error.error)
     }
 }
@@ -89,9 +86,7 @@ pub(crate) fn write_beside(
     if before.as_ref().is_some_and(|old| !old.is_file()) {
         write_all(&mut File::create(&target)?, write)?;
     } else {
-        let new = &mut beside
-            .insert(Unfinished::new(new_file(folder_of(&target))?))
-            .file;
+        let Unfinished(new) = beside.insert(Unfinished::new(new_file(folder_of(&target))?));
         if let Some(old) = before {
             new.as_file().set_permissions(old.permissions())?;
         }

@@ -15,8 +15,9 @@ use {
 #[cfg(unix)]
 pub(super) fn clean_up_on_signals() {
     let wait = || {
+        let ignored = ignored();
         let ending = [SIGHUP, SIGINT, SIGTERM].into_iter();
-        let ending = ending.filter(|signal| !is_ignored(*signal));
+        let ending = ending.filter(|signal| ignored >> (signal - 1) & 1 == 0);
         let Ok(mut signals) = Signals::new(ending) else {
             return;
         };
@@ -30,14 +31,14 @@ pub(super) fn clean_up_on_signals() {
     let _ = thread::Builder::new().spawn(wait);
 }
 
-/// Whether the program was started with a signal ignored, as by `nohup`. It stays so. Only Linux tells.
+/// The signals that the program was started with as ignored, as by `nohup`, a bit each. They stay so. Only Linux tells.
 #[cfg(unix)]
-fn is_ignored(signal: i32) -> bool {
+fn ignored() -> u64 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mut lines = status.lines();
     let ignored = lines.find_map(|line| line.strip_prefix("SigIgn:"));
     let ignored = ignored.and_then(|digits| u64::from_str_radix(digits.trim(), 16).ok());
-    ignored.is_some_and(|ignored| ignored >> (signal - 1) & 1 == 1)
+    ignored.unwrap_or(0)
 }
 
 /// The system ends the program and knows nothing of its files.

@@ -58,10 +58,10 @@ pub fn face_normal(corners: [[f32; 3]; 3]) -> Vec3 {
 }
 
 /// Normals that are smooth within a surface and break where two faces that share an edge meet at more than `crease`
-/// radians, except within a smoothing group. A corner's normal is a weighted mean of the faces around its vertex that are reached without crossing such
-/// an edge. A face's weight is the sine of its angle there over the product of the lengths of the two sides there. Max
-/// found these weights best ("Weights for Computing Vertex Normals from Facet Normals", JGT 4(2), 1999): they are exact
-/// on a sphere and need no trigonometry.
+/// radians. Within a smoothing group all edges are smooth, and between two all break. A corner's normal is a weighted
+/// mean of the faces around its vertex that are reached without crossing such an edge. A face's weight is the sine of
+/// its angle there over the product of the lengths of the two sides there. Max found these weights best ("Weights for
+/// Computing Vertex Normals from Facet Normals", JGT 4(2), 1999): they are exact on a sphere and need no trigonometry.
 ///
 /// Triangles without area take the mean of their neighbours, or +z when alone. Works on all cores.
 ///

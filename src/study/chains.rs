@@ -1,7 +1,7 @@
 //! Whole picks as programs make them, from a position in the picture to an object and its triangle.
 //!
-//! All chains walk the same trees by the same code ([`pick::closest_by`]) and test one triangle at a time. They differ in
-//! the numbers that hold the scene, and in the test of a shape; other viewers' also in how they make the ray. What a
+//! All chains walk the same trees by the same code ([`pick::closest_by`]) and test one triangle at a time. They differ
+//! in the numbers that hold the scene, and in the test of a shape; other viewers' also in how they make the ray. What a
 //! program prepares once for a scene or a picture is prepared in [`Held::new`].
 
 use super::{

@@ -171,8 +171,8 @@ fn all_workloads<'a, C: Case>(effort: Effort) -> Vec<Workload<'a, C>> {
     all.collect()
 }
 
-/// The rows that [`run`] has for one family of a step, untimed, and those of a scene's own rays as the family [`SCENE`].
-/// `go_on` is asked before each workload; `None` once it says no.
+/// The rows that [`run`] has for one family of a step, untimed, and those of a scene's own rays as the family
+/// [`SCENE`]. `go_on` is asked before each workload; `None` once it says no.
 pub fn family<C: Case>(
     name: &str,
     effort: Effort,

@@ -26,8 +26,8 @@ const LEAST_NS: f64 = 0.5;
 pub struct Useful<'a> {
     /// Its own error, as [`Summary::own_error`] has it: where less is asked for, it does not do.
     pub from: f64,
-    /// Where an error as large as this will do, a method does that is faster by more than a tenth and half a nanosecond;
-    /// infinite where there is no such method.
+    /// Where an error as large as this will do, a method does that is faster by more than a tenth and half a
+    /// nanosecond; infinite where there is no such method.
     pub below: f64,
     /// That method.
     pub then: Option<&'a Row>,

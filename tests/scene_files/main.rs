@@ -288,8 +288,8 @@ fn errors_say_where_and_what() {
     }
 }
 
-/// What a person wrote, with the place and the words of the parser. Where a scene file says more than TOML does, the words
-/// are its own.
+/// What a person wrote, with the place and the words of the parser. Where a scene file says more than TOML does, the
+/// words are its own.
 #[test]
 #[expect(clippy::too_many_lines, reason = "a table")]
 fn errors_have_a_place_and_the_parsers_words() {

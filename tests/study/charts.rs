@@ -176,8 +176,8 @@ fn the_front_names_who_is_compared() {
     }
 }
 
-/// Where every ray meets one of two triangles, the exact methods let none through, and the first formula's tile says how
-/// many slip through it.
+/// Where every ray meets one of two triangles, the exact methods let none through, and the first formula's tile says
+/// how many slip through it.
 #[test]
 fn the_shared_edge_tells_leaks() {
     let words = words(Chart::SharedEdge);

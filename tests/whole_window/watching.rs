@@ -317,7 +317,8 @@ fn in_folders(link: bool) -> (Window, TempDir, PathBuf) {
     (open(vec![path.clone()], 1.0), folder, path)
 }
 
-/// A folder that is wiped is said to be gone until it is there again, however long that takes. Then its file is followed.
+/// A folder that is wiped is said to be gone until it is there again, however long that takes. Then its file is
+/// followed.
 #[test]
 fn a_folder_that_goes_and_comes_is_followed() {
     let (mut window, folder, path) = in_folders(false);

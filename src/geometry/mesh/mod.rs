@@ -123,7 +123,8 @@ pub enum MeshError {
 ///
 /// # Memory
 /// `data.positions` take 12 bytes a vertex, `data.vertex_colours` 3 where the file has colours, and `data.triangles` 12
-/// bytes a triangle. Lists and single picks need no more. A part takes 80 bytes and its name, a run of one material 20, one of a smoothing group 12.
+/// bytes a triangle. Lists and single picks need no more. A part takes 80 bytes and its name, a run of one material 20,
+/// one of a smoothing group 12.
 /// Normals take 12 bytes each. Unless each vertex has one, as on a smooth surface, their indices take 12 bytes a
 /// triangle. Normals are kept, since saving and shading by rays need them again; where the file gives only some, those
 /// are kept twice. A tree for many rays takes at most 64 bytes a triangle of a surface, and `blocks`, for objects that

@@ -76,8 +76,8 @@ fn tests(report: &Report, key: &str) -> Vec<Point> {
     points
 }
 
-/// The whole picks that were timed, far away, and near the origin where that differs. Those that become wrong come first,
-/// then those that are wrong near the origin, each the fastest first: no arrow crosses a name.
+/// The whole picks that were timed, far away, and near the origin where that differs. Those that become wrong come
+/// first, then those that are wrong near the origin, each the fastest first: no arrow crosses a name.
 fn picks(report: &Report) -> Vec<Point> {
     let all = report.summaries_of("pick");
     let points = all.iter().filter_map(|summary| {

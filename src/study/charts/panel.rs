@@ -129,8 +129,8 @@ impl<B: DrawingBackend> Panel<'_, B> {
     }
 
     /// Draws a line for each method through its rows, `y` against their parameter; that of the method `wide` is wider.
-    /// The method's `own` rows are marked at a value of x. Returns the named lines' ends: a formula is named once, at its
-    /// wide line, else at its first.
+    /// The method's `own` rows are marked at a value of x. Returns the named lines' ends: a formula is named once, at
+    /// its wide line, else at its first.
     pub fn curves(
         &self,
         rows: &[&Row],

@@ -1,5 +1,5 @@
-//! Rays at the edge that two triangles share, from neighbouring floating-point numbers: where neither triangle is hit, a
-//! closed mesh leaks. After Kettner, Mehlhorn, Pion, Schirra & Yap, Classroom examples of robustness problems in
+//! Rays at the edge that two triangles share, from neighbouring floating-point numbers: where neither triangle is hit,
+//! a closed mesh leaks. After Kettner, Mehlhorn, Pion, Schirra & Yap, Classroom examples of robustness problems in
 //! geometric computations, CGTA 40(1), 2008.
 
 use super::prelude::*;

@@ -62,14 +62,14 @@ fn error(row: &Row) -> f64 {
     }
 }
 
-/// A far sphere's error in per cent of its size: nothing of it is off by more than that. `value` radii away, a radius is
-/// 1 / `value` radians.
+/// A far sphere's error in per cent of its size: nothing of it is off by more than that. `value` radii away, a radius
+/// is 1 / `value` radians.
 fn of_size(row: &Row) -> f64 {
     100.0 * error(row) * PX * row.value
 }
 
-/// The chart of one family, for a narrow page: the line of the method `wide` is wider. `rows` has the family's rows and a
-/// scene's own ([`SCENE`]), which are marked at `here`. Without rows of the family, nothing is drawn.
+/// The chart of one family, for a narrow page: the line of the method `wide` is wider. `rows` has the family's rows and
+/// a scene's own ([`SCENE`]), which are marked at `here`. Without rows of the family, nothing is drawn.
 ///
 /// # Errors
 /// When the backend refuses.

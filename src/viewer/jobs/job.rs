@@ -17,8 +17,8 @@ pub(in crate::viewer) struct Job<T> {
 }
 
 impl<T: Send + 'static> Job<T> {
-    /// Begins; calls `wake` when done. The result of work that panics is `lost`: nobody waits for ever. Where the system
-    /// gives no more threads, the work is done before this returns.
+    /// Begins; calls `wake` when done. The result of work that panics is `lost`: nobody waits for ever. Where the
+    /// system gives no more threads, the work is done before this returns.
     pub fn start(
         work: impl FnOnce(&Progress) -> T + Send + 'static,
         wake: impl FnOnce() + Send + 'static,

@@ -1,8 +1,8 @@
 //! Reads a face from its file again: its number, and the coordinates of its vertices as they are written.
 //!
 //! The mesh knows the line of each triangle's face ([`Contents`]). The pieces of the file with that line and with the
-//! face's vertices are read again, by the loader's own rules (`text_lines`, `corners`, `triangulation`). The result must
-//! equal the stored mesh to the bit; otherwise the file has changed.
+//! face's vertices are read again, by the loader's own rules (`text_lines`, `corners`, `triangulation`). The result
+//! must equal the stored mesh to the bit; otherwise the file has changed.
 
 use super::{
     AgainError, Contents, FaceInFile, InFile, MOST_BYTES, Stamp, VertexInFile,

@@ -7,11 +7,11 @@ use super::{
     contents::Contents,
     counts::Counts,
     material::{self, Materials},
-    material_name::is_bare,
+    material_name::{Found, is_bare},
     named::Named,
     names::{Names, distinct_names},
     notes::{self, LeftOut},
-    survey::{Fault, Survey},
+    survey::Survey,
     triangulation::{Splitter, has_area},
     vertices::Stored,
 };
@@ -21,8 +21,8 @@ use crate::{
 };
 use std::{ops::Range, path::Path, sync::Arc};
 
-/// Where the file has neither normals nor smoothing groups, an edge whose faces differ by a larger angle is drawn sharp.
-/// In radians.
+/// Where the file has neither normals nor smoothing groups, an edge whose faces differ by a larger angle is drawn
+/// sharp. In radians.
 const CREASE: f32 = 30.0 * std::f32::consts::PI / 180.0;
 
 /// Builds the mesh of a file. In the progress, this counts as `bytes` bytes.
@@ -41,6 +41,8 @@ pub(super) fn build(
     } else {
         Materials::default()
     };
+    let found = names.materials.iter();
+    let found: Vec<_> = found.map(|(name, _)| materials.find(name)).collect();
     channels::spread_painted(&mut blocks);
     let is_of_bytes = channels::scale_bytes(&mut blocks);
     let count = blocks.len().max(1) as u64;
@@ -87,9 +89,8 @@ pub(super) fn build(
         progress.advance(bytes)?;
         all.append(next);
     }
-    all.faults.drain(..).for_each(|fault| survey.add(fault));
+    survey.append(std::mem::take(&mut all.survey), 0);
     survey.know_vertices(all_counts.vertices);
-    survey.bad_normals = all.bad_normals;
     if all.corners.is_empty() {
         let vertices = all_counts.vertices;
         return Err(notes::nothing(path, vertices, &survey, &all.left_out));
@@ -97,7 +98,7 @@ pub(super) fn build(
     let mut warnings: Vec<_> = notes::about_lines(path, &survey).collect();
     warnings.extend(notes::about_geometry(path, &survey, &all.left_out));
     warnings.extend(is_of_bytes.then(|| notes::of_bytes(path)));
-    warnings.extend(notes::about_materials(path, &names, &materials));
+    warnings.extend(notes::about_materials(path, &names, &found, &materials));
     warnings.extend(std::mem::take(&mut materials.warnings));
 
     let contents = Contents {
@@ -106,7 +107,7 @@ pub(super) fn build(
         libraries: std::mem::take(&mut materials.files),
         stamp: None,
     };
-    let data = all.mesh(vertices, names, &cuts, &materials, progress)?;
+    let data = all.mesh(vertices, (names, &found), &cuts, &materials, progress)?;
     let mesh = Mesh::new(data);
     progress.advance(count * bytes)?;
     let mesh = mesh.map_err(|source| ObjError::NoMesh {
@@ -136,10 +137,8 @@ struct Triangles {
     /// For each triangle, the line of its face in the file, from 1; empty where nobody asks for it.
     lines: Vec<u32>,
     left_out: LeftOut,
-    /// The lines of faces that name vertices that do not exist.
-    faults: Vec<Fault>,
-    /// How many faces name normals that do not exist.
-    bad_normals: usize,
+    /// The faces that name vertices or normals that do not exist.
+    survey: Survey,
 }
 
 /// What is known of the file when the faces of a piece are split.
@@ -178,11 +177,8 @@ impl Triangles {
             let known = known.map_while(|corner| corner.index(before.vertices, all.vertices));
             places.extend(known.map(|vertex| vertices.place(vertex)));
             if let Some(missing) = named.get(places.len()) {
-                made.faults.push(Fault {
-                    what: no_such_vertex(*missing, before.vertices),
-                    line,
-                    count: 1,
-                });
+                let what = no_such_vertex(*missing, before.vertices);
+                made.survey.note(line, what);
                 continue;
             }
             if vertices.any_nowhere(&places) {
@@ -196,7 +192,7 @@ impl Triangles {
                 let known = named.iter();
                 let known = known.map_while(|normal| normal.index(before.normals, all.normals));
                 normals.extend(known);
-                made.bad_normals += usize::from(normals.len() < arity);
+                made.survey.bad_normals += usize::from(normals.len() < arity);
             }
             let are_usable =
                 normals.len() == arity && normals.iter().all(|&normal| vertices.has_normal(normal));
@@ -263,8 +259,7 @@ impl Triangles {
             .extend(before_cuts.map(|count| before + count));
         self.corners.extend(next.corners);
         self.lines.extend(next.lines);
-        self.faults.extend(next.faults);
-        self.bad_normals += next.bad_normals;
+        self.survey.append(next.survey, 0);
         self.shading.extend(next.shading);
         self.left_out.without_area += next.left_out.without_area;
         self.left_out.nowhere += next.left_out.nowhere;
@@ -275,7 +270,7 @@ impl Triangles {
     fn mesh(
         self,
         vertices: Stored,
-        names: Names,
+        (names, found): (Names, &[Option<Found>]),
         cuts: &[usize],
         materials: &Materials,
         progress: &Progress,
@@ -298,17 +293,15 @@ impl Triangles {
         }
         parts.pop_if(|part| part.triangles.is_empty());
         // Triangles before the first use of a material have no colour.
-        let known = names.materials.iter().map(|(name, _)| materials.find(name));
-        let known: Vec<_> = known.collect();
         let is_none =
-            |material: &usize| known[*material].is_none() && is_bare(&names.materials[*material].0);
+            |material: &usize| found[*material].is_none() && is_bare(&names.materials[*material].0);
         let uses = names.uses.iter();
         let uses = uses.map(|(face, material)| (*face, material.filter(|of| !is_none(of))));
         let uses = runs(None, uses, &start_of, end, progress)?;
         let colours = uses.into_iter().map(|(triangles, material)| ColourRun {
             triangles,
             colour: material
-                .and_then(|material| known[material])
+                .and_then(|material| found[material])
                 .and_then(|found| materials.all[found.material].colour),
             material: material.and_then(|material| u32::try_from(material).ok()),
         });

@@ -1,9 +1,9 @@
 //! Reads a piece of a file into a [`Block`] of vertices and faces.
 //!
-//! The lines of vertices and normals go to `tobj` as they are ([`coordinates`](super::coordinates)). Where it refuses one, or one
-//! has a number beyond the range, the piece is read again line by line: what cannot be read becomes NaN, so that the
-//! others keep their numbers. A face that cannot be read is left out. The contents of the other lines are kept in the
-//! [`Survey`], by face number.
+//! The lines of vertices and normals go to `tobj` as they are ([`coordinates`](super::coordinates)). Where it refuses
+//! one, or one has a number beyond the range, the piece is read again line by line: what cannot be read becomes NaN, so
+//! that the others keep their numbers. A face that cannot be read is left out. The contents of the other lines are kept
+//! in the [`Survey`], by face number.
 
 use super::{
     BadLine, Stop,
@@ -94,17 +94,14 @@ impl Block {
         let numbers = std::mem::take(&mut sorted.numbers);
         let is_in_range =
             |position: &[f64; 3]| range::stored_vector(DVec3::from_array(*position)).is_some();
-        let vertices = numbers.read();
-        let vertices = vertices.filter(|read| read.positions.iter().all(is_in_range));
-        let vertices = if let Some(vertices) = vertices {
-            vertices
-        } else {
+        let trusted = numbers.read();
+        let mut vertices = trusted.filter(|read| read.positions.iter().all(is_in_range));
+        if vertices.is_none() {
             sorted = Sorted::of(text, detail, false)?;
-            let vertices = std::mem::take(&mut sorted.numbers).read();
-            let refused = || Stop::Unreadable(io::Error::other("tobj refuses a checked vertex"));
-            vertices.ok_or_else(refused)?
-        };
-        let mut vertices = vertices;
+            vertices = std::mem::take(&mut sorted.numbers).read();
+        }
+        let refused = || Stop::Unreadable(io::Error::other("tobj refuses a checked vertex"));
+        let mut vertices = vertices.ok_or_else(refused)?;
         if !detail.has_colours() {
             vertices.colours = Vec::new();
         }
@@ -264,7 +261,8 @@ impl<'a> Sorted<'a> {
         }
     }
 
-    /// Adds the colours of an `#MRGB` line: for each vertex eight hexadecimal digits, a mask's two and the colour's six.
+    /// Adds the colours of an `#MRGB` line: for each vertex eight hexadecimal digits, a mask's two and the colour's
+    /// six.
     fn paint(&mut self, values: &[u8]) {
         let bytes = values.iter().filter(|byte| !byte.is_ascii_whitespace());
         let digits = bytes

@@ -5,9 +5,9 @@ use super::block::Block;
 /// The largest number of a byte.
 const BYTE: f64 = 255.0;
 
-/// Whether the channels of all colours of a file are clearly from 0 to 255: some are above 1.5, all are within, and none
-/// is a share between 0 and 1. (`Kd 2.5 0.3 0.1` is a bright light, and not nearly black.) A 1 is such a share, too, unless
-/// others are far above it.
+/// Whether the channels of all colours of a file are clearly from 0 to 255: some are above 1.5, all are within, and
+/// none is a share between 0 and 1. (`Kd 2.5 0.3 0.1` is a bright light, and not nearly black.) A 1 is such a share,
+/// too, unless others are far above it.
 #[expect(clippy::float_cmp, reason = "a 1 as it is written")]
 pub(super) fn are_bytes(channels: impl Iterator<Item = f64>) -> bool {
     /// A light is hardly ever brighter.
@@ -23,9 +23,9 @@ pub(super) fn are_bytes(channels: impl Iterator<Item = f64>) -> bool {
     largest > if has_one { BRIGHTEST } else { 1.5 }
 }
 
-/// Gives vertices the colours of the file's `#MRGB` lines, if no vertex has one on its own line. `ZBrush` writes such lines
-/// after an object's vertices, with a mask and a colour for each: lines that follow each other belong to the last vertices
-/// before them. Vertices without a colour are white.
+/// Gives vertices the colours of the file's `#MRGB` lines, if no vertex has one on its own line. `ZBrush` writes such
+/// lines after an object's vertices, with a mask and a colour for each: lines that follow each other belong to the last
+/// vertices before them. Vertices without a colour are white.
 pub(super) fn spread_painted(blocks: &mut [Block]) {
     let is_coloured = |block: &Block| !block.vertices.colours.is_empty();
     let (mut count, mut painted) = (0, Vec::new());

@@ -1,5 +1,5 @@
-//! Stores where in a file its faces and vertices are: the line of each triangle's face, and what comes before each piece
-//! of the file. With it, the text of a face can be read again without the pieces before it.
+//! Stores where in a file its faces and vertices are: the line of each triangle's face, and what comes before each
+//! piece of the file. With it, the text of a face can be read again without the pieces before it.
 
 use super::{Stamp, counts::Counts};
 use std::{
@@ -48,8 +48,8 @@ impl Contents {
         Some(start..triangle + u32::try_from(end).ok()?)
     }
 
-    /// The piece that holds the item with this index, for the kind of item that `count` counts, and what comes before the
-    /// piece and before the next one; `None` past the last item.
+    /// The piece that holds the item with this index, for the kind of item that `count` counts, and what comes before
+    /// the piece and before the next one; `None` past the last item.
     pub(super) fn holding(
         &self,
         index: usize,

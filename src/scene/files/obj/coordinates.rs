@@ -82,8 +82,8 @@ impl<'a> NumberLines<'a> {
 }
 
 impl Run<'_> {
-    /// `tobj` gives what faces use, in the order of their use. So one face more names all vertices, and one all normals,
-    /// at a last vertex of its own.
+    /// `tobj` gives what faces use, in the order of their use. So one face more names all vertices, and one all
+    /// normals, at a last vertex of its own.
     fn read(mut self) -> Option<tobj::Mesh> {
         let last = self.vertices + 1;
         let mut faces = String::from("v 0 0 0");
@@ -152,8 +152,8 @@ pub(super) struct PlainLines {
     pub words: usize,
 }
 
-/// The lines at the start of a text that begin with a keyword and have the same count of plain numbers, one of `counts`;
-/// `None` if the first line is no such one. Each of them has an end.
+/// The lines at the start of a text that begin with a keyword and have the same count of plain numbers, one of
+/// `counts`; `None` if the first line is no such one. Each of them has an end.
 pub(super) fn plain_lines(text: &[u8], keyword: &[u8], counts: &[usize]) -> Option<PlainLines> {
     let mut lines = PlainLines {
         bytes: 0,

@@ -1,8 +1,8 @@
 //! Finds the material files that an OBJ file names.
 //!
-//! An `mtllib` line may hold one name with blanks, a name in quotes, or several names. The name may be a path of another
-//! system, or of the machine that exported the file, or differ from the file's in upper and lower case. So the line is
-//! read in these ways, and the first that leads to a file counts:
+//! An `mtllib` line may hold one name with blanks, a name in quotes, or several names. The name may be a path of
+//! another system, or of the machine that exported the file, or differ from the file's in upper and lower case. So the
+//! line is read in these ways, and the first that leads to a file counts:
 //!
 //! 1. as one name, as written; the name within quotes; several names;
 //! 2. the same with `\` as `/`;
@@ -74,7 +74,7 @@ impl<'a> Finder<'a> {
     /// The files that the rest of an `mtllib` line names.
     pub fn libraries(&mut self, rest: &str) -> Vec<Library> {
         let whole = rest.trim();
-        let several = names(whole);
+        let several = in_line(whole);
         let words: Vec<&str> = whole.split_whitespace().take(MOST).collect();
         let readings = [&[whole][..], &[unquoted(whole)], &several];
         for way in WAYS {
@@ -118,7 +118,7 @@ impl<'a> Finder<'a> {
     /// The file of a name, looked for in one way.
     fn find(&mut self, name: &str, way: Way) -> Option<PathBuf> {
         let parts = parts(name);
-        let tails = (0..parts.len().min(MOST)).map(|from| parts[from..].join("/"));
+        let tails = (0..parts.len()).map(|from| parts[from..].join("/"));
         match way {
             Way::AsWritten => Some(self.folder.join(name)).filter(|path| path.exists()),
             Way::Slashes => {
@@ -189,9 +189,9 @@ pub(super) fn unquoted(name: &str) -> &str {
     inner.next().unwrap_or(name)
 }
 
-/// The names in a line, at most [`MOST`]: what stands in quotes, or up to a word that ends in `.mtl`. Behind them there may
-/// be a comment.
-fn names(line: &str) -> Vec<&str> {
+/// The names in a line, at most [`MOST`]: what stands in quotes, or up to a word that ends in `.mtl`. Behind them there
+/// may be a comment.
+pub(super) fn in_line(line: &str) -> Vec<&str> {
     let mut rest = line.trim();
     let mut names = Vec::new();
     let is_comment = |rest: &str, names: &[&str]| rest.starts_with('#') && !names.is_empty();

@@ -1,12 +1,12 @@
 //! Finds the material that a `usemtl` line names among those that `newmtl` lines define.
 //!
-//! Exporters write any text as a name: `Plastic #1`, two blanks, a tab. So both lines mean the rest of the line, and are
-//! compared in three ways. The first that finds a material counts:
+//! Exporters write any text as a name: `Plastic #1`, two blanks, a tab. So both lines mean the rest of the line, and
+//! are compared in three ways. The first that finds a material counts:
 //!
 //! 1. as written;
 //! 2. trimmed; then with each run of blanks and tabs as one blank, and without quotes around all of it;
-//! 3. without a comment at the end of one of the two. `usemtl red # the door` finds `newmtl red`. But `Plastic #2` never
-//!    finds `Plastic #1`: a comment is cut from one side only.
+//! 3. without a comment at the end of one of the two. `usemtl red # the door` finds `newmtl red`. But `Plastic #2`
+//!    never finds `Plastic #1`: a comment is cut from one side only.
 //!
 //! Where only upper and lower case differ, the material is used, with a warning.
 
@@ -95,8 +95,8 @@ impl MaterialNames {
     }
 }
 
-/// Whether a name as written, for which nothing is defined, names no material: it is empty, nothing but a comment, or what
-/// some exporters write for none.
+/// Whether a name as written, for which nothing is defined, names no material: it is empty, nothing but a comment, or
+/// what some exporters write for none.
 pub(super) fn is_bare(name: &str) -> bool {
     let name = name.trim();
     name.is_empty() || name == "#" || name.starts_with("# ") || name == "(null)"

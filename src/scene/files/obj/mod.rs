@@ -15,9 +15,9 @@
 //!  9. `triangulation` splits polygons by earcut, except those that `tangled` finds.
 //! 10. `assembling` makes the mesh; `notes` says what was left out, and `contents` keeps the line of each triangle.
 //!
-//! A digit is read twice: by a look for the end of its line, which also tells whether it is a plain line of numbers, and
-//! then as a part of its number, by `tobj` for vertices and normals. Only a piece with a vertex or a normal that cannot be
-//! read is gone through once more; a line with more than numbers is copied without the rest.
+//! A digit is read twice: by a look for the end of its line, which also tells whether it is a plain line of numbers,
+//! and then as a part of its number, by `tobj` for vertices and normals. Only a piece with a vertex or a normal that
+//! cannot be read is gone through once more; a line with more than numbers is copied without the rest.
 //!
 //! The text of the faces is not kept. It is read again when it is needed (`again`, `in_file`). `write` writes a mesh as
 //! OBJ and MTL text. The rules of loading:
@@ -81,8 +81,8 @@ use text_lines::{decode, is_utf16};
 
 /// A larger file is refused: it could have more triangles than a 32-bit index can count.
 const MOST_BYTES: u64 = 1 << 32;
-/// The bytes of memory that are asked for before reading, for each byte of a file. Scans take 1.5, as measured; a file of
-/// the shortest lines 4.
+/// The bytes of memory that are asked for before reading, for each byte of a file. Scans take 1.5, as measured; a file
+/// of the shortest lines 4.
 const READ: usize = 2;
 /// The approximate size of a piece in bytes. It is large enough that few faces name vertices of other pieces, and small
 /// enough that the output of `tobj` stays in the processor's cache.

@@ -1,7 +1,8 @@
 //! What a face names before it is known what comes before its piece.
 
 /// A vertex or a normal, as a corner of a face names it: by its number in the file, or counted back from the line. What
-/// is counted back is kept as its number in the piece, which becomes one in the file once the pieces before it are read.
+/// is counted back is kept as its number in the piece, which becomes one in the file once the pieces before it are
+/// read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Named(u32);
 

@@ -1,6 +1,6 @@
 //! Finds the objects and materials of the faces from the lines that name objects, groups, materials and libraries.
 
-use super::library::unquoted;
+use super::library::in_line;
 use crate::scene::{Cancelled, Progress};
 use std::{
     collections::{HashMap, HashSet},
@@ -108,8 +108,7 @@ impl Names {
                     }
                 }
                 Said::Library(library, line) => {
-                    let is_named = !unquoted(library.trim()).trim_matches('"').is_empty();
-                    if is_named && known_libraries.insert(library.clone()) {
+                    if !in_line(&library).is_empty() && known_libraries.insert(library.clone()) {
                         names.libraries.push((library, line));
                     }
                 }

@@ -1,7 +1,11 @@
 //! Writes the messages about a file: why it is refused, which parts of it are not shown, and what was repaired.
 
 use super::{
-    BadLine, ObjError, material::Materials, material_name::is_bare, names::Names, survey::Survey,
+    BadLine, ObjError,
+    material::Materials,
+    material_name::{Found, is_bare},
+    names::Names,
+    survey::Survey,
 };
 use crate::scene::{Warning, files::warning::list};
 use std::{
@@ -126,7 +130,13 @@ pub(super) fn of_bytes(path: &Path) -> Warning {
 }
 
 /// Warnings about the materials in use: textures and transparency are not shown, and some materials are not defined.
-pub(super) fn about_materials(path: &Path, names: &Names, materials: &Materials) -> Vec<Warning> {
+/// `found` has what each of the names means.
+pub(super) fn about_materials(
+    path: &Path,
+    names: &Names,
+    found: &[Option<Found>],
+    materials: &Materials,
+) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let mut warn_of = |used: &[(String, usize)]| {
         if let Some((_, line)) = used.first() {
@@ -139,8 +149,8 @@ pub(super) fn about_materials(path: &Path, names: &Names, materials: &Materials)
     };
     let mut defined = BTreeMap::new();
     let (mut unknown, mut unsure) = (Vec::new(), Vec::new());
-    for (name, line) in &names.materials {
-        let (found, name) = (materials.find(name), name.trim());
+    for ((name, line), found) in names.materials.iter().zip(found) {
+        let name = name.trim();
         let Some(found) = found else {
             if !is_bare(name) {
                 unknown.push((name.to_owned(), *line));

@@ -95,8 +95,8 @@ pub(super) fn check_line(line: &[u8]) -> Result<(), Stop> {
     Ok(())
 }
 
-/// The length of the lines at the start of a text that are surely complete: some text follows, which no line goes on in.
-/// A text that ends in CR could go on with LF.
+/// The length of the lines at the start of a text that are surely complete: some text follows, which no line goes on
+/// in. A text that ends in CR could go on with LF.
 fn whole_lines(text: &[u8]) -> usize {
     let mut end = text.len().saturating_sub(1);
     while let Some(at) = memchr::memrchr2(b'\n', b'\r', &text[..end]) {

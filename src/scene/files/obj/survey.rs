@@ -39,8 +39,7 @@ impl Survey {
         self.add(Fault { what, line, count });
     }
 
-    /// Adds lines with one kind of fault.
-    pub fn add(&mut self, fault: Fault) {
+    fn add(&mut self, fault: Fault) {
         let kind = std::mem::discriminant(&fault.what);
         let mut faults = self.faults.iter_mut();
         match faults.find(|known| std::mem::discriminant(&known.what) == kind) {

@@ -99,8 +99,9 @@ const OF_NUMBERS: [&[u8]; 10] = [
     b"v", b"vn", b"vt", b"vp", b"f", b"l", b"p", b"curv", b"curv2", b"surf",
 ];
 
-/// Whether a line goes on in the next one. A name may end in a backslash, as `g Rooms\` or `map_Kd C:\maps\`, and as the
-/// second byte of some letters in Shift-JIS. So a line that is not of numbers goes on only if a blank comes before it.
+/// Whether a line goes on in the next one. A name may end in a backslash, as `g Rooms\` or `map_Kd C:\maps\`, and as
+/// the second byte of some letters in Shift-JIS. So a line that is not of numbers goes on only if a blank comes before
+/// it.
 pub(super) fn is_continued(line: &[u8]) -> bool {
     let line = line.strip_prefix(MARK).unwrap_or(line);
     let Some(before) = line.trim_ascii_end().strip_suffix(b"\\") else {
@@ -128,8 +129,8 @@ pub(super) fn decode<'a>(
     let unit = match start {
         [0xff, 0xfe, ..] => u16::from_le_bytes,
         [0xfe, 0xff, ..] => u16::from_be_bytes,
-        [0xef, 0xbb, 0xbf, ..] => {
-            input.consume(3);
+        start if start.starts_with(MARK) => {
+            input.consume(MARK.len());
             return Ok(Box::new(input));
         }
         _ => return Ok(Box::new(input)),
@@ -203,8 +204,8 @@ impl Text {
             decode(input.take(bytes))?.read_to_end(&mut text)?;
             return Ok(Self::Decoded(text));
         }
-        let mark = if start.starts_with(&[0xef, 0xbb, 0xbf]) {
-            3
+        let mark = if start.starts_with(MARK) {
+            MARK.len() as u64
         } else {
             0
         };

@@ -35,8 +35,8 @@ impl Stored {
     /// How many times [`Self::new`] goes through all blocks and reports progress for each.
     pub const STEPS: u64 = 4;
 
-    /// Stores the vertices that faces use. `before` counts what comes before each block, and at the end, before none. In
-    /// the progress, each block counts as `bytes` bytes in each step.
+    /// Stores the vertices that faces use. `before` counts what comes before each block, and at the end, before none.
+    /// In the progress, each block counts as `bytes` bytes in each step.
     pub fn new(
         blocks: Vec<Vertices>,
         faces: &[Faces],
