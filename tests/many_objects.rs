@@ -276,7 +276,7 @@ fn what_was_moved_is_found_where_it_is() {
 /// Boxes and counts equal those computed anew from each object.
 fn holds_its_sums(scene: &Scene) {
     let (mut all, mut visible, mut hidden) = (Aabb::EMPTY, Aabb::EMPTY, 0);
-    for object in scene.objects() {
+    for object in scene.objects().iter() {
         let bounds = object.bounds_world();
         all = all.union(bounds);
         if object.visible {

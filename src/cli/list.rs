@@ -70,7 +70,7 @@ pub(super) fn run(args: &ListArgs) -> Result<(), CliError> {
 }
 
 fn lines(scene: &Scene) -> impl Iterator<Item = Line<'_>> {
-    (0..).zip(scene.objects()).map(|(index, object)| {
+    (0..).zip(scene.objects().iter()).map(|(index, object)| {
         let Aabb { min, max } = scene.bounds_of(index);
         let (material, colour) = object.one_material().unzip();
         Line {

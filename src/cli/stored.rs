@@ -29,7 +29,7 @@ pub(super) fn write(out: impl Write, scene: &Scene, view: &View) -> Result<(), C
     let mut out = BufWriter::new(out);
     let places: HashMap<_, _> = scene.meshes().iter().map(Arc::as_ptr).zip(0..).collect();
     let objects = || {
-        let numbered = (1..).zip(scene.objects());
+        let numbered = (1..).zip(scene.objects().iter());
         numbered.map(|(id, object)| stored_object(id, object, &places))
     };
     let stored = json::object! {

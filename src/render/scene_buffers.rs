@@ -230,8 +230,7 @@ fn rings(scene: &Scene) -> u32 {
 
 /// The batch of a range of objects: a sphere, or triangles.
 fn drawn_batch(scene: &Scene, range: &Range<usize>, kind: u32, is_sphere: bool) -> Batch {
-    let objects = &scene.objects()[range.clone()];
-    let object = &objects[0];
+    let object = &scene.objects()[range.start];
     let own = if is_sphere {
         Own::Sphere {
             object: index(range.start),
@@ -249,13 +248,14 @@ fn drawn_batch(scene: &Scene, range: &Range<usize>, kind: u32, is_sphere: bool) 
             numbers_triangles: object.shape.triangles().is_some(),
         })
     };
-    let shown = objects.iter().filter(|object| object.visible).count();
+    let is_shown = |index: &usize| scene.objects()[*index].visible;
+    let shown = range.clone().filter(is_shown).count();
     let mut batch = Batch {
         kind,
         placement: object.placement,
         own,
         bounds_world: Aabb::EMPTY,
-        objects: index(objects.len()),
+        objects: index(range.len()),
         shown: index(shown),
     };
     batch.bounds_world = batch.with_room(scene.bounds_of_batch(range));

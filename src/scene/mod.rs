@@ -6,8 +6,8 @@ mod files;
 mod in_file;
 mod narrowed;
 mod object;
+mod object_list;
 mod section;
-mod sums;
 mod tree;
 
 pub use extent::Among;
@@ -21,15 +21,16 @@ pub use files::{
 pub(crate) use files::{Stamp, absolute, is_scene_file, matrix_rows, title};
 pub use in_file::{FaceInFile, InFile, VertexInFile};
 pub use object::{Object, Shape};
+pub use object_list::ObjectList;
 pub use section::{FlatFaces, NoSection};
 
 use crate::geometry::{Aabb, Mesh, Placement, Pyramid, WorldRay};
+use object_list::ListKey;
 use std::{
     collections::{BTreeSet, HashSet},
     ops::{ControlFlow, Range},
-    sync::{Arc, Weak, atomic::AtomicBool},
+    sync::{Arc, atomic::AtomicBool},
 };
-use sums::Sums;
 use tree::SceneTree;
 
 /// An id that a person wrote names no object.
@@ -44,16 +45,8 @@ pub struct NoSuchObject {
 
 /// Identifies a scene and its clones until they are changed. Holds only a weak reference.
 #[doc(hidden)] // public for tests
-#[derive(Clone, Debug)]
-pub struct SceneKey(Weak<Vec<Object>>);
-
-impl PartialEq for SceneKey {
-    fn eq(&self, other: &Self) -> bool {
-        Weak::ptr_eq(&self.0, &other.0)
-    }
-}
-
-impl Eq for SceneKey {}
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SceneKey(ListKey);
 
 impl SceneKey {
     /// Whether this key identifies `scene` in its present state.
@@ -63,7 +56,7 @@ impl SceneKey {
 
     /// Whether a scene with this key still exists.
     pub fn is_in_use(&self) -> bool {
-        self.0.strong_count() > 0
+        self.0.is_in_use()
     }
 }
 
@@ -71,25 +64,21 @@ impl SceneKey {
 /// them from 1; [`Scene::index_of`] takes it to an index. A clone shares its data until one of the two is changed.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
-    objects: Arc<Vec<Object>>,
-    bounds: Arc<Vec<Aabb>>,
+    objects: ObjectList,
     batches: Arc<Vec<Range<usize>>>,
     meshes: Arc<Vec<Arc<Mesh>>>,
     tree: Arc<SceneTree>,
-    sums: Sums,
 }
 
 impl Scene {
     /// A scene of these objects, in this order.
     pub fn new(objects: Vec<Object>) -> Self {
-        let bounds: Vec<Aabb> = objects.iter().map(Object::bounds_world).collect();
+        let objects = ObjectList::new(objects);
         let mut scene = Self {
             batches: Arc::new(batches(&objects)),
             meshes: Arc::new(meshes(&objects)),
             tree: Arc::default(),
-            sums: Sums::of(&objects, &bounds),
-            objects: Arc::new(objects),
-            bounds: Arc::new(bounds),
+            objects,
         };
         scene.tree = Arc::new(SceneTree::new(&scene));
         scene
@@ -98,11 +87,11 @@ impl Scene {
     /// The key that identifies this scene until it is changed.
     #[doc(hidden)] // public for tests
     pub fn key(&self) -> SceneKey {
-        SceneKey(Arc::downgrade(&self.objects))
+        SceneKey(self.objects.key())
     }
 
     /// All objects, hidden ones too.
-    pub fn objects(&self) -> &[Object] {
+    pub fn objects(&self) -> &ObjectList {
         &self.objects
     }
 
@@ -116,7 +105,7 @@ impl Scene {
     /// # Panics
     /// When there is no object of this index.
     pub fn bounds_of(&self, object: usize) -> Aabb {
-        self.bounds[object]
+        self.objects.bounds_of(object)
     }
 
     /// The world-space box about a run of objects.
@@ -129,36 +118,34 @@ impl Scene {
     /// # Panics
     /// When there is no object of such an index.
     pub fn bounds_among(&self, objects: impl Iterator<Item = usize>) -> Aabb {
-        let boxes = objects.map(|object| self.bounds[object]);
+        let boxes = objects.map(|object| self.bounds_of(object));
         boxes.fold(Aabb::EMPTY, Aabb::union)
     }
 
     /// The world-space box about all objects, hidden ones too; empty when there are none.
     pub fn bounds(&self) -> Aabb {
-        self.sums.bounds
+        self.objects.sums().bounds
     }
 
     /// The world-space box about all visible objects; empty when there are none.
     pub fn visible_bounds(&self) -> Aabb {
-        self.sums.visible_bounds
+        self.objects.sums().visible_bounds
     }
 
     /// Whether a condition holds for the box about some visible object. It must hold for a box if it holds for one
     /// inside that box.
     pub(crate) fn any_visible(&self, holds: impl Fn(&Aabb) -> bool) -> bool {
-        let mut each = self.objects.iter().zip(&*self.bounds);
-        holds(&self.sums.visible_bounds)
-            && each.any(|(object, bounds)| object.visible && holds(bounds))
+        self.objects.any_visible(holds)
     }
 
     /// How many objects are hidden.
     pub fn hidden_count(&self) -> usize {
-        self.sums.hidden
+        self.objects.sums().hidden
     }
 
     /// Triangles of all meshes, hidden ones too.
     pub fn triangle_count(&self) -> usize {
-        self.sums.triangles
+        self.objects.sums().triangles
     }
 
     /// Shows or hides an object.
@@ -166,8 +153,7 @@ impl Scene {
     /// # Panics
     /// When there is no object of this index.
     pub fn set_visible(&mut self, object: usize, visible: bool) {
-        Arc::make_mut(&mut self.objects)[object].visible = visible;
-        self.add_up();
+        (self.objects).change(&[object], |object| object.visible = visible);
     }
 
     /// Toggles the visibility of these objects.
@@ -175,11 +161,8 @@ impl Scene {
     /// # Panics
     /// When an index names no object.
     pub fn toggle(&mut self, objects: &[usize]) {
-        let all = Arc::make_mut(&mut self.objects);
-        for object in objects {
-            all[*object].visible ^= true;
-        }
-        self.add_up();
+        self.objects
+            .change(objects, |object| object.visible ^= true);
     }
 
     /// Gives an object a new placement.
@@ -188,9 +171,7 @@ impl Scene {
     /// When there is no object of this index.
     pub fn place(&mut self, object: usize, placement: Placement) {
         let before = self.joins(object);
-        Arc::make_mut(&mut self.objects)[object].placement = placement;
-        Arc::make_mut(&mut self.bounds)[object] = extent::bounds_world(&self.objects[object]);
-        self.add_up();
+        (self.objects).change_bounds(object, |object| object.placement = placement);
         if self.joins(object) == before {
             let batch = self.batch_number(object);
             let bounds = self.bounds_of_batch(&self.batches[batch]);
@@ -205,17 +186,13 @@ impl Scene {
     /// Whether an object shares a batch with the object before it, and with the object after it.
     fn joins(&self, object: usize) -> [bool; 2] {
         let is_joined = |first: usize| {
-            let pair = self.objects.get(first..first + 2);
-            pair.is_some_and(|pair| continues(&pair[0], &pair[1]))
+            let after = self.objects.get(first + 1);
+            after.is_some_and(|after| continues(&self.objects[first], after))
         };
         [
             object.checked_sub(1).is_some_and(is_joined),
             is_joined(object),
         ]
-    }
-
-    fn add_up(&mut self) {
-        self.sums = Sums::of(&self.objects, &self.bounds);
     }
 
     /// The index of the object that people call `id`: ids run from 1.
@@ -338,14 +315,14 @@ impl FromIterator<Object> for Scene {
 }
 
 /// Each mesh of the objects once.
-fn meshes(objects: &[Object]) -> Vec<Arc<Mesh>> {
+fn meshes(objects: &ObjectList) -> Vec<Arc<Mesh>> {
     let mut seen = HashSet::new();
     let meshes = objects.iter().filter_map(|object| object.shape.mesh());
     let first = meshes.filter(|mesh| seen.insert(Arc::as_ptr(mesh)));
     first.cloned().collect()
 }
 
-fn batches(objects: &[Object]) -> Vec<Range<usize>> {
+fn batches(objects: &ObjectList) -> Vec<Range<usize>> {
     let mut batches: Vec<Range<usize>> = Vec::new();
     for (index, object) in objects.iter().enumerate() {
         match batches.last_mut() {

@@ -36,14 +36,15 @@ impl Scene {
         let meshes: Vec<_> = self.meshes.iter().map(narrowed).collect();
         let of_mesh = self.meshes.iter().map(Arc::as_ptr).zip(&meshes);
         let of_mesh: HashMap<_, _> = of_mesh.collect();
-        let mut objects = Vec::clone(&self.objects);
-        for object in &mut objects {
+        let mut objects = self.objects.clone();
+        let all: Vec<usize> = (0..objects.len()).collect();
+        objects.change(&all, |object| {
             if let Shape::Mesh { mesh, .. } = &mut object.shape {
                 *mesh = Arc::clone(of_mesh[&Arc::as_ptr(mesh)]);
             }
-        }
+        });
         Some(Self {
-            objects: Arc::new(objects),
+            objects,
             meshes: Arc::new(meshes),
             ..self.clone()
         })

@@ -138,7 +138,7 @@ impl<'a> Click<'a> {
         // Exactly decided and ordered.
         let mut others = pick::all(self.scene, self.ray, sides).into_iter();
         let other = others.find(|hit| !is_about(&objects[hit.object].shape));
-        let met = (0..).zip(objects);
+        let met = (0..).zip(objects.iter());
         let met = met.filter(|(_, object)| object.visible && is_about(&object.shape));
         let met = met.flat_map(|(object, about)| {
             let hits = meet(about, &about.placement.ray_to_object(ray)).into_iter();

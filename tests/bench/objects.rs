@@ -1,5 +1,6 @@
-//! What a ray costs in scenes of many objects: `cargo bench --bench objects`. Houses on a plain are asked in turns:
-//! through the scene's tree, and one after the other. The answers are compared.
+//! What a ray and an edit cost in scenes of many objects: `cargo bench --bench objects`. Houses on a plain are asked in
+//! turns: through the scene's tree, and one after the other. The answers are compared. Then one house is hidden, one is
+//! moved, and the list of all is copied, in turns too, while the scene before is held.
 
 use glam::{DAffine3, DMat3, DVec3};
 use sightline::{
@@ -11,6 +12,7 @@ use std::{hint::black_box, time::Instant};
 
 const RAYS: u32 = 2000;
 const ROUNDS: usize = 9;
+const EDITS: u32 = 20;
 
 fn main() {
     for houses in [1, 30, 3000, 50_000] {
@@ -32,10 +34,7 @@ fn main() {
             let hit = pick::closest(&scene, ray, Sides::Both).map(|hit| hit.hit.t);
             assert_eq!(hit, one_by_one(&alone, ray), "{ray:?}");
         }
-        let [tree, each] = times.map(|mut times| {
-            times.sort_by(f64::total_cmp);
-            times[ROUNDS / 2]
-        });
+        let [tree, each] = times.map(median);
         let hits = rays
             .iter()
             .filter(|ray| pick::closest(&scene, *ray, Sides::Both).is_some());
@@ -43,7 +42,45 @@ fn main() {
             "{houses:6} houses: {tree:9.3} us a ray, one after the other {each:9.3} us ({} of {RAYS} rays hit)",
             hits.count()
         );
+        let [hide, place, copy] = edits(&scene).map(median);
+        println!(
+            "               one hidden {hide:9.3} us, one moved {place:9.3} us, a copy of the list {copy:9.3} us"
+        );
     }
+}
+
+/// Microseconds to hide an object, to move it, and to copy the list of all, in each round.
+fn edits(scene: &Scene) -> [Vec<f64>; 3] {
+    let of_one = |edit: &dyn Fn(&mut Scene, usize)| {
+        let mut micros = 0.0;
+        for i in 0..EDITS {
+            let object = i as usize * 7919 % scene.objects().len();
+            let mut after = scene.clone();
+            let start = Instant::now();
+            edit(&mut after, object);
+            micros += 1e6 * start.elapsed().as_secs_f64();
+            black_box(after);
+        }
+        micros / f64::from(EDITS)
+    };
+    let mut times = [const { Vec::new() }; 3];
+    for _ in 0..ROUNDS {
+        times[0].push(of_one(&|scene, object| scene.set_visible(object, false)));
+        times[1].push(of_one(&|scene, object| {
+            let mut model = scene.objects()[object].placement.model();
+            model.translation.x += 3.0;
+            scene.place(object, Placement::new(model).expect("a shift"));
+        }));
+        times[2].push(of_one(&|scene, _| {
+            drop(black_box(scene.objects().to_vec()));
+        }));
+    }
+    times
+}
+
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
 }
 
 fn one_by_one(alone: &[Scene], ray: &Ray) -> Option<f64> {

@@ -136,7 +136,11 @@ fn same_camera(
 
 fn same_scene(printed: &Stored, scene: &Scene) {
     assert_eq!(printed.objects.len(), scene.objects().len());
-    for (index, (printed_object, object)) in printed.objects.iter().zip(scene.objects()).enumerate()
+    for (index, (printed_object, object)) in printed
+        .objects
+        .iter()
+        .zip(scene.objects().iter())
+        .enumerate()
     {
         let StoredObject {
             id,

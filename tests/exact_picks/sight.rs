@@ -117,7 +117,7 @@ fn run(seed: u64, make: Make) -> [usize; 3] {
         if random.below(2) == 0 {
             scene.build_trees();
         }
-        for object in scene.objects() {
+        for object in scene.objects().iter() {
             let Shape::Mesh { mesh, part } = &object.shape else {
                 continue;
             };

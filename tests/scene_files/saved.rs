@@ -90,7 +90,7 @@ fn what_is_saved_reads_back_to_the_bit() {
     for camera in [camera, CameraChoice::default()] {
         let text = to_toml(&scene, &camera, &[]).unwrap();
         let again = parse(&text).expect("what was written can be read");
-        same(scene.objects(), &again.objects);
+        same(&scene.objects().to_vec(), &again.objects);
         assert_eq!(again.camera.unwrap_or_default(), camera);
         // The text leaves out a camera that chooses nothing.
         assert_eq!(text.contains("[camera]"), camera != CameraChoice::default());
@@ -178,7 +178,7 @@ fn mesh_files_bring_their_objects_once_and_are_saved_by_part() {
     let path = elsewhere.path().join("saved.toml");
     std::fs::write(&path, &saved).unwrap();
     let again = load(&[path]).unwrap();
-    same(objects, again.scene.objects());
+    same(&objects.to_vec(), &again.scene.objects().to_vec());
     let parts = |loaded: &Loaded| {
         let shapes = loaded
             .scene

@@ -140,7 +140,7 @@ pub fn coplanar() -> Scene {
 /// Views from inside a sphere, an ellipsoid and a mesh, and from just outside a sphere.
 pub fn inside() -> Vec<(&'static str, Scene, View)> {
     let scene = shapes(DVec3::ZERO);
-    let bumpy = Scene::new(scene.objects()[1..2].to_vec());
+    let bumpy = Scene::new(vec![scene.objects()[1].clone()]);
     let look = |eye: DVec3, target: DVec3, near: f64| {
         common::view(
             eye.to_array(),

@@ -301,7 +301,7 @@ fn the_demo_and_the_gallery_are_saved_with_their_meshes() {
         let again = again.unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(again.warnings.len(), 0, "{:?}", again.warnings);
         let mut triangles = 0;
-        for (a, b) in before.iter().zip(again.scene.objects()) {
+        for (a, b) in before.iter().zip(again.scene.objects().iter()) {
             assert_eq!((&a.name, a.colour), (&b.name, b.colour));
             assert_eq!(a.placement, b.placement);
             assert!(corners(a) == corners(b), "{}", a.name);

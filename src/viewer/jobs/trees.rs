@@ -26,7 +26,7 @@ mod tests {
         let scene = load(&[], &Progress::default()).expect("the demo").scene;
         build_trees(&scene, || ()).wait();
         let mut meshes = 0;
-        for object in scene.objects() {
+        for object in scene.objects().iter() {
             if let Shape::Mesh { mesh, .. } = &object.shape {
                 assert!(mesh.has_blocks());
                 meshes += 1;

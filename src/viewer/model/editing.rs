@@ -84,7 +84,11 @@ impl State {
         } else {
             source.paths.extend(paths);
         }
-        let objects = self.scene.objects().iter().chain(loaded.scene.objects());
+        let objects = self
+            .scene
+            .objects()
+            .iter()
+            .chain(loaded.scene.objects().iter());
         let scene = objects.cloned().collect();
         let inverse = self.make(Edit::Compose(scene, source));
         self.timeline

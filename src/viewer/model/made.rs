@@ -50,7 +50,7 @@ impl Made {
 /// [`Loaded::share_meshes`](crate::scene::Loaded) has put the old ones in place of equal new ones.
 pub(super) fn is_same(a: &Scene, b: &Scene) -> bool {
     let (a, b) = (a.objects(), b.objects());
-    a.len() == b.len() && a.iter().zip(b).all(are_one)
+    a.len() == b.len() && a.iter().zip(b.iter()).all(are_one)
 }
 
 /// Whether two objects are the same but for their visibility.

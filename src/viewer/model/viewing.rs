@@ -102,8 +102,8 @@ impl State {
         placement: Placement,
     ) -> Result<(), CameraError> {
         let shape = &self.scene.objects()[object].shape;
-        let others = match self.scene.objects() {
-            [_] => Aabb::EMPTY,
+        let others = match self.scene.objects().len() {
+            1 => Aabb::EMPTY,
             _ => self.scene.visible_bounds(),
         };
         // Fields are checked in every pass: far from the limits, the corners of a mesh's box tell enough.

@@ -47,11 +47,11 @@ pub(in crate::viewer) fn lines(subject: &Subject) -> Vec<Line> {
     let (scene, overlays, selected) = (subject.scene, subject.overlays, subject.selection);
     let shows_lines = [Overlay::Normals, Overlay::Boxes].map(|overlay| overlays.shows(overlay));
     let asked = match selected {
-        _ if !shows_lines.contains(&true) => &[],
-        Some(selected) => scene.objects().get(selected..=selected).unwrap_or_default(),
-        None => scene.objects(),
+        _ if !shows_lines.contains(&true) => 0..0,
+        Some(selected) => selected..selected + 1,
+        None => 0..scene.objects().len(),
     };
-    let objects = (selected.unwrap_or(0)..).zip(asked);
+    let objects = asked.filter_map(|index| Some((index, scene.objects().get(index)?)));
     let mut lines = Vec::new();
     for (index, object) in objects.filter(|(_, object)| object.visible) {
         if overlays.shows(Overlay::Normals) {
