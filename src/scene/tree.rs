@@ -32,8 +32,8 @@ const DEEPEST: usize = 64;
 /// The slack of the boxes, as a factor of `k^2 D`.
 const ROOM: f64 = power_of_two(-40);
 
-/// A binary tree over the boxes of batches. A move copies its nodes, where the scene before is held: with nodes that trees
-/// share, every ray took 1.3 to 1.5 times as long.
+/// A binary tree over the boxes of batches. A move copies its nodes, where the scene before is held: with nodes that
+/// trees share, every ray took 1.3 to 1.5 times as long.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SceneTree {
     /// In depth-first order: the root first, and each node's first child directly after the node.
