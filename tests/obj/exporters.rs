@@ -197,7 +197,13 @@ fn a_missing_library_is_told_with_what_was_tried() {
         told("mtllib a.mtl"),
         ["some.obj:4: the material file a.mtl does not exist"]
     );
-    assert_eq!(told("# none"), [""; 0]);
+    assert_eq!(
+        told("# none"),
+        [
+            "some.obj:5: no material file defines paint: no mtllib line names one, and some.mtl has no materials or is not there"
+        ]
+    );
+    assert_eq!(read("usemtl (null)\nf 1 2 3\n", &[]).1, [""; 0]);
     let unused = read("f 1 2 3\n", &[("some.mtl", "newmtl a\nKd what\n")]);
     assert_eq!(unused, (vec![None], vec![]));
 }

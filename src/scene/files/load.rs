@@ -83,7 +83,6 @@ pub fn load_with(
         camera_from,
         warnings,
         meshes: meshes.loaded,
-        materials: meshes.materials,
         title: title(paths),
         exhibit: match paths {
             [only] => Exhibit::at(only)?,

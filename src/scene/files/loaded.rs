@@ -17,8 +17,6 @@ pub struct Loaded {
     pub warnings: Vec<Warning>,
     /// The meshes' files, by their absolute paths: what saving the scene needs.
     pub meshes: Vec<MeshFile>,
-    /// The MTL files that the meshes' files name, by their absolute paths, including missing ones.
-    pub materials: Vec<PathBuf>,
     /// A name for the scene, for the window's title.
     pub title: String,
     /// The gallery scene, if it is the only thing loaded.

@@ -1,7 +1,7 @@
 //! Mesh files: each is loaded once, and each mesh knows its file.
 
 use super::{
-    Detail, ObjError, Progress, Warning,
+    Detail, ObjError, Progress, Stamp, Warning,
     file::absolute,
     obj::{self, write},
 };
@@ -27,6 +27,14 @@ impl MeshFile {
     /// The file of a mesh, among `files`.
     pub fn of<'a>(files: &'a [Self], mesh: &Arc<Mesh>) -> Option<&'a Self> {
         files.iter().find(|file| Arc::ptr_eq(&file.mesh, mesh))
+    }
+
+    /// The files that it was read from, by their absolute paths: its own and the MTL files that this names. With each is
+    /// its stamp from before it was read; `None` for a missing one.
+    #[cfg(feature = "window")]
+    pub(crate) fn read_from(&self) -> impl Iterator<Item = (&Path, &Option<Stamp>)> {
+        let contents = self.contents.iter();
+        contents.flat_map(|contents| contents.files(&self.path))
     }
 
     /// The mesh and its file as the file is now; `None` if the file no longer holds this very mesh. A file that has
@@ -65,8 +73,6 @@ pub struct MeshFiles {
     pub(super) loaded: Vec<MeshFile>,
     /// The place of each path in `loaded`.
     places: HashMap<PathBuf, usize>,
-    /// The MTL files that they name.
-    pub(super) materials: Vec<PathBuf>,
     detail: Detail,
 }
 
@@ -110,7 +116,6 @@ impl MeshFiles {
         }
         let file = obj::load_with(as_named, progress, self.detail)?;
         warnings.extend(file.warnings);
-        self.materials.extend(file.materials);
         self.add(MeshFile {
             path,
             mesh: Arc::clone(&file.mesh),

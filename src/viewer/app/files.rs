@@ -8,7 +8,7 @@ use super::{
 use crate::{
     scene::{Loaded, Warning},
     viewer::{
-        jobs::{self, Job},
+        jobs::{self, Job, Stamps},
         model::{no_section, shown_in},
         options::Options,
         ui::{Attempt, Filter, Kind},
@@ -92,20 +92,20 @@ impl App {
                 Ok(()) => self.build_trees(),
                 Err(text) => self.failed(Attempt::Open, text),
             },
-            // The file changed again while it was read: the change is still to be read.
-            Err(error) if load.purpose == Purpose::Follow && error.is_of_change() => {}
             Err(error) => {
-                if !error.is_of_change() {
-                    self.give_up_change(load.purpose);
+                self.give_up_change(load.purpose);
+                // Where a file changed again while it was read, the watch tells once it is written.
+                if load.purpose != Purpose::Follow || !error.is_of_change() {
+                    self.forget_gone();
+                    self.failed(Attempt::Open, error.to_string());
                 }
-                self.forget_gone();
-                self.failed(Attempt::Open, error.to_string());
             }
         }
     }
 
-    fn show_scene(&mut self, mut loaded: Loaded, load: Load) -> Result<(), String> {
+    fn show_scene(&mut self, mut loaded: Loaded, mut load: Load) -> Result<(), String> {
         let warnings = mem::take(&mut loaded.warnings);
+        load.stamps = load.stamps.with(Stamps::read(&loaded.meshes));
         match load.purpose {
             Purpose::Open => self.show_opened(loaded, load, &warnings)?,
             Purpose::Add => self.show_added(loaded, load, &warnings),

@@ -99,7 +99,6 @@ impl App {
         let source = Source {
             paths: vec![path],
             meshes,
-            ..Source::default()
         };
         self.remember_opened(&source.paths);
         if source.paths == self.state.source().paths {

@@ -149,10 +149,47 @@ fn is_gone(file: PathBuf) -> String {
 /// one, and its mesh has an absolute one.
 fn files_of(source: &Source) -> BTreeSet<PathBuf> {
     let is_file = |path: &&PathBuf| !matches!(Exhibit::at(path), Ok(Some(_)));
-    let meshes = source.meshes.iter().map(|file| &file.path);
-    let files = source.paths.iter().chain(meshes).chain(&source.materials);
-    files
-        .filter(is_file)
-        .map(|file| scene::absolute(file))
-        .collect()
+    let meshes = source.meshes.iter();
+    let read = (meshes.clone()).flat_map(|file| file.read_from().map(|(path, _)| path.to_owned()));
+    let files = (source.paths.iter()).chain(meshes.map(|file| &file.path));
+    let named = files.filter(is_file).map(|file| scene::absolute(file));
+    named.chain(read).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::viewer::{Options, app::program::Host};
+    use std::{fs, sync::Arc, thread, time::Duration};
+
+    /// Nobody knows which material files there are before the file that names them is read.
+    #[test]
+    fn a_material_file_that_changes_during_the_load_is_read_again() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let [obj, mtl] = ["a.obj", "a.mtl"].map(|name| folder.path().join(name));
+        let triangle = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
+        fs::write(&obj, triangle).expect("writable");
+        fs::write(&mtl, "newmtl a\nKd 1 0 0\n").expect("writable");
+        for is_changed in [false, true] {
+            let paths = vec![obj.clone()];
+            let loaded = scene::load(&paths, &scene::Progress::default()).expect("a triangle");
+            if is_changed {
+                fs::write(&mtl, "newmtl a\nKd 0 0.25 0\n").expect("writable");
+            }
+            let options = Options {
+                paths,
+                ..Options::default()
+            };
+            let wake = Arc::new(|_| {});
+            let context = egui::Context::default();
+            let mut app = App::start_with(loaded, options, wake, Host::Picture, context);
+            app.take_loaded();
+            let watching = app.watches.now.as_mut().expect("it is watched");
+            let is_due = (0..30).any(|_| {
+                thread::sleep(Duration::from_millis(100));
+                watching.is_due()
+            });
+            assert_eq!(is_due, is_changed);
+        }
+    }
 }

@@ -3,7 +3,7 @@
 //! It looks at them twice a second. What the system tells about changes would come sooner, but not about a folder that
 //! is gone and comes again, about a folder above it that is renamed, or through links.
 
-use crate::scene::{self, Stamp};
+use crate::scene::{self, MeshFile, Stamp};
 use std::{
     collections::{BTreeMap, BTreeSet},
     mem,
@@ -27,6 +27,15 @@ impl Stamps {
             .into_iter()
             .map(|file| (scene::absolute(file), Stamp::of(file).ok()));
         Self(stamped.collect())
+    }
+
+    /// How the files of meshes were when these were read from them.
+    pub fn read(meshes: &[MeshFile]) -> Self {
+        let read = meshes.iter().flat_map(MeshFile::read_from);
+        Self(
+            read.map(|(file, stamp)| (file.to_owned(), stamp.clone()))
+                .collect(),
+        )
     }
 
     /// These stamps with `others` added; where both have a file, its stamp is that of `others`.

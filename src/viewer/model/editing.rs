@@ -74,7 +74,6 @@ impl State {
         let mut edits = self.edit(|edits| &mut edits.objects);
         let mut source = self.source.clone();
         source.meshes.extend(loaded.meshes);
-        source.materials.extend(loaded.materials);
         if source.paths.is_empty() {
             // No command line opens the demo with files added, so this counts as `edited`.
             edits = Edits {

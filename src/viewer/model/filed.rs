@@ -6,7 +6,7 @@ use crate::{
     geometry::Section,
     scene::{self, MeshFile, Scene},
 };
-use std::{mem, path::PathBuf};
+use std::path::PathBuf;
 
 /// A scene as it is written to a file.
 pub(in crate::viewer) struct Snapshot {
@@ -102,11 +102,7 @@ impl State {
     pub(in crate::viewer) fn saved(&mut self, filed: Filed, source: Source) {
         self.name = scene::title(&source.paths);
         self.filed = filed;
-        let materials = mem::take(&mut self.source.materials);
-        self.source = Source {
-            materials,
-            ..source
-        };
+        self.source = source;
         self.compare_hidden();
     }
 

@@ -67,7 +67,6 @@ impl State {
             source: Source {
                 paths: Vec::new(),
                 meshes: loaded.meshes,
-                materials: loaded.materials,
             },
             document: 0,
             edits: Edits::default(),

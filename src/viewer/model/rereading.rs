@@ -21,7 +21,6 @@ impl State {
             self.showing = loaded.exhibit.map(Showing::new);
         }
         self.source.meshes = loaded.meshes;
-        self.source.materials = loaded.materials;
         self.filed.shown = shown_in(&loaded.scene);
         let differs = !is_same(&self.scene, &loaded.scene);
         if differs {

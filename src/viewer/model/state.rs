@@ -151,8 +151,6 @@ pub struct Source {
     pub paths: Vec<PathBuf>,
     /// The files of its meshes, for the scene file that names them.
     pub meshes: Vec<MeshFile>,
-    /// The MTL files that those name.
-    pub materials: Vec<PathBuf>,
 }
 
 /// The window's state.

@@ -114,13 +114,9 @@ pub(super) fn build(
         file: path.to_owned(),
         source,
     })?;
-    let mesh = Arc::new(mesh);
-    let libraries = contents.libraries.iter();
-    let named = libraries.map(|(file, _)| file.clone()).collect();
     Ok(ObjFile {
-        mesh,
+        mesh: Arc::new(mesh),
         warnings,
-        materials: named,
         contents,
     })
 }

@@ -3,6 +3,7 @@
 
 use super::{Stamp, counts::Counts};
 use std::{
+    iter,
     ops::Range,
     path::{Path, PathBuf},
 };
@@ -24,11 +25,18 @@ impl Contents {
     /// Whether the file at `path` and the MTL files that it names are those that were loaded, unchanged since. False
     /// where the bytes came from no file.
     pub fn is_current(&self, path: &Path) -> bool {
-        let now = |file: &Path| Stamp::of(file).ok();
-        let mut libraries = self.libraries.iter();
-        self.stamp.is_some()
-            && now(path) == self.stamp
-            && libraries.all(|(file, stamp)| now(file) == *stamp)
+        let is_as_read = |(file, stamp): (&Path, &Option<Stamp>)| Stamp::of(file).ok() == *stamp;
+        self.stamp.is_some() && self.files(path).all(is_as_read)
+    }
+
+    /// The file at `path` and the MTL files that it names, and the stamp of each when it was read; `None` for a missing
+    /// one.
+    pub(in crate::scene::files) fn files<'a>(
+        &'a self,
+        path: &'a Path,
+    ) -> impl Iterator<Item = (&'a Path, &'a Option<Stamp>)> {
+        let libraries = self.libraries.iter();
+        iter::once((path, &self.stamp)).chain(libraries.map(|(file, stamp)| (&**file, stamp)))
     }
 
     /// The line of a triangle's face, from 1; the first of continued lines. `None` where it is not kept.

@@ -95,8 +95,6 @@ pub struct ObjFile {
     pub mesh: Arc<Mesh>,
     /// What was left out or repaired.
     pub warnings: Vec<Warning>,
-    /// The absolute paths of the MTL files that it names, including missing ones.
-    pub materials: Vec<PathBuf>,
     /// Where its faces and vertices are in the file.
     pub contents: Contents,
 }

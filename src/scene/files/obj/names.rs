@@ -166,11 +166,30 @@ fn called(
 
 /// The names of materials for people: trimmed, unless that makes two of them one.
 pub(super) fn distinct_names(written: Vec<(String, usize)>) -> Vec<String> {
-    let mut known = HashSet::new();
+    let mut known: HashSet<String> = written.iter().map(|(name, _)| name.clone()).collect();
     let names = written.into_iter().map(|(name, _)| {
-        let trimmed = name.trim().to_owned();
-        let is_new = known.insert(trimmed.clone());
-        if is_new { trimmed } else { name }
+        let trimmed = name.trim();
+        if known.insert(trimmed.to_owned()) {
+            trimmed.to_owned()
+        } else {
+            name
+        }
     });
     names.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::distinct_names;
+
+    #[test]
+    fn names_for_people_are_trimmed_and_stay_distinct() {
+        let shown = |written: &[&str]| {
+            let written = written.iter().map(|name| ((*name).to_owned(), 1));
+            distinct_names(written.collect())
+        };
+        assert_eq!(shown(&[" a", "b "]), ["a", "b"]);
+        assert_eq!(shown(&[" a", "a", "a "]), [" a", "a", "a "]);
+        assert_eq!(shown(&["a ", " a"]), ["a", " a"]);
+    }
 }

@@ -138,12 +138,12 @@ pub(super) fn about_materials(
     materials: &Materials,
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    let mut warn_of = |used: &[(String, usize)]| {
+    let mut warn_of = |used: &[(String, usize)], why: &str| {
         if let Some((_, line)) = used.first() {
             let names = list(used.iter().map(|(name, _)| &**name));
             warnings.push(Warning {
                 line: Some(*line),
-                ..about(path, format!("no material file defines {names}"))
+                ..about(path, format!("no material file defines {names}{why}"))
             });
         }
     };
@@ -164,12 +164,17 @@ pub(super) fn about_materials(
         }
         defined.insert(found.material, material);
     }
-    // Without any material, a file needs no warning about its names: either it names no material file, or there is
-    // already a warning about that file.
+    // Where a material file that is named has none, there is a warning about that file.
     if !materials.all.is_empty() {
-        warn_of(&unknown);
+        warn_of(&unknown, "");
+    } else if names.libraries.is_empty() {
+        let stem = path.with_extension("mtl");
+        let stem = stem.file_name().unwrap_or_default().to_string_lossy();
+        let why =
+            format!(": no mtllib line names one, and {stem} has no materials or is not there");
+        warn_of(&unknown, &why);
     }
-    warn_of(&unsure);
+    warn_of(&unsure, "");
     let defined = || defined.values();
     let mut known = HashSet::new();
     let textures = defined().flat_map(|material| &material.textures);
