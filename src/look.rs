@@ -135,11 +135,11 @@ pub const FILL_DIRECTION: Vec3 = Vec3::new(0.903_394_1, -0.150_565_7, -0.401_508
 /// Light of the key, of the fill, and from the sky and from the ground: linear red, green and blue.
 pub const KEY: Vec3 = Vec3::new(1.40, 1.36, 1.30);
 /// See [`KEY`].
-pub const FILL: Vec3 = Vec3::new(0.12, 0.14, 0.17);
+pub const FILL: Vec3 = Vec3::new(0.20, 0.23, 0.27);
 /// See [`KEY`].
-pub const SKY: Vec3 = Vec3::new(0.202, 0.210, 0.224);
+pub const SKY: Vec3 = Vec3::new(0.140, 0.146, 0.156);
 /// See [`KEY`].
-pub const GROUND: Vec3 = Vec3::new(0.163, 0.154, 0.150);
+pub const GROUND: Vec3 = Vec3::new(0.104, 0.098, 0.095);
 
 /// The light that a surface sends to the eye. `normal_view` is the normal of the visible side, in view space, of any
 /// length. `albedo` and result are linear.
