@@ -248,7 +248,10 @@ fn files_longer_than_their_size_says() {
     let thread = fs::canonicalize("/proc/thread-self").expect("this thread");
     fs::write(thread.join("comm"), "newmtl a").expect("its name");
     for target in [thread.join("comm"), "/proc/self/pagemap".into()] {
-        let folder = Folder::new(&[("some.obj", format!("mtllib link.mtl\n{CUBE}").as_bytes())]);
+        let folder = Folder::new(&[(
+            "some.obj",
+            format!("mtllib link.mtl\nusemtl a\n{CUBE}").as_bytes(),
+        )]);
         for name in ["link.obj", "link.mtl"] {
             std::os::unix::fs::symlink(&target, folder.path(name)).expect("a link");
         }

@@ -197,13 +197,7 @@ fn a_missing_library_is_told_with_what_was_tried() {
         told("mtllib a.mtl"),
         ["some.obj:4: the material file a.mtl does not exist"]
     );
-    assert_eq!(
-        told("# none"),
-        [
-            "some.obj:5: no material file defines paint: no mtllib line names one, and some.mtl has no materials or is not there"
-        ]
-    );
-    assert_eq!(read("usemtl (null)\nf 1 2 3\n", &[]).1, [""; 0]);
+    assert_eq!(told("# none"), [""; 0]);
     let unused = read("f 1 2 3\n", &[("some.mtl", "newmtl a\nKd what\n")]);
     assert_eq!(unused, (vec![None], vec![]));
 }
@@ -214,6 +208,8 @@ fn keywords_of_materials_are_read_in_any_case() {
         "NEWMTL a\nKD 1 0 0\n",
         "newmtl a\n\tkd 1 0 0\n",
         "Newmtl a\nKd 1 0 0 # red\n",
+        "newmtl a\nKd 1 0 0# red\n",
+        "newmtl a\nKd 1 0 0# red\n",
     ] {
         assert_eq!(used("a", library), (Some(RED), vec![]), "{library}");
     }
@@ -226,6 +222,8 @@ fn keywords_of_materials_are_read_in_any_case() {
         ("Tr 0\nd 0.5", true),
         ("D 0.5", true),
         ("d -halo 0.5 # glass", true),
+        // So VTK writes an opaque one.
+        ("Tr 0 illum 3", false),
     ] {
         let (colour, warnings) = used("a", &format!("newmtl a\nKd 1 0 0\n{lines}\n"));
         let told: &[&str] = if is_told { &[transparent] } else { &[] };
@@ -256,6 +254,14 @@ fn colours_from_0_to_255_are_scaled() {
     let lamp = "newmtl w\nKd 1 1 1\nnewmtl a\nKd 5 5 0\n";
     assert_eq!(used("a", lamp).0, Some(Srgb([255, 255, 0])));
     assert_eq!(used("w", lamp).0, Some(Srgb::WHITE));
+    // A lamp, also beside pure colours; and bytes with a 1 among them.
+    let lamp = "newmtl w\nKd 1 1 1\nnewmtl r\nKd 1 0 0\nnewmtl a\nKd 17 12 4\n";
+    assert_eq!(used("w", lamp).0, Some(Srgb::WHITE));
+    assert_eq!(used("a", "newmtl a\nKd 2 2 2\n").0, Some(Srgb::WHITE));
+    let dark = "newmtl a\nKd 10 20 30\nnewmtl b\nKd 0 0 0\n";
+    assert_eq!(used("a", dark).0, Some(Srgb([10, 20, 30])));
+    let rounded = "newmtl a\nKd 1.00000012 0 0\nd 0.9999999\n";
+    assert_eq!(used("a", rounded), (Some(RED), vec![]));
     let large = "newmtl a\nKd 300 0 0\n";
     assert_eq!(used("a", large).0, Some(RED));
 
@@ -276,6 +282,17 @@ fn colours_from_0_to_255_are_scaled() {
         warnings,
         ["some.obj: colours of vertices go up to 255: they are read as colour / 255"; 1]
     );
+    // Averages are no whole numbers, and a small one is no share.
+    let (colours, _) = vertices(["255.00002 0 0", "255 0.5 0", "127.5 128 255"]);
+    assert_eq!(colours, [RED, Srgb([255, 1, 0]), Srgb([128, 128, 255])]);
+    let above = ["some.obj: colours of vertices are above 1: they are drawn as 1"; 1];
+    for colours in [
+        ["-1 -1 -1", "255 0 0", "0 0 0"],
+        ["65535 0 0", "0 0 0", "0 0 0"],
+        ["3 2 1", "0.5 0 0", "0 0 0"],
+    ] {
+        assert_eq!(vertices(colours).1, above, "{colours:?}");
+    }
     let (colours, warnings) = vertices(["1 0 0", "0 0.5 0", "1 1 1"]);
     assert_eq!(colours, [RED, Srgb([0, 128, 0]), Srgb::WHITE]);
     assert_eq!(warnings, [""; 0]);
@@ -401,7 +418,7 @@ fn what_has_no_faces_is_refused_and_counted() {
         ),
         (
             format!("{TRIANGLE}p 1 2 3\n"),
-            "vertices: 3, points and lines: 1",
+            "vertices: 3, points and lines: 3",
         ),
         (TRIANGLE.to_owned(), "vertices: 3"),
     ] {
@@ -412,4 +429,47 @@ fn what_has_no_faces_is_refused_and_counted() {
             format!("some.obj: no faces to show ({counts})")
         );
     }
+}
+
+#[test]
+fn textures_are_named_without_options_and_comments() {
+    for (line, name) in [
+        ("map_Kd tex.png", "tex.png"),
+        ("map_Kd my tex.png", "my tex.png"),
+        ("map_Kd tex.png # diffuse", "tex.png"),
+        ("map_Bump -bm 0.3 b.png", "b.png"),
+        ("map_Bump b.png -bm 0.3", "b.png"),
+        ("map_Kd -s 1 1 1 -clamp on my tex.png", "my tex.png"),
+        ("bump -imfchan r b-1.png", "b-1.png"),
+    ] {
+        let (_, warnings) = used("a", &format!("newmtl a\nKd 1 0 0\n{line}\n"));
+        let told = format!("some.obj: textures are not shown (1 file: {name})");
+        assert_eq!(warnings, [told], "{line}");
+    }
+    for line in ["map_Kd # none", "map_Kd", "map_aat on"] {
+        let black = used("a", &format!("newmtl a\nKd 0 0 0\n{line}\n"));
+        assert_eq!(black, (Some(Srgb([0; 3])), vec![]), "{line}");
+    }
+}
+
+#[test]
+fn what_differs_is_not_one() {
+    // A blank that does not break is no blank between words.
+    let (colour, warnings) = used("a\u{a0}b", "newmtl a b\nKd 1 0 0\n");
+    assert_eq!((colour, warnings.len()), (None, 1));
+    // Long names that are alike where they are cut.
+    let groups = [1, 2].map(|i| format!("g {}{i}\nf 1 2 3\n", "a".repeat(300)));
+    let (colours, _) = read(&groups.concat(), &[]);
+    assert_eq!(colours.len(), 2);
+}
+
+#[test]
+fn a_library_without_materials_is_told_where_one_is_used() {
+    let header = [("a.mtl", "# Blender 4.2.0 MTL File: 'None'\n")];
+    assert_eq!(read("mtllib a.mtl\nf 1 2 3\n", &header).1, [""; 0]);
+    let used = read("mtllib a.mtl\nusemtl a\nf 1 2 3\n", &header).1;
+    assert_eq!(
+        used,
+        ["some.obj:4: the material file a.mtl has no materials in it"]
+    );
 }

@@ -44,7 +44,7 @@ pub(super) fn build(
     let found = names.materials.iter();
     let found: Vec<_> = found.map(|(name, _)| materials.find(name)).collect();
     channels::spread_painted(&mut blocks);
-    let is_of_bytes = channels::scale_bytes(&mut blocks);
+    let beyond = channels::scale_bytes(&mut blocks);
     let count = blocks.len().max(1) as u64;
     // Besides the steps of the vertices: splitting, merging, and making the mesh.
     let steps = (Stored::STEPS + 3) * count;
@@ -97,7 +97,7 @@ pub(super) fn build(
     }
     let mut warnings: Vec<_> = notes::about_lines(path, &survey).collect();
     warnings.extend(notes::about_geometry(path, &survey, &all.left_out));
-    warnings.extend(is_of_bytes.then(|| notes::of_bytes(path)));
+    warnings.extend(beyond.map(|beyond| notes::of_colours(path, beyond)));
     warnings.extend(notes::about_materials(path, &names, &found, &materials));
     warnings.extend(std::mem::take(&mut materials.warnings));
 

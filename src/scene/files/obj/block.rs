@@ -20,7 +20,12 @@ use super::{
 };
 use crate::{geometry::range, scene::files::detail::Detail};
 use glam::DVec3;
-use std::{borrow::Cow, io, ops::Range};
+use std::{
+    borrow::Cow,
+    hash::{DefaultHasher, Hash, Hasher},
+    io,
+    ops::Range,
+};
 
 /// The longest name of an object or group, in characters. Longer names are cut.
 const LONGEST_NAME: usize = 120;
@@ -203,7 +208,11 @@ impl<'a> Sorted<'a> {
             Keyword::Normal => return self.normal(without_comment(rest_of_line)),
             Keyword::Face => return self.face(rest_of_line),
             Keyword::Painted if self.detail.has_colours() => return self.paint(rest_of_line),
-            Keyword::PointOrLine => {
+            Keyword::Point => {
+                self.survey.points_and_lines += fields(without_comment(rest_of_line)).count();
+                return;
+            }
+            Keyword::Line => {
                 self.survey.points_and_lines += 1;
                 return;
             }
@@ -213,7 +222,7 @@ impl<'a> Sorted<'a> {
             }
             Keyword::Painted | Keyword::Other => return,
             Keyword::Object => Said::Object(short_rest(rest_of_line)),
-            Keyword::Group => Said::Group(short_rest(rest_of_line)),
+            Keyword::Group => Said::Group(short_rest(rest_of_line), hash_of_long(rest_of_line)),
             Keyword::Material => Said::Material(rest(rest_of_line), self.number()),
             Keyword::Library => Said::Library(rest(rest_of_line), self.number()),
             Keyword::Smoothing => Said::Smoothing(smoothing_group(rest_of_line)),
@@ -327,9 +336,19 @@ fn rest(line: &[u8]) -> String {
 fn smoothing_group(values: &[u8]) -> u32 {
     let word = fields(values).next().unwrap_or_default();
     match &values[word] {
-        b"on" => 1,
+        word if word.eq_ignore_ascii_case(b"on") => 1,
         word => integer(word).map_or(0, |(group, _)| u32::try_from(group).unwrap_or(u32::MAX)),
     }
+}
+
+/// A hash of a name that is cut; 0 of a shorter one.
+fn hash_of_long(name: &[u8]) -> u64 {
+    if name.len() <= LONGEST_NAME {
+        return 0;
+    }
+    let mut hasher = DefaultHasher::new();
+    name.trim_ascii().hash(&mut hasher);
+    hasher.finish()
 }
 
 /// The name of an object or group. A very long name is cut, because each face may have another name.

@@ -13,7 +13,8 @@ pub(super) enum Keyword {
     Smoothing,
     /// `ZBrush`'s colours of vertices, in a comment.
     Painted,
-    PointOrLine,
+    Point,
+    Line,
     FreeForm,
     /// Anything else is ignored.
     Other,
@@ -25,14 +26,16 @@ impl Keyword {
         match word {
             b"v" => Self::Vertex,
             b"vn" => Self::Normal,
-            b"f" => Self::Face,
+            // `fo` is how the first version of the format wrote it.
+            b"f" | b"fo" => Self::Face,
             b"o" => Self::Object,
             b"g" => Self::Group,
             b"usemtl" => Self::Material,
             b"mtllib" => Self::Library,
             b"s" => Self::Smoothing,
             b"#mrgb" => Self::Painted,
-            b"l" | b"p" => Self::PointOrLine,
+            b"p" => Self::Point,
+            b"l" => Self::Line,
             b"curv" | b"curv2" | b"surf" => Self::FreeForm,
             _ if word.iter().any(u8::is_ascii_uppercase) => Self::of(&word.to_ascii_lowercase()),
             _ => Self::Other,

@@ -4,7 +4,7 @@
 
 use super::{
     Stamp,
-    channels::are_bytes,
+    channels::{are_bytes, is_above_one},
     library::{Finder, Library},
     material_name::{Found, MaterialNames},
     text_lines::{Lines, decode, text_of},
@@ -27,6 +27,8 @@ use std::{
 const MOST_BYTES: u64 = 1 << 26;
 /// The most material files that are looked for.
 const MOST_FILES: usize = 1 << 12;
+/// Shares that differ by less look alike.
+const HALF_STEP: f64 = 0.5 / 255.0;
 
 /// What is used of a material, and which properties are only warned about.
 #[derive(Clone, Debug, Default)]
@@ -56,8 +58,8 @@ impl Material {
             .filter(|_| !(is_black && self.is_painted))
             .map(Srgb::from_unit);
         self.transparent = match (self.opacity, self.transparency) {
-            (Some(opacity), _) => opacity < 1.0,
-            (None, transparency) => transparency.is_some_and(|share| share > 0.0),
+            (Some(opacity), _) => opacity < 1.0 - HALF_STEP,
+            (None, transparency) => transparency.is_some_and(|share| share > HALF_STEP),
         };
     }
 }
@@ -111,7 +113,7 @@ pub(super) fn read_libraries(
             let text = read(path, &mut bytes_left);
             let read = text.map(|text| materials.add(path, Lines::new(&text, 0), progress));
             let why = match read {
-                Ok(count) if count? == 0 => "has no materials in it".to_owned(),
+                Ok(count) if count? == 0 && has_uses => "has no materials in it".to_owned(),
                 Ok(_) => continue,
                 Err(why) => why,
             };
@@ -221,24 +223,26 @@ impl Materials {
             let Some(material) = self.all[before..].last_mut() else {
                 continue;
             };
-            let last = || {
-                let words = without_comment(rest).split_whitespace();
-                words.last().and_then(|word| word.parse().ok())
+            // `d -halo 0.5` has a word before it, VTK's `Tr 1 illum 3` words behind it.
+            let first_number = || {
+                let mut words = without_comment(rest).split_whitespace();
+                words.find_map(|word| word.parse().ok())
             };
             match &*keyword {
                 "kd" => match channels(without_comment(rest)) {
                     Some(kd) => {
                         material.kd = Some(kd);
-                        let is_beyond = kd.iter().any(|channel| *channel > 1.0);
+                        let is_beyond = kd.into_iter().any(is_above_one);
                         beyond_one = beyond_one.or(is_beyond.then_some(number));
                     }
                     None => bad_colours.push(number),
                 },
-                "d" => material.opacity = last(),
-                "tr" => material.transparency = last(),
+                "d" => material.opacity = first_number(),
+                "tr" => material.transparency = first_number(),
                 "bump" | "disp" | "decal" | "refl" | "norm" => {
                     material.textures.extend(texture(rest));
                 }
+                "map_aat" => {}
                 _ if keyword.starts_with("map_") => {
                     let texture = texture(rest);
                     let has_colours = ["map_kd", "map_ka", "map_ke"].contains(&&*keyword);
@@ -283,15 +287,13 @@ impl Materials {
     }
 }
 
-/// The text before a comment, which begins a word: `1.#IND` is none. A name may have a `#` in it, so this is not for
-/// names.
+/// The text before a comment, which begins a word or follows a digit: `1.#IND` has none. A name may have a `#` in it, so
+/// this is not for names.
 fn without_comment(text: &str) -> &str {
     let mut hashes = text.match_indices('#');
     let is_comment = |at: usize| {
-        text[..at]
-            .chars()
-            .next_back()
-            .is_none_or(char::is_whitespace)
+        let before = text[..at].chars().next_back();
+        before.is_none_or(|before| before.is_whitespace() || before.is_ascii_digit())
     };
     let comment = hashes.find(|(at, _)| is_comment(*at));
     comment.map_or(text, |(at, _)| &text[..at])
@@ -309,15 +311,30 @@ fn channels(text: &str) -> Option<[f64; 3]> {
     Some([red, or_red(1), or_red(2)])
 }
 
-/// The name of a texture file, if there is one. It follows the options, which begin with a dash and have values. If
-/// there are options, only the last word surely belongs to the name, so it is taken.
+/// The name of a texture file, if there is one: what is left without options and a comment. An option begins with a dash,
+/// and takes the numbers and the `on` or `off` behind it, or one word.
 fn texture(text: &str) -> Option<String> {
-    let text = text.trim();
-    let name = if text.starts_with('-') {
-        text.split_whitespace().last()?
-    } else {
-        text
-    };
+    let text = text
+        .split(" #")
+        .next()
+        .filter(|text| !text.starts_with('#'))?;
+    let mut words = text.split_whitespace().peekable();
+    let mut name = Vec::new();
+    while let Some(word) = words.next() {
+        let is_option = word.len() > 1
+            && word.starts_with('-')
+            && word[1..].chars().all(|c| c.is_ascii_alphabetic());
+        if !is_option {
+            name.push(word);
+            continue;
+        }
+        if ["-imfchan", "-type"].contains(&word) {
+            words.next();
+        }
+        let is_value = |word: &&str| word.parse::<f64>().is_ok() || ["on", "off"].contains(word);
+        while words.next_if(is_value).is_some() {}
+    }
+    let name = name.join(" ");
     let name = name.trim_matches('"');
     (!name.is_empty()).then(|| name.to_owned())
 }

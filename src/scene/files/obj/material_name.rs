@@ -44,7 +44,7 @@ impl MaterialNames {
     pub fn add(&mut self, name: &str, material: usize) {
         let squeezed = squeezed(name);
         self.written.entry(name.to_owned()).or_insert(material);
-        let trimmed = self.trimmed.entry(name.trim().to_owned());
+        let trimmed = self.trimmed.entry(name.trim_ascii().to_owned());
         trimmed.or_insert(material);
         if self.squeezed.contains_key(&squeezed) {
             return;
@@ -67,7 +67,7 @@ impl MaterialNames {
     pub fn find(&self, name: &str) -> Option<Found> {
         let short = squeezed(name);
         let named = self.written.get(name);
-        let named = named.or_else(|| self.trimmed.get(name.trim()));
+        let named = named.or_else(|| self.trimmed.get(name.trim_ascii()));
         let named = named.or_else(|| self.squeezed.get(&short));
         if let Some(&material) = named {
             let is_sure = true;
@@ -102,9 +102,11 @@ pub(super) fn is_bare(name: &str) -> bool {
     name.is_empty() || name == "#" || name.starts_with("# ") || name == "(null)"
 }
 
-/// Trimmed, with each run of white space as one blank, and without quotes around all of it.
+/// Trimmed, with each run of blanks and tabs as one blank, and without quotes around all of it.
 fn squeezed(name: &str) -> String {
-    let words: Vec<&str> = unquoted(name.trim()).split_whitespace().collect();
+    let words: Vec<&str> = unquoted(name.trim_ascii())
+        .split_ascii_whitespace()
+        .collect();
     words.join(" ")
 }
 

@@ -11,8 +11,8 @@ use std::{
 pub(super) enum Said {
     /// `o`.
     Object(String),
-    /// `g`.
-    Group(String),
+    /// `g`, cut where it is very long, and then a hash of the whole name.
+    Group(String, u64),
     /// `usemtl`, and the number of its line.
     Material(String, usize),
     /// `mtllib`, and the number of its line.
@@ -41,6 +41,8 @@ struct Name {
     object: String,
     /// The name in the last `g` line after it.
     group: String,
+    /// A hash of the whole, where it is cut: then two may be alike.
+    group_hash: u64,
 }
 
 /// The objects, materials and libraries of a file.
@@ -88,10 +90,16 @@ impl Names {
                     name = Name {
                         object_number: name.object_number + 1,
                         object,
-                        group: String::new(),
+                        ..Name::default()
                     }
                 }
-                Said::Group(group) => name.group = group,
+                Said::Group(group, group_hash) => {
+                    name = Name {
+                        group,
+                        group_hash,
+                        ..name
+                    }
+                }
                 Said::Material(material, _) if material.trim().is_empty() => {
                     names.uses.push((face, None));
                 }

@@ -2,6 +2,7 @@
 
 use super::{
     BadLine, ObjError,
+    channels::Beyond,
     material::Materials,
     material_name::{Found, is_bare},
     names::Names,
@@ -124,8 +125,11 @@ fn about(path: &Path, message: String) -> Warning {
 }
 
 /// The warning that the colours of vertices are not from 0 to 1.
-pub(super) fn of_bytes(path: &Path) -> Warning {
-    let message = "colours of vertices go up to 255: they are read as colour / 255";
+pub(super) fn of_colours(path: &Path, beyond: Beyond) -> Warning {
+    let message = match beyond {
+        Beyond::Bytes => "colours of vertices go up to 255: they are read as colour / 255",
+        Beyond::One => "colours of vertices are above 1: they are drawn as 1",
+    };
     about(path, message.to_owned())
 }
 
@@ -138,12 +142,12 @@ pub(super) fn about_materials(
     materials: &Materials,
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    let mut warn_of = |used: &[(String, usize)], why: &str| {
+    let mut warn_of = |used: &[(String, usize)]| {
         if let Some((_, line)) = used.first() {
             let names = list(used.iter().map(|(name, _)| &**name));
             warnings.push(Warning {
                 line: Some(*line),
-                ..about(path, format!("no material file defines {names}{why}"))
+                ..about(path, format!("no material file defines {names}"))
             });
         }
     };
@@ -164,17 +168,12 @@ pub(super) fn about_materials(
         }
         defined.insert(found.material, material);
     }
-    // Where a material file that is named has none, there is a warning about that file.
+    // Without any material, a file needs no warning about its names: either it names no material file, or there is
+    // already a warning about that file.
     if !materials.all.is_empty() {
-        warn_of(&unknown, "");
-    } else if names.libraries.is_empty() {
-        let stem = path.with_extension("mtl");
-        let stem = stem.file_name().unwrap_or_default().to_string_lossy();
-        let why =
-            format!(": no mtllib line names one, and {stem} has no materials or is not there");
-        warn_of(&unknown, &why);
+        warn_of(&unknown);
     }
-    warn_of(&unsure, "");
+    warn_of(&unsure);
     let defined = || defined.values();
     let mut known = HashSet::new();
     let textures = defined().flat_map(|material| &material.textures);
