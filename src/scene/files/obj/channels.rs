@@ -6,8 +6,8 @@ use super::block::Block;
 const BYTE: f64 = 255.0;
 
 /// Whether the channels of all colours of a file are clearly from 0 to 255: all are within, and some are above what a
-/// light may have. (`Kd 17 12 4` is a lamp, and not nearly black.) A 1 among them speaks for a lamp, and a share between
-/// 0 and 1 more so: in a file of bytes it is rare, because it is nearly black there.
+/// light may have. (`Kd 17 12 4` is a lamp, and not nearly black.) A 1 among them speaks for a lamp, and a share
+/// between 0 and 1 more so: in a file of bytes it is rare, because it is nearly black there.
 #[expect(clippy::float_cmp, reason = "a 1 as it is written")]
 pub(super) fn are_bytes(channels: impl Iterator<Item = f64>) -> bool {
     /// A lamp among colours from 0 to 1 is hardly ever brighter; nor are colours that are all above 1.

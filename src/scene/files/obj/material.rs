@@ -287,8 +287,8 @@ impl Materials {
     }
 }
 
-/// The text before a comment, which begins a word or follows a digit: `1.#IND` has none. A name may have a `#` in it, so
-/// this is not for names.
+/// The text before a comment, which begins a word or follows a digit: `1.#IND` has none. A name may have a `#` in it,
+/// so this is not for names.
 fn without_comment(text: &str) -> &str {
     let mut hashes = text.match_indices('#');
     let is_comment = |at: usize| {
@@ -311,8 +311,8 @@ fn channels(text: &str) -> Option<[f64; 3]> {
     Some([red, or_red(1), or_red(2)])
 }
 
-/// The name of a texture file, if there is one: what is left without options and a comment. An option begins with a dash,
-/// and takes the numbers and the `on` or `off` behind it, or one word.
+/// The name of a texture file, if there is one: what is left without options and a comment. An option begins with a
+/// dash, and takes the numbers and the `on` or `off` behind it, or one word.
 fn texture(text: &str) -> Option<String> {
     let text = text
         .split(" #")
