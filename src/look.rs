@@ -133,7 +133,7 @@ pub const KEY_DIRECTION: Vec3 = Vec3::new(-0.449_595_5, 0.719_352_9, -0.529_523_
 /// Towards the fill light, low on the right.
 pub const FILL_DIRECTION: Vec3 = Vec3::new(0.903_394_1, -0.150_565_7, -0.401_508_5);
 /// Light of the key, of the fill, and from the sky and from the ground: linear red, green and blue.
-pub const KEY: Vec3 = Vec3::new(1.40, 1.36, 1.30);
+pub const KEY: Vec3 = Vec3::new(1.60, 1.555, 1.49);
 /// See [`KEY`].
 pub const FILL: Vec3 = Vec3::new(0.20, 0.23, 0.27);
 /// See [`KEY`].

@@ -57,8 +57,12 @@ pub fn face_normal(corners: [[f32; 3]; 3]) -> Vec3 {
     (b - a).cross(c - a).normalize_or_zero().as_vec3()
 }
 
+/// The crease angle within a smoothing group, in radians: 85 degrees. Exporters of buildings put walls and roof into one
+/// group.
+const OF_A_GROUP: f32 = 85.0 * std::f32::consts::PI / 180.0;
+
 /// Normals that are smooth within a surface and break where two faces that share an edge meet at more than `crease`
-/// radians. Within a smoothing group all edges are smooth, and between two all break. A corner's normal is a weighted
+/// radians. Within a smoothing group edges are smooth up to [`OF_A_GROUP`], and between two all break. A corner's normal is a weighted
 /// mean of the faces around its vertex that are reached without crossing such an edge. A face's weight is the sine of
 /// its angle there over the product of the lengths of the two sides there. Max found these weights best ("Weights for
 /// Computing Vertex Normals from Facet Normals", JGT 4(2), 1999): they are exact on a sphere and need no trigonometry.
@@ -175,7 +179,7 @@ impl Fans<'_> {
         }
         match (self.groups.get(a), self.groups.get(b)) {
             (Some(a), Some(b)) if a != b => false,
-            (Some(1..), _) => true,
+            (Some(1..), _) => a_normal.dot(b_normal) >= libm::cosf(OF_A_GROUP),
             _ => a_normal.dot(b_normal) >= self.cos_crease,
         }
     }

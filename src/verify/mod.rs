@@ -5,9 +5,10 @@
 //! bounds on how far that may move a surface at a pixel come from camera, scene and the driver's rounding alone, never
 //! from the pixels that differ or their neighbours. Where drawn and picked differ, one of these has to hold:
 //!
-//! * **edge**: the drawn or the picked surface has an outline (projected edges, the cut of the near plane, a sphere's
-//!   rim) so near the pixel's centre that the grid and `f32` ([`transform`](crate::render::transform),
-//!   [`sphere`](crate::render::sphere)) may move it across, and the surface's depth fits that answer;
+//! * **edge**: the drawn or the picked surface has an outline (projected edges, the cut of the near plane, the horizon of
+//!   a plane that passes the eye, a sphere's rim) so near the pixel's centre that the grid and `f32`
+//!   ([`transform`](crate::render::transform), [`sphere`](crate::render::sphere)) may move it across, and the surface's
+//!   depth fits that answer;
 //! * **depth**: both surfaces cover the centre, and the depth buffer may order them either way, by bounds below the
 //!   ceiling or because they are closer together than the ceiling. The empty buffer counts as a surface at the far
 //!   plane; the near plane counts as a surface, too;

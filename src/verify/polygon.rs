@@ -127,13 +127,21 @@ pub(super) fn polygon(
         let at_edge = edges.filter_map(|(_, outline)| outline.reason());
         Some(reason.and(at_edge.map(|reason| reason.class).min()?))
     });
+    // A plane that passes the eye is before the near plane but at its horizon, so drawing may show it beside that.
+    let horizon = Outline {
+        distance_px: depths.horizon_px(past_near, slope),
+        grid_px,
+        f32_px,
+    };
+    let horizon = horizon.reason().filter(|_| covers && past_near < 0.0);
     let kept = cut_error..=far - near - depths.far_error(&error);
     let may_be_cut = !corners.iter().all(|at| kept.contains(&at.view.z));
     let section = Sectioned::new(space);
     let section = section.face(px, past_near, slope_px, [grid_px, f32_px], &error, || {
         interpolation::error(view, |z| section.q(z), &shown, px, [grid_px, aside_px])
     });
-    let cuts = cut.into_iter().chain(section.reason.filter(|_| covers));
+    let cuts = cut.into_iter().chain(horizon);
+    let cuts = cuts.chain(section.reason.filter(|_| covers));
     let [nearest, farthest] = may_be.map(|end| depths.nearness(end));
     let outlines = edges.iter().map(|(_, outline)| *outline);
     let surface = Surface {

@@ -229,6 +229,14 @@ impl Depths {
         }
     }
 
+    /// How many pixels away a plane at a pixel has its horizon: beyond it, it lies behind the eye.
+    pub fn horizon_px(&self, past_near: f64, slope: f64) -> f64 {
+        match self.lens.projection {
+            Projection::Orthographic { .. } => f64::INFINITY,
+            Projection::Perspective { .. } => (self.lens.near + past_near).abs() / slope,
+        }
+    }
+
     /// Clip space's w.
     pub fn w(&self, past_near: f64) -> f64 {
         self.lens.w(self.lens.near + past_near)

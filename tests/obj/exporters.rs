@@ -1,7 +1,7 @@
 //! Files as exporters write them, and their like: each has the colours and the form that its author saw.
 
-use super::{CUBE, Folder};
-use sightline::{colour::Srgb, geometry::CornerNormals};
+use super::Folder;
+use sightline::colour::Srgb;
 
 const RED: Srgb = Srgb([255, 0, 0]);
 const GREEN: Srgb = Srgb([0, 255, 0]);
@@ -366,47 +366,47 @@ fn black_under_a_texture_is_neutral() {
     }
 }
 
-/// A smoothing group without normals is shaded smoothly over any edge, and sharply against other groups.
+/// A smoothing group without normals is shaded smoothly, but at right angles, and sharply against other groups.
 #[test]
 fn smoothing_groups_are_smooth_within_and_sharp_between() {
-    let normals = |text: &str| {
-        let folder = Folder::new(&[("some.obj", text.as_bytes())]);
-        let file = folder.load("some.obj").expect("it loads");
-        let CornerNormals { normals, corners } = file.mesh.normals();
-        (normals.len(), corners.is_empty())
+    // A column of six sides, which meet at 60 degrees, with a floor and a roof.
+    let corner = |i: u8, y: u8| {
+        let (sin, cos) = (f64::from(i) * std::f64::consts::FRAC_PI_3).sin_cos();
+        format!("v {cos} {y} {sin}\n")
     };
-    let faces = CUBE.find("f ").expect("faces");
-    let (vertices, faces) = CUBE.split_at(faces);
-    let smooth = (8, true);
-    let sharp = (24, false);
-    assert_eq!(normals(CUBE), sharp, "90 degrees is a crease");
+    let vertices: String = (0..6).flat_map(|i| [corner(i, 0), corner(i, 1)]).collect();
+    let side = |i: u8| {
+        let [a, b] = [2 * i + 1, 2 * ((i + 1) % 6) + 1];
+        format!("f {a} {} {} {b}\n", a + 1, b + 1)
+    };
+    let sides: Vec<String> = (0..6).map(side).collect();
+    let ends = "f 1 3 5 7 9 11\nf 12 10 8 6 4 2\n";
+    let normals = |faces: &str| {
+        let folder = Folder::new(&[("some.obj", format!("{vertices}{faces}").as_bytes())]);
+        let file = folder.load("some.obj").expect("it loads");
+        file.mesh.normals().normals.len()
+    };
+    let all = sides.concat() + ends;
+    // Each vertex has a normal of the sides and one of floor or roof; where the sides are sharp, one more.
+    let (smooth, sharp) = (24, 36);
+    assert_eq!(normals(&all), sharp, "60 degrees is a crease");
     for (group, wanted) in [
         ("s 1", smooth),
         ("s 17", smooth),
         ("s\t1", smooth),
         ("s on", smooth),
+        ("S ON", smooth),
         ("s off", sharp),
         ("s 0", sharp),
         ("s", sharp),
     ] {
-        assert_eq!(
-            normals(&format!("{vertices}{group}\n{faces}")),
-            wanted,
-            "{group}"
-        );
+        assert_eq!(normals(&format!("{group}\n{all}")), wanted, "{group}");
     }
-    // Each face has its own group.
-    let apart = faces
-        .lines()
-        .zip(1..)
-        .map(|(face, group)| format!("s {group}\n{face}\n"));
-    assert_eq!(
-        normals(&format!("{vertices}{}", apart.collect::<String>())),
-        sharp
-    );
-    // One face is of no group, and the other five are smooth among themselves.
-    let off = faces.replacen("\nf", "\ns 1\nf", 1);
-    assert_eq!(normals(&format!("{vertices}s off\n{off}")), (12, false));
+    let apart = (sides.iter().zip(1..)).map(|(side, group)| format!("s {group}\n{side}"));
+    assert_eq!(normals(&(apart.collect::<String>() + ends)), sharp);
+    // One side is of no group, and the other five are smooth among themselves.
+    let off = format!("s off\n{}s 1\n{}{ends}", sides[0], sides[1..].concat());
+    assert_eq!(normals(&off), smooth + 4);
 }
 
 #[test]

@@ -216,7 +216,7 @@ fn compare_asset(name: &str, mut window: Window) {
 #[test]
 fn readme_shows_this_window() {
     let mut window = open(Vec::new(), 1.0);
-    click(&mut window, pos2(440.0, 235.0));
+    click(&mut window, pos2(470.0, 255.0));
     compare_asset("window", window);
 }
 

@@ -99,7 +99,8 @@ pub struct ColourRun {
 pub struct SmoothingRun {
     /// Which triangles.
     pub triangles: Range<u32>,
-    /// Edges within a group are smooth, those between two are sharp. 0 is no group: there the crease angle decides.
+    /// Edges within a group are smooth up to 85 degrees, those between two are sharp. 0 is no group: there the crease
+    /// angle decides.
     pub group: u32,
 }
 
