@@ -127,13 +127,7 @@ pub(super) fn polygon(
         let at_edge = edges.filter_map(|(_, outline)| outline.reason());
         Some(reason.and(at_edge.map(|reason| reason.class).min()?))
     });
-    // A plane that passes the eye is before the near plane but at its horizon, so drawing may show it beside that.
-    let horizon = Outline {
-        distance_px: depths.horizon_px(past_near, slope),
-        grid_px,
-        f32_px,
-    };
-    let horizon = horizon.reason().filter(|_| covers && past_near < 0.0);
+    let horizon = horizon(&depths, past_near, slope, [grid_px, f32_px]).filter(|_| covers);
     let kept = cut_error..=far - near - depths.far_error(&error);
     let may_be_cut = !corners.iter().all(|at| kept.contains(&at.view.z));
     let section = Sectioned::new(space);
@@ -170,6 +164,22 @@ pub(super) fn polygon(
         error,
         may_be_cut,
     })
+}
+
+/// Why drawing may show a face whose plane passes the eye, though at this pixel it lies before the near plane: only at
+/// its horizon does it not.
+fn horizon(
+    depths: &Depths,
+    past_near: f64,
+    slope: f64,
+    [grid_px, f32_px]: [f64; 2],
+) -> Option<Reason> {
+    let outline = Outline {
+        distance_px: depths.horizon_px(past_near, slope),
+        grid_px,
+        f32_px,
+    };
+    outline.reason().filter(|_| past_near < 0.0)
 }
 
 /// The part of a polygon at or behind this depth past near.
