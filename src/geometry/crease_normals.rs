@@ -57,15 +57,16 @@ pub fn face_normal(corners: [[f32; 3]; 3]) -> Vec3 {
     (b - a).cross(c - a).normalize_or_zero().as_vec3()
 }
 
-/// The crease angle within a smoothing group, in radians: 85 degrees. Exporters of buildings put walls and roof into one
-/// group.
+/// The crease angle within a smoothing group, in radians: 85 degrees. Exporters of buildings put walls and roof into
+/// one group.
 const OF_A_GROUP: f32 = 85.0 * std::f32::consts::PI / 180.0;
 
 /// Normals that are smooth within a surface and break where two faces that share an edge meet at more than `crease`
-/// radians. Within a smoothing group edges are smooth up to [`OF_A_GROUP`], and between two all break. A corner's normal is a weighted
-/// mean of the faces around its vertex that are reached without crossing such an edge. A face's weight is the sine of
-/// its angle there over the product of the lengths of the two sides there. Max found these weights best ("Weights for
-/// Computing Vertex Normals from Facet Normals", JGT 4(2), 1999): they are exact on a sphere and need no trigonometry.
+/// radians. Within a smoothing group edges are smooth up to 85 degrees, and between two all break. A corner's normal is
+/// a weighted mean of the faces around its vertex that are reached without crossing such an edge. A face's weight is
+/// the sine of its angle there over the product of the lengths of the two sides there. Max found these weights best
+/// ("Weights for Computing Vertex Normals from Facet Normals", JGT 4(2), 1999): they are exact on a sphere and need no
+/// trigonometry.
 ///
 /// Triangles without area take the mean of their neighbours, or +z when alone. Works on all cores.
 ///
