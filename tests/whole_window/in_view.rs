@@ -191,6 +191,27 @@ fn section_near_and_far_may_leave_nothing_together() {
     }
 }
 
+/// A cube is lost where a speck is all that is left of it.
+#[test]
+fn a_scene_of_two_pixels_offers_to_come_nearer() {
+    const SPECK: &str = "The scene is smaller than two pixels here";
+    let at = |z: u32| {
+        row_as(
+            &format!(
+                "[camera]\neye = [0, 0, {z}]\ntarget = [0, 0, 0]\n[[object]]\nshape = \"cube\"\n"
+            ),
+            1.0,
+        )
+    };
+    let (near, _folder) = at(400);
+    assert!(!has_control(&near, SPECK));
+    let (mut window, _folder) = at(2000);
+    assert!(has_control(&window, SPECK));
+    click_on(&mut window, "Frame all (A)");
+    assert!(!has_control(&window, SPECK));
+    assert!(sees_something(&mut window));
+}
+
 #[test]
 fn a_scene_too_large_for_the_adapter_is_said_and_the_old_one_stays() {
     use std::fmt::Write;

@@ -130,7 +130,7 @@ fn a_panel_folds() {
 /// The menus have all that can be asked for, at any width. Tools are in the row where there is room for them.
 #[test]
 fn all_of_the_menus_can_be_reached_at_any_width() {
-    let menus = ["File", "Edit", "View", "Show", "Learn"];
+    let menus = ["File", "Edit", "View", "Tools", "Learn"];
     let mut tools = Vec::new();
     for width in [480, 640, 800, 1280, 2560] {
         let (mut window, _folder) = row(1.0);
@@ -157,7 +157,7 @@ fn all_of_the_menus_can_be_reached_at_any_width() {
             "Quit",
             "Copy the camera",
             "Full screen",
-            "Wireframe",
+            "Freeze",
             "Four views",
         ]) {
             is_inside(menu, &window);
@@ -165,6 +165,11 @@ fn all_of_the_menus_can_be_reached_at_any_width() {
             is_inside(item, &window);
             press_key(&mut window, Modifiers::NONE, Key::Escape);
         }
+        // A menu in a menu.
+        click_on(&mut window, "View");
+        click_on(&mut window, "Overlays");
+        is_inside("Wireframe", &window);
+        press_key(&mut window, Modifiers::NONE, Key::Escape);
     }
     assert!(tools.is_sorted() && tools[0] < 6, "{tools:?}");
     assert_eq!(tools[3..], [13, 13], "all of them");
@@ -172,7 +177,8 @@ fn all_of_the_menus_can_be_reached_at_any_width() {
     let (mut window, _folder) = row(1.0);
     window.resize(px([640, 400], 1.0));
     let before = window.state().grid();
-    click_on(&mut window, "Show");
+    click_on(&mut window, "View");
+    click_on(&mut window, "Overlays");
     click_on(&mut window, "Grid");
     assert_ne!(window.state().grid(), before);
 }

@@ -122,7 +122,7 @@ fn every_word_is_explained() {
     }
     // A section is an edit, which would be asked about below.
     press_key(&mut window, Modifiers::NONE, Key::Z);
-    for menu in ["File", "Edit", "View", "Show", "Learn"] {
+    for menu in ["File", "Edit", "View", "Tools", "Learn"] {
         click_on(&mut window, menu);
         check(&window);
         press_key(&mut window, Modifiers::NONE, Key::Escape);

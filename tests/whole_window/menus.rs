@@ -86,9 +86,9 @@ fn keys_are_an_open_menu_s() {
     key(&mut window, Key::ArrowDown);
     assert_eq!(selected(&window), Some("front"));
     assert_eq!(picked_px(&window), pick);
-    assert!(has_control(&window, "Front"));
+    assert!(has_control(&window, "Full screen"));
     key(&mut window, Key::Enter);
-    assert!(!has_control(&window, "Front"), "it is closed");
+    assert!(!has_control(&window, "Full screen"), "it is closed");
     assert_eq!(selected(&window), Some("front"));
     assert_ne!(*window.state().view(), view, "its first line was done");
     // So does a line of the menu of the right button.
@@ -117,7 +117,8 @@ fn esc_closes_a_menu_and_nothing_else() {
     assert_eq!(selected(&window), None);
     // A menu of the bar, over the four views and in the gallery.
     press_key(&mut window, Modifiers::NONE, Key::Num4);
-    click_on(&mut window, "Show");
+    click_on(&mut window, "View");
+    click_on(&mut window, "Overlays");
     assert!(has_control(&window, "Wireframe"));
     esc(&mut window);
     assert!(!has_control(&window, "Wireframe"));
@@ -126,9 +127,9 @@ fn esc_closes_a_menu_and_nothing_else() {
     assert_eq!(window.state().views(), Views::Picture);
     press_key(&mut window, Modifiers::NONE, Key::E);
     click_on(&mut window, "View");
-    assert!(has_control(&window, "Bottom"));
+    assert!(has_control(&window, "Full screen"));
     esc(&mut window);
-    assert!(!has_control(&window, "Bottom"));
+    assert!(!has_control(&window, "Full screen"));
     assert!(window.state().showing().is_some(), "still in the gallery");
     esc(&mut window);
     assert!(window.state().showing().is_none());

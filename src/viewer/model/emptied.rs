@@ -5,6 +5,7 @@ use super::{
     state::State,
 };
 use crate::{camera::View, geometry::Section};
+use glam::DVec2;
 
 /// What leaves the picture empty.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +16,8 @@ pub enum EmptiedBy {
     Planes,
     /// The camera looks elsewhere.
     Pose,
+    /// The camera is so far away that all of the scene is within two pixels.
+    Distance,
 }
 
 impl State {
@@ -28,6 +31,15 @@ impl State {
         view.section.is_none_or(keeps) && self.scene.any_visible(|bounds| view.may_see(bounds))
     }
 
+    /// Whether all that is visible looks less than `px` wide, as a ball about it would. A scene of one point has no size.
+    fn is_within(&self, px: f64) -> bool {
+        let (bounds, view) = (self.scene.visible_bounds(), self.view);
+        let radius = bounds.radius();
+        let w = (view.camera.lens()).w(view.camera.to_view(bounds.center()).z);
+        let across = |aside: f64| view.px_of(DVec2::new(aside, 0.0), w).x;
+        radius > 0.0 && w > 0.0 && across(radius) - across(-radius) < px
+    }
+
     /// The lens with near and far fitted to the scene.
     fn fitted(&self) -> LensControls {
         LensControls {
@@ -37,12 +49,13 @@ impl State {
         }
     }
 
-    /// What leaves the picture without any of the visible objects, and the actions that bring some into view. `None` if
-    /// one may be in view.
+    /// What leaves the picture without any of the visible objects, or with none of a size that one can see, and the
+    /// actions that bring some into view. `None` if one may be seen.
     pub fn emptied(&self) -> Option<(EmptiedBy, Vec<Action>)> {
         let view = self.view;
         if self.may_show(&view) {
-            return None;
+            let is_tiny = self.is_within(2.0);
+            return is_tiny.then(|| (EmptiedBy::Distance, vec![Action::FrameAll]));
         }
         let uncut = View {
             section: None,

@@ -12,6 +12,8 @@ use glam::{DVec2, DVec3};
 
 /// The most cells of the pixel grid across the picture's longer side: a cell for each pixel would be too many lines.
 const CELLS: u32 = 24;
+/// How much a line of the pixel grid covers: the scene is seen through it.
+const PIXELS_OPACITY: f32 = 0.6;
 
 /// The frustum with its near and far planes, and the pixel grid on the near plane.
 pub(super) fn camera(view: &View) -> Vec<Line> {
@@ -79,6 +81,9 @@ pub(super) fn pixel_grid(viewport: Viewport, on_near: impl Fn(DVec2) -> DVec3) -
     let columns = columns.map(|x| [on_near(x, 0), on_near(x, height)]);
     let rows = (step..height).step_by(block);
     let rows = rows.map(|y| [on_near(0, y), on_near(width, y)]);
-    let line = |[from, to]: [DVec3; 2]| Line::new(from, to, look::CAMERA_PIXELS);
+    let line = |[from, to]: [DVec3; 2]| Line {
+        opacity: [PIXELS_OPACITY; 2],
+        ..Line::new(from, to, look::CAMERA_PIXELS)
+    };
     columns.chain(rows).map(line).collect()
 }

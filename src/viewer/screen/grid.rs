@@ -118,7 +118,32 @@ pub(super) fn ground(bounds_world: &Aabb, up_axis: UpAxis, view: &View) -> Vec<L
             }
         }
     }
+    let place = |along: DVec2| right * along.x + front * along.y + up * level;
+    all.extend(origins_foot(step, place, AXIS_OPACITY * fade([0.0; 2])));
     all
+}
+
+/// A ring around the origin's foot, where the lines of two axes cross. `place` is where a point of the ground lies in
+/// the world.
+fn origins_foot(step: f64, place: impl Fn(DVec2) -> DVec3, opacity: f64) -> Vec<Line> {
+    /// Its radius, in steps of the grid.
+    const RADIUS: f64 = 0.15;
+    const SIDES: u32 = 24;
+    if opacity == 0.0 {
+        return Vec::new();
+    }
+    let at = |i: u32| {
+        let turn = f64::from(i) / f64::from(SIDES) * std::f64::consts::TAU;
+        place(RADIUS * step * DVec2::new(libm::cos(turn), libm::sin(turn)))
+    };
+    #[expect(clippy::cast_possible_truncation, reason = "of a colour")]
+    let opacity = [opacity as f32; 2];
+    let side = |i| Line {
+        opacity,
+        is_clipped: false,
+        ..Line::new(at(i), at(i + 1), look::GRID)
+    };
+    (0..SIDES).map(side).collect()
 }
 
 /// The colour of the world axis that a direction runs along, either way.
@@ -226,6 +251,18 @@ mod tests {
             .iter()
             .filter(|line| line.from.x.total_cmp(&line.to.x).is_eq());
         assert!(across.map(|line| line.from.x % 100.0).all(|off| off == 0.0));
+    }
+
+    #[test]
+    fn a_ring_marks_the_origins_foot_where_the_ground_is() {
+        let sides_about_the_foot = |bounds: &Aabb| {
+            let about = |end: DVec3| (libm::hypot(end.x, end.z) - 0.15).abs() < 1e-9;
+            let is_side = |line: &&Line| about(line.from) && about(line.to);
+            grid(bounds, UpAxis::Y).iter().filter(is_side).count()
+        };
+        let radius = 5.0 / 3_f64.sqrt();
+        assert_eq!(sides_about_the_foot(&about(DVec3::splat(0.7), radius)), 24);
+        assert_eq!(sides_about_the_foot(&about(DVec3::X * 20.0, radius)), 0);
     }
 
     #[test]

@@ -31,8 +31,9 @@ pub(in crate::viewer) struct Menu {
 /// Items of a menu that belong together.
 pub(in crate::viewer) struct Group {
     pub items: Vec<Item>,
-    /// The name and the icon of the tool that opens all of them; `None` where the toolbar has those with icons.
-    pub tool: Option<(&'static str, Icon)>,
+    /// Their name, and the icon of the tool that opens all of them: in the menu, they are a menu of their own. `None`
+    /// where they stand in the menu itself, and the toolbar has those with icons.
+    pub name: Option<(&'static str, Icon)>,
 }
 
 /// What a menu holds that changes.
@@ -75,7 +76,7 @@ const CTRL_SHIFT: Modifiers = CTRL.plus(SHIFT);
 
 /// The table.
 pub(in crate::viewer) static MENUS: LazyLock<[Menu; 5]> =
-    LazyLock::new(|| [file(), edit(), view(), show(), learn()]);
+    LazyLock::new(|| [file(), edit(), view(), tools(), learn()]);
 
 /// Every shortcut with its command. One with more keys held stands before one with fewer, which would match both.
 pub(in crate::viewer) static SHORTCUTS: LazyLock<Vec<(Shortcut, &Command)>> = LazyLock::new(|| {
@@ -174,7 +175,7 @@ impl Item {
 
 impl From<Vec<Item>> for Group {
     fn from(items: Vec<Item>) -> Self {
-        Self { items, tool: None }
+        Self { items, name: None }
     }
 }
 
@@ -418,15 +419,6 @@ fn view() -> Menu {
             "they are neither drawn nor picked",
         )
         .on_if(|shown| shown.state.view().sides == Sides::Front),
-        item(
-            "Section",
-            [(NONE, Key::Z)],
-            Action::ToggleSection,
-            "a plane cuts the scene open",
-        )
-        .icon(icons::SECTION)
-        .of_use_if(|shown| !is_in_gallery(shown))
-        .on_if(|shown| shown.state.view().section.is_some()),
     ];
     let window = vec![
         item(
@@ -440,13 +432,14 @@ fn view() -> Menu {
     ];
     Menu {
         name: "View",
-        hint: "where the camera looks from, and what it leaves out",
+        hint: "where the camera looks from, what it leaves out, and what is drawn over the scene",
         groups: vec![
             framing.into(),
             Group {
                 items: looking.map(look).into(),
-                tool: Some(("Views", icons::VIEWS)),
+                name: Some(("Views", icons::VIEWS)),
             },
+            overlays(),
             switches.into(),
             window.into(),
         ],
@@ -454,15 +447,18 @@ fn view() -> Menu {
     }
 }
 
-fn show() -> Menu {
-    let grid = item(
-        "Grid",
-        [(NONE, Key::G)],
-        Action::ToggleGrid,
-        "on the ground, with axes: x red, y green, z blue",
-    )
-    .on_if(|shown| shown.state.grid());
-    let modes = vec![
+/// What one works with.
+fn tools() -> Menu {
+    let tools = vec![
+        item(
+            "Section",
+            [(NONE, Key::Z)],
+            Action::ToggleSection,
+            "a plane cuts the scene open",
+        )
+        .icon(icons::SECTION)
+        .of_use_if(|shown| !is_in_gallery(shown))
+        .on_if(|shown| shown.state.view().section.is_some()),
         item(
             "Freeze",
             [(NONE, Key::T)],
@@ -482,6 +478,23 @@ fn show() -> Menu {
         .of_use_if(|shown| !is_in_gallery(shown))
         .on_if(|shown| shown.state.measuring().is_on),
     ];
+    Menu {
+        name: "Tools",
+        hint: "cut the scene open, leave the camera in it, measure",
+        groups: vec![tools.into()],
+        more: None,
+    }
+}
+
+/// Lines around the scene and over it.
+fn overlays() -> Group {
+    let grid = item(
+        "Grid",
+        [(NONE, Key::G)],
+        Action::ToggleGrid,
+        "on the ground, with axes: x red, y green, z blue",
+    )
+    .on_if(|shown| shown.state.grid());
     let overlay = |(name, key, which, hint)| {
         let shows = move |shown: &Shown| shown.state.overlays().shows(which);
         item(name, [(NONE, key)], Action::Toggle(which), hint).on_if(shows)
@@ -540,20 +553,12 @@ fn show() -> Menu {
         )
         .now(level),
     ];
-    Menu {
-        name: "Show",
-        hint: "lines around the scene and over it",
-        groups: vec![
-            modes.into(),
-            Group {
-                items: std::iter::once(grid)
-                    .chain(overlays.map(overlay))
-                    .chain(trees)
-                    .collect(),
-                tool: Some(("Overlays", icons::OVERLAYS)),
-            },
-        ],
-        more: None,
+    let all = std::iter::once(grid)
+        .chain(overlays.map(overlay))
+        .chain(trees);
+    Group {
+        items: all.collect(),
+        name: Some(("Overlays", icons::OVERLAYS)),
     }
 }
 

@@ -50,15 +50,26 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, state: &State, commands: &mut Vec<Co
             "units"
         };
         let text = RichText::new(format!("grid step {} {unit}", short(step)));
-        let text = Label::new(text.color(Color32::from_gray(220))).selectable(false);
-        // Readable over light surfaces and backgrounds, too.
-        let plate = Frame::new().fill(Color32::from_black_alpha(190));
+        let text = text.color(ui.visuals().strong_text_color());
+        let text = Label::new(text).selectable(false);
+        // Readable over every surface and background.
+        let plate = Frame::new().fill(plate(ui, 190));
         let plate = plate.corner_radius(3.0).inner_margin(vec2(4.0, 1.0));
         ui.scope_builder(inside, |ui| plate.show(ui, |ui| ui.add(text)).inner)
             .inner
             .on_hover_text(
                 "from one line of the ground's grid to the next, in the world's units (G hides it)",
             );
+    }
+}
+
+/// What the cross and the words beside it stand on: dark under dark panels, light under light ones. 255 hides the
+/// picture below.
+fn plate(ui: &Ui, opacity: u8) -> Color32 {
+    if ui.visuals().dark_mode {
+        Color32::from_black_alpha(opacity)
+    } else {
+        Color32::from_white_alpha(opacity)
     }
 }
 
@@ -71,11 +82,11 @@ fn middle(rect: Rect) -> Pos2 {
 pub(super) fn cross(ui: &mut Ui, rect: Rect, seen: &DMat3) -> Option<DVec3> {
     let middle = middle(rect);
     let painter = ui.painter().with_clip_rect(rect);
-    painter.circle_filled(middle, RADIUS, Color32::from_black_alpha(140));
+    painter.circle_filled(middle, RADIUS, plate(ui, 140));
     let mut clicked = None;
     for end in ends(seen, middle) {
         let response = interact(ui, rect, &end);
-        draw(&painter, middle, &end, response.hovered());
+        draw(ui, &painter, middle, &end, response.hovered());
         if response.clicked() {
             clicked = Some(end.to);
         }
@@ -117,13 +128,16 @@ fn interact(ui: &Ui, rect: Rect, end: &End) -> Response {
 }
 
 /// Positive ends bear their names, negative ones only while lit.
-fn draw(painter: &Painter, middle: Pos2, end: &End, is_lit: bool) {
-    let colour = if is_lit { Color32::WHITE } else { end.colour };
-    let mut of_name = Color32::BLACK;
+fn draw(ui: &Ui, painter: &Painter, middle: Pos2, end: &End, is_lit: bool) {
+    let visuals = ui.visuals();
+    let [mut colour, mut of_name] = [end.colour, Color32::BLACK];
+    if is_lit {
+        [colour, of_name] = [visuals.strong_text_color(), visuals.extreme_bg_color];
+    }
     if end.is_negative() {
         let radius = if is_lit { END } else { 0.6 * END };
         let edge = Stroke::new(1.5, colour);
-        painter.circle(end.at, radius, Color32::from_black_alpha(140), edge);
+        painter.circle(end.at, radius, plate(ui, 140), edge);
         of_name = colour;
     } else {
         painter.line_segment([middle, end.at], Stroke::new(2.0, colour));

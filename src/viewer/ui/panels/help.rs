@@ -134,9 +134,15 @@ fn sections(words: &str) -> Vec<Section> {
         let does = format!("{}: {}", item.name, item.hint);
         [item.all_keys(), does]
     };
-    let menus = MENUS.iter().map(|menu| {
-        let rows = menu.groups.iter().flat_map(|group| &group.items).map(row);
-        (menu.name, rows.collect())
+    // Groups with a name are subjects of their own.
+    let menus = MENUS.iter().flat_map(|menu| {
+        let own = (menu.groups.iter()).filter(|group| group.name.is_none());
+        let own = own.flat_map(|group| &group.items).map(row).collect();
+        let named = menu.groups.iter().filter_map(|group| {
+            let (name, _) = group.name.as_ref()?;
+            Some((*name, group.items.iter().map(row).collect()))
+        });
+        std::iter::once((menu.name, own)).chain(named)
     });
     let topic = |topic: &Topic| {
         [

@@ -103,12 +103,18 @@ fn opened(
 /// About how many lines a menu has.
 fn line_count(menu: &Menu, shown: &Shown) -> usize {
     let items: usize = (menu.groups.iter())
-        .map(|group| group.items.len() + 1)
+        .map(|group| {
+            if group.name.is_some() {
+                2
+            } else {
+                group.items.len() + 1
+            }
+        })
         .sum();
     let more = match menu.more {
         None => 0,
-        Some(More::Recent) => shown.recent.len().max(1),
-        Some(More::Exhibits) => GALLERY.len() + 2,
+        Some(More::Recent) => shown.recent.len().max(1) + 1,
+        Some(More::Exhibits) => GALLERY.len() + 3,
     };
     items + more
 }
@@ -119,13 +125,23 @@ fn items(ui: &mut Ui, menu: &Menu, shown: &Shown, commands: &mut Vec<Command>) {
         if at > 0 {
             ui.separator();
         }
-        lines(ui, &group.items, shown, commands);
+        match &group.name {
+            Some((name, _)) => submenu(ui, name, &group.items, shown, commands),
+            None => lines(ui, &group.items, shown, commands),
+        }
     }
     if let Some(more) = menu.more {
         ui.separator();
         match more {
-            More::Recent => recent(ui, shown, commands),
-            More::Exhibits => exhibit::menu(ui, shown, commands),
+            More::Recent => {
+                ui.weak("Recent").hint("what was opened before");
+                recent(ui, shown, commands);
+            }
+            More::Exhibits => {
+                ui.weak("Gallery")
+                    .hint("scenes on which known methods break");
+                exhibit::menu(ui, shown, commands);
+            }
         }
     }
 }
@@ -139,6 +155,28 @@ fn lines(ui: &mut Ui, items: &[Item], shown: &Shown, commands: &mut Vec<Command>
         let line = line.named(item.name);
         line.asks(item.tells(shown), item.command.clone(), commands);
     }
+}
+
+/// What a group of items has.
+fn names_of(items: &[Item]) -> String {
+    let names: Vec<_> = items.iter().map(|item| item.name).collect();
+    names.join(", ")
+}
+
+/// Items in a menu of their own, which opens beside its name.
+fn submenu(
+    ui: &mut Ui,
+    name: &'static str,
+    items: &[Item],
+    shown: &Shown,
+    commands: &mut Vec<Command>,
+) {
+    let opens = ui.menu_button(name, |ui| {
+        opened(ui, items.len(), commands, |ui, commands| {
+            lines(ui, items, shown, commands);
+        });
+    });
+    opens.response.hint(names_of(items));
 }
 
 /// Scenes that were opened before.
@@ -183,7 +221,7 @@ impl Tool {
 /// The tools, by the menus that they are from.
 fn tools() -> Vec<Vec<Tool>> {
     let of_group = |group: &'static Group| {
-        let opens = (group.tool.as_ref()).map(|(name, icon)| Tool::Group(name, icon, &group.items));
+        let opens = (group.name.as_ref()).map(|(name, icon)| Tool::Group(name, icon, &group.items));
         let items = group.items.iter();
         let items = items.filter_map(|item| Some(Tool::Item(item, item.icon.as_ref()?)));
         opens.into_iter().chain(items)
@@ -250,7 +288,7 @@ fn more(ui: &mut Ui, shown: &Shown, rest: &[&[Tool]], commands: &mut Vec<Command
                     match tool {
                         Tool::Item(item, _) => lines(ui, slice::from_ref(*item), shown, commands),
                         Tool::Group(name, _, items) => {
-                            ui.menu_button(*name, |ui| lines(ui, items, shown, commands));
+                            submenu(ui, name, items, shown, commands);
                         }
                     }
                 }
@@ -302,8 +340,7 @@ fn tool(ui: &mut Ui, shown: &Shown, tool: &Tool, with_name: bool, commands: &mut
                     lines(ui, items, shown, commands);
                 });
             });
-            let names: Vec<_> = items.iter().map(|item| item.name).collect();
-            (opens.named(name)).hint(hint(names.join(", ")));
+            (opens.named(name)).hint(hint(names_of(items)));
         }
     }
 }

@@ -128,6 +128,10 @@ fn hint(state: &State) -> Option<(&'static str, [String; 2], Vec<Command>)> {
             let button = as_in_menus(&Action::FrameAll.into());
             ("Nothing in view", button)
         }
+        EmptiedBy::Distance => {
+            let button = as_in_menus(&Action::FrameAll.into());
+            ("The scene is smaller than two pixels here", button)
+        }
     };
     let actions = actions.into_iter().chain([Action::Release]);
     Some((text, button, actions.map(Command::Act).collect()))

@@ -88,7 +88,7 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
             next.fov_deg = number;
         }
     });
-    let default = ui.small_button("45").named("fov of 45 degrees");
+    let default = ui.small_button("45\u{b0}").named("fov of 45 degrees");
     if default.hint("back to 45 degrees, the default").clicked() {
         next.fov_deg = CameraChoice::FOV;
     }

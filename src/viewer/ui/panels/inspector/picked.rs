@@ -81,7 +81,8 @@ pub(super) fn show(ui: &mut Ui, state: &State, sums: &mut Sums, commands: &mut V
     row(ui, "W x H x D", &size(&bounds, state.up_axis()), hint);
     let hint = "what is selected, or else what the scene holds; spheres, cubes and squares have no triangles";
     row(ui, "shape", &shape(state, selection, sums), hint);
-    let hit = state.picked();
+    // Of several, only the first can be picked, and all rows are about all of them.
+    let hit = state.picked().filter(|_| several.is_none());
     let position = hit.map(|hit| hit.point_world.to_array().map(short).join("  "));
     let hint =
         "the picked point: x, y and z in the scene's own coordinates; Details has all digits";
@@ -236,6 +237,12 @@ fn said(state: &State) -> (String, String) {
             "a ray from the eye through the clicked pixel finds what that pixel shows",
         );
     };
+    if !selection.others.is_empty() {
+        return own(
+            "Several are selected.",
+            "the rows above are about all of them; Details has the point that was picked on the first",
+        );
+    }
     let Some(hit) = state.picked() else {
         return if state.followed().is_some_and(|followed| followed.is_picked) {
             own(
