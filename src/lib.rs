@@ -141,7 +141,8 @@
 //! ```text
 //! a file:   path -> scene::load -> Scene -> render::SceneBuffers -> picture
 //! a save:   State -> viewer::jobs::save -> scene::save -> scene file, meshes beside it
-//! a click:  event -> viewer::ui -> Action -> viewer::model::State -> pick::pick_all -> Pick -> panel, JSON
+//! a click:  event -> viewer::ui -> Action -> viewer::model::State -> pick::pick_all -> Pick -> panel, JSON;
+//!           in the view of the picture that is shown: viewer/model/seeing.rs
 //! a frame:  viewer::app -> State -> View -> render::Renderer -> colour, ids, selection -> window, picture
 //! a pixel:  View::ray -> WorldRay -> Scene::visit_batches -> Placement::local_ray -> PlacedRay, LocalRay -> shape or Mesh (Bvh)
 //!           -> Hit -> Pick; what f64 leaves open: WorldRay, Placement -> geometry::exact -> Hit

@@ -128,6 +128,16 @@ impl Gpu {
         usage: wgpu::BufferUsages,
         elements: &[T],
     ) -> Result<wgpu::Buffer, GpuError> {
+        self.buffer_of(what, usage, elements.iter().copied())
+    }
+
+    /// Like [`Gpu::buffer`], for elements that are made as they are copied: they never stand in memory all at once.
+    pub(super) fn buffer_of<T: bytemuck::Pod>(
+        &self,
+        what: &'static str,
+        usage: wgpu::BufferUsages,
+        mut elements: impl ExactSizeIterator<Item = T>,
+    ) -> Result<wgpu::Buffer, GpuError> {
         let size = (elements.len().max(1) * size_of::<T>()) as u64;
         let limits = self.device.limits();
         let limit = if usage.contains(wgpu::BufferUsages::STORAGE) {
@@ -153,13 +163,16 @@ impl Gpu {
             })
         })?;
         let mut at = 0;
-        let bytes = bytemuck::cast_slice::<T, u8>(elements);
-        for piece in bytes.chunks(PIECE_BYTES) {
+        let mut piece = Vec::new();
+        while elements.len() > 0 {
             if at > 0 {
                 self.queue.submit([]);
             }
-            self.queue.write_buffer(&buffer, at, piece);
-            at += piece.len() as u64;
+            piece.clear();
+            piece.extend(elements.by_ref().take(PIECE_BYTES / size_of::<T>()));
+            let bytes = bytemuck::cast_slice::<T, u8>(&piece);
+            self.queue.write_buffer(&buffer, at, bytes);
+            at += bytes.len() as u64;
         }
         Ok(buffer)
     }

@@ -10,7 +10,7 @@ use crate::{
     geometry::{Cuboid, Mesh, Sphere, Square, face_normal, sin_cos_quarters},
 };
 use glam::{DVec3, Vec3};
-use std::{borrow::Cow, collections::HashMap, f64::consts::PI, ops::Range, sync::Arc};
+use std::{borrow::Cow, f64::consts::PI, ops::Range, sync::Arc};
 use wgpu::BufferUsages;
 
 /// The most triangles that a software adapter draws by one call. It keeps them, transformed, until they are drawn: half
@@ -38,58 +38,60 @@ struct Chunk {
 impl MeshBuffers {
     /// Uploads a mesh.
     pub fn upload(gpu: &Gpu, mesh: &Mesh) -> Result<Self, GpuError> {
-        let (vertices, triangles) = unify(mesh);
-        let buffers = Self::new(gpu, vertices, &triangles)?;
-        gpu.note_triangles(triangles.len());
+        let buffers = Self::new(gpu, Indexed::of(mesh))?;
+        gpu.note_triangles(mesh.data().triangles.len());
         Ok(buffers)
     }
 
-    fn new(gpu: &Gpu, mut vertices: Vec<Vertex>, triangles: &[[u32; 3]]) -> Result<Self, GpuError> {
-        note_spacing(&mut vertices, triangles);
-        let vertices = &*vertices;
-        let count = |triangles: usize| u32::try_from(triangles).unwrap_or(u32::MAX);
+    fn new(gpu: &Gpu, indexed: Indexed) -> Result<Self, GpuError> {
+        let Indexed {
+            vertices,
+            spacings,
+            triangles,
+        } = indexed;
+        let vertex = |i: usize| {
+            let mut vertex = vertices(i);
+            vertex.colour[3] = spacings[i];
+            vertex
+        };
+        let count = triangles.len();
         let most = gpu.device.limits().max_buffer_size;
-        let largest = size_of_val(vertices).max(size_of_val(triangles)) as u64;
+        let largest = (spacings.len() * size_of::<Vertex>()).max(size_of_val(&*triangles)) as u64;
         let is_indexed = gpu.numbers == Numbers::Primitives && largest <= most;
-        let held = most / (3 * size_of::<Vertex>()) as u64;
-        let held = usize::try_from(held).unwrap_or(usize::MAX).max(1);
         let called = if gpu.is_software() {
             SOFTWARE_CALL
         } else {
             usize::MAX
         };
-        let buffer = |vertices: &[Vertex]| gpu.buffer("vertices", BufferUsages::VERTEX, vertices);
-        // All of them share their buffers, or each has its own.
-        let shared = if is_indexed {
-            let indices = gpu.buffer("triangles", BufferUsages::INDEX, triangles)?;
-            Some((buffer(vertices)?, indices))
+        let (name, usage) = ("vertices", BufferUsages::VERTEX);
+        let chunks: Result<_, GpuError> = if is_indexed {
+            let indices = gpu.buffer("triangles", BufferUsages::INDEX, &triangles)?;
+            drop(triangles);
+            let vertices = gpu.buffer_of(name, usage, (0..spacings.len()).map(vertex))?;
+            let chunk = |triangles| Chunk {
+                triangles,
+                first: 0,
+                vertices: vertices.clone(),
+                indices: Some(indices.clone()),
+            };
+            Ok(in_calls(count, called).map(chunk).collect())
         } else {
-            None
-        };
-        let size = if is_indexed { called } else { called.min(held) };
-        let chunk = |(at, some): (usize, &[[u32; 3]])| {
-            let triangles = count(at * size)..count(at * size + some.len());
-            Ok(match &shared {
-                Some((vertices, indices)) => Chunk {
-                    triangles,
-                    first: 0,
-                    vertices: vertices.clone(),
-                    indices: Some(indices.clone()),
-                },
-                None => Chunk {
-                    first: triangles.start,
-                    triangles,
-                    vertices: {
-                        let corners = some.as_flattened().iter();
-                        buffer(&corners.map(|&i| vertices[i as usize]).collect::<Vec<_>>())?
-                    },
+            let held = most / (3 * size_of::<Vertex>()) as u64;
+            let held = usize::try_from(held).unwrap_or(usize::MAX).max(1);
+            let chunk = |of: Range<u32>| {
+                let corners = triangles[of.start as usize..of.end as usize].as_flattened();
+                let vertices = corners.iter().map(|&i| vertex(i as usize));
+                Ok(Chunk {
+                    first: of.start,
+                    triangles: of,
+                    vertices: gpu.buffer_of(name, usage, vertices)?,
                     indices: None,
-                },
-            })
+                })
+            };
+            in_calls(count, called.min(held)).map(chunk).collect()
         };
-        let chunks: Result<_, GpuError> = triangles.chunks(size).enumerate().map(chunk).collect();
         Ok(Self {
-            triangles: count(triangles.len()),
+            triangles: index(count),
             chunks: chunks?,
         })
     }
@@ -159,7 +161,8 @@ impl MeshBuffers {
             let [c, d] = [at(ring + 1, spoke + 1), at(ring, spoke + 1)];
             [[a, b, c], [a, c, d]]
         });
-        Self::new(gpu, vertices.collect(), &triangles.collect::<Vec<_>>())
+        let indexed = Indexed::stored(vertices.collect(), triangles.collect());
+        Self::new(gpu, indexed)
     }
 
     /// Flat quadrilaterals, counter-clockwise seen from outside.
@@ -177,15 +180,148 @@ impl MeshBuffers {
             }));
             triangles.extend([[0, 1, 2], [0, 2, 3]].map(|corners| corners.map(|i| first + i)));
         }
-        Self::new(gpu, vertices, &triangles)
+        Self::new(gpu, Indexed::stored(vertices, triangles))
     }
 }
 
-/// Notes with each vertex how far apart the edges about it are: the height of its widest triangle over that triangle's
-/// longest side. Of positive numbers, the larger has the larger bits.
-fn note_spacing(vertices: &mut [Vertex], triangles: &[[u32; 3]]) {
-    for triangle in triangles {
-        let [a, b, c] = triangle.map(|i| Vec3::from(vertices[i as usize].position).as_dvec3());
+/// Triangles by the calls that draw them, each of at most so many.
+fn in_calls(triangles: usize, most: usize) -> impl Iterator<Item = Range<u32>> {
+    let call = move |start: usize| index(start)..index(start.saturating_add(most).min(triangles));
+    (0..triangles).step_by(most).map(call)
+}
+
+/// An index as the adapter has it. More do not fit into its memory.
+fn index(i: usize) -> u32 {
+    u32::try_from(i).unwrap_or(u32::MAX)
+}
+
+/// What is copied to the adapter.
+struct Indexed<'a> {
+    /// Makes a vertex but for its spacing, when it is copied: vertices never stand in memory twice.
+    vertices: Box<dyn Fn(usize) -> Vertex + 'a>,
+    /// For each vertex, how far apart the edges about it are.
+    spacings: Vec<u16>,
+    triangles: Cow<'a, [[u32; 3]]>,
+}
+
+impl<'a> Indexed<'a> {
+    /// Vertices that stand in memory.
+    fn stored(vertices: Vec<Vertex>, triangles: Vec<[u32; 3]>) -> Self {
+        let corners = |triangle: usize| triangles[triangle].map(|i| vertices[i as usize].position);
+        Self {
+            spacings: spacings(vertices.len(), &triangles, corners),
+            vertices: Box::new(move |i| vertices[i]),
+            triangles: Cow::Owned(triangles),
+        }
+    }
+
+    /// The vertices of a mesh.
+    fn of(mesh: &'a Mesh) -> Self {
+        let (data, shading) = (mesh.data(), mesh.normals());
+        let corners =
+            |triangle: usize| data.triangles[triangle].map(|i| data.positions[i as usize]);
+        // In a smooth surface of one part and colour, such as a scan, each position is one vertex already.
+        if let ([_], [run, others @ ..]) = (&*data.parts, &*data.colours)
+            && others.iter().all(|other| other.colour == run.colour)
+            && data.vertex_colours.is_empty()
+            && shading.is_by_vertex()
+        {
+            let colour = colour(run.colour, None);
+            return Self {
+                vertices: Box::new(move |i| Vertex {
+                    position: data.positions[i],
+                    normal: shading.normals[i],
+                    part: 0,
+                    colour,
+                }),
+                spacings: spacings(data.positions.len(), &data.triangles, corners),
+                triangles: Cow::Borrowed(&data.triangles),
+            };
+        }
+        let of_corners = shading.corners_of(&data.triangles);
+        let normal = move |triangle: usize, place: usize| match of_corners.get(triangle) {
+            Some(corners) => shading.normals[corners[place] as usize],
+            None => face_normal(corners(triangle)).to_array(),
+        };
+        let (first_corners, triangles) = unify(mesh, normal);
+        Self {
+            spacings: spacings(first_corners.len(), &triangles, corners),
+            vertices: Box::new(move |i| {
+                let (triangle, place) = split(first_corners[i]);
+                let position = data.triangles[triangle][place] as usize;
+                let own = mesh.triangle_colour(index(triangle));
+                Vertex {
+                    position: data.positions[position],
+                    normal: normal(triangle, place),
+                    part: index(mesh.part_of(index(triangle))),
+                    colour: colour(own, data.vertex_colours.get(position).copied()),
+                }
+            }),
+            triangles: Cow::Owned(triangles),
+        }
+    }
+}
+
+/// One vertex for each distinct (position, normal, part, colour) that a corner has, as the first corner that has it,
+/// and triangles of these vertices. A corner is 3 * triangle + place.
+fn unify(mesh: &Mesh, normal: impl Fn(usize, usize) -> [f32; 3]) -> (Vec<u32>, Vec<[u32; 3]>) {
+    const NONE: u32 = u32::MAX;
+    let data = mesh.data();
+    let mut vertices: Vec<u32> = Vec::with_capacity(data.positions.len());
+    // The vertices at each position as a linked list: the latest, and for each vertex the one before.
+    let mut latest = vec![NONE; data.positions.len()];
+    let mut before: Vec<u32> = Vec::with_capacity(data.positions.len());
+    let mut triangles = Vec::with_capacity(data.triangles.len());
+    let (mut part, mut run) = (0, 0);
+    for (triangle, corners) in data.triangles.iter().enumerate() {
+        while data.parts[part].triangles.end <= index(triangle) {
+            part += 1;
+        }
+        while data.colours[run].triangles.end <= index(triangle) {
+            run += 1;
+        }
+        let (part, run) = (&data.parts[part], &data.colours[run]);
+        triangles.push(std::array::from_fn(|place| {
+            let own_normal = normal(triangle, place);
+            let is_same = |vertex: u32| {
+                let (other, other_place) = split(vertices[vertex as usize]);
+                normal(other, other_place) == own_normal
+                    && part.triangles.contains(&index(other))
+                    && (run.triangles.contains(&index(other))
+                        || run.colour == mesh.triangle_colour(index(other)))
+            };
+            let latest = &mut latest[corners[place] as usize];
+            let mut found = *latest;
+            while found != NONE && !is_same(found) {
+                found = before[found as usize];
+            }
+            if found == NONE {
+                found = index(vertices.len());
+                vertices.push(index(3 * triangle + place));
+                before.push(*latest);
+                *latest = found;
+            }
+            found
+        }));
+    }
+    (vertices, triangles)
+}
+
+/// A corner's triangle and place.
+fn split(corner: u32) -> (usize, usize) {
+    (corner as usize / 3, corner as usize % 3)
+}
+
+/// How far apart the edges about each vertex are: the height of its widest triangle over that triangle's longest side,
+/// as the upper half of the bits of an `f32`. Of positive numbers, the larger has the larger bits.
+fn spacings(
+    vertices: usize,
+    triangles: &[[u32; 3]],
+    corners: impl Fn(usize) -> [[f32; 3]; 3],
+) -> Vec<u16> {
+    let mut spacings = vec![0; vertices];
+    for (number, triangle) in triangles.iter().enumerate() {
+        let [a, b, c] = corners(number).map(|corner| Vec3::from(corner).as_dvec3());
         let [ab, bc, ca] = [b - a, c - b, a - c];
         let longest = (ab.length_squared())
             .max(bc.length_squared())
@@ -194,90 +330,16 @@ fn note_spacing(vertices: &mut [Vertex], triangles: &[[u32; 3]]) {
         #[expect(clippy::cast_possible_truncation, reason = "opacities need no more")]
         let upper_half = ((height.max(0.0) as f32).to_bits() >> 16) as u16;
         for i in triangle {
-            let noted = &mut vertices[*i as usize].colour[3];
-            *noted = (*noted).max(upper_half);
+            let noted = &mut spacings[*i as usize];
+            *noted = upper_half.max(*noted);
         }
     }
-}
-
-/// Vertices, and triangles as indices into them.
-type Indexed<'a> = (Vec<Vertex>, Cow<'a, [[u32; 3]]>);
-
-/// One vertex for each distinct (position, normal, part, colour) that a corner has, and the corners as indices into
-/// them.
-fn unify(mesh: &Mesh) -> Indexed<'_> {
-    const NONE: u32 = u32::MAX;
-    let (data, shading) = (mesh.data(), mesh.normals());
-    // In a smooth surface of one part and colour, such as a scan, each position is one vertex already.
-    if let ([_], [run, others @ ..]) = (&*data.parts, &*data.colours)
-        && others.iter().all(|other| other.colour == run.colour)
-        && data.vertex_colours.is_empty()
-        && shading.is_by_vertex()
-    {
-        let colour = colour((run.colour, None));
-        let each = data.positions.iter().zip(&shading.normals);
-        let vertices = each.map(|(&position, &normal)| Vertex {
-            position,
-            normal,
-            part: 0,
-            colour,
-        });
-        return (vertices.collect(), Cow::Borrowed(&data.triangles));
-    }
-    let shading_corners = shading.corners_of(&data.triangles);
-    let mut linear = HashMap::new();
-    // Most corners have the colour of the one before.
-    let mut latest_colour = (None, [0; 4]);
-    let mut vertices: Vec<Vertex> = Vec::with_capacity(data.positions.len());
-    // The vertices at each position as a linked list: the latest, and for each vertex the one before.
-    let mut latest = vec![NONE; data.positions.len()];
-    let mut before: Vec<u32> = Vec::with_capacity(data.positions.len());
-    let mut triangles = Vec::with_capacity(data.triangles.len());
-    let (mut part, mut run) = (0, 0);
-    for (index, corners) in (0..).zip(&data.triangles) {
-        while data.parts[part].triangles.end <= index {
-            part += 1;
-        }
-        while data.colours[run].triangles.end <= index {
-            run += 1;
-        }
-        let own = data.colours[run].colour;
-        let normals: [[f32; 3]; 3] = match shading_corners.get(index as usize) {
-            Some(normals) => normals.map(|i| shading.normals[i as usize]),
-            None => [face_normal(corners.map(|i| data.positions[i as usize])).to_array(); 3],
-        };
-        triangles.push(std::array::from_fn(|place| {
-            let position = corners[place] as usize;
-            let key = (own, data.vertex_colours.get(position).copied());
-            if latest_colour.0 != Some(key) {
-                let found = *linear.entry(key).or_insert_with(|| colour(key));
-                latest_colour = (Some(key), found);
-            }
-            let vertex = Vertex {
-                position: data.positions[position],
-                normal: normals[place],
-                part: u32::try_from(part).unwrap_or(u32::MAX),
-                colour: latest_colour.1,
-            };
-            let mut found = latest[position];
-            while found != NONE && vertices[found as usize] != vertex {
-                found = before[found as usize];
-            }
-            if found == NONE {
-                found = u32::try_from(vertices.len()).unwrap_or(NONE);
-                vertices.push(vertex);
-                before.push(latest[position]);
-                latest[position] = found;
-            }
-            found
-        }));
-    }
-    (vertices, Cow::Owned(triangles))
+    spacings
 }
 
 /// A triangle's colour times a vertex's, as in [`Mesh::albedo`]: linear, in 65535ths, which are finer than the steps of
 /// 8-bit sRGB everywhere.
-fn colour((own, vertex): (Option<Srgb>, Option<Srgb>)) -> [u16; 4] {
+fn colour(own: Option<Srgb>, vertex: Option<Srgb>) -> [u16; 4] {
     let missing = if vertex.is_some() {
         Srgb::WHITE
     } else {

@@ -157,7 +157,7 @@ fn a_click_outside_the_picture_never_picks() {
     }
 }
 
-fn wheel(by: egui::Vec2, modifiers: Modifiers) -> Event {
+pub(super) fn wheel(by: egui::Vec2, modifiers: Modifiers) -> Event {
     Event::MouseWheel {
         unit: MouseWheelUnit::Point,
         source: egui::MouseWheelSource::Unknown,

@@ -203,13 +203,39 @@ fn a_scene_of_two_pixels_offers_to_come_nearer() {
             1.0,
         )
     };
+    let tells_a_step = |window: &Window| {
+        (window.controls().iter()).any(|control| control.name.starts_with("grid step"))
+    };
+    assert!(tells_a_step(&at(5).0));
     let (near, _folder) = at(400);
     assert!(!has_control(&near, SPECK));
     let (mut window, _folder) = at(2000);
     assert!(has_control(&window, SPECK));
+    assert!(!tells_a_step(&window), "lines lie closer than pixels");
+    // The wheel acts below the hint.
+    let eye_z = |window: &Window| window.state().view().camera.eye().z;
+    let before = eye_z(&window);
+    let farther = events::wheel(egui::vec2(0.0, -50.0), NONE);
+    window.send([Event::PointerMoved(MIDDLE), farther]);
+    assert!(eye_z(&window) > 1.1 * before, "{}", eye_z(&window));
+    assert!(has_control(&window, SPECK));
     click_on(&mut window, "Frame all (A)");
     assert!(!has_control(&window, SPECK));
     assert!(sees_something(&mut window));
+}
+
+/// Alt+F is another program's "open the menu", and no F.
+#[test]
+fn keys_with_alt_do_nothing() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    let before = *window.state().view();
+    for key in [Key::F, Key::A, Key::Num3] {
+        press_key(&mut window, Modifiers::ALT, key);
+        assert_eq!(*window.state().view(), before, "{key:?}");
+    }
+    press_key(&mut window, NONE, Key::Num3);
+    assert_ne!(*window.state().view(), before);
 }
 
 #[test]

@@ -196,6 +196,7 @@ impl App {
     /// Gives the panels the window's looks.
     pub fn dress(&self) {
         ui::dress(&self.context);
+        ui::set_click(&self.context);
         self.memory.look.apply(&self.context);
     }
 

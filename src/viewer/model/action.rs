@@ -228,7 +228,7 @@ impl Action {
     }
 }
 
-/// The lens as the panel sets it.
+/// The lens as the panel sets it. Undo brings all of it back. The aspect ratio is the viewport's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LensControls {
     /// Vertical field of view in degrees.

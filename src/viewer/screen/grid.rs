@@ -30,7 +30,14 @@ pub(in crate::viewer) fn grid_step(state: &State) -> Option<f64> {
         return None;
     }
     let lines = ground(&bounds, state.up_axis(), view);
-    step(bounds.radius()).filter(|_| lines.iter().any(|line| is_in_picture(view, line)))
+    let w = (view.camera.lens()).w(view.camera.to_view(bounds.center()).z);
+    // Nearer to each other than pixels, lines are not seen as such.
+    let are_apart = |step: &f64| {
+        let across = |aside: f64| view.px_of(DVec2::new(aside, 0.0), w).x;
+        w <= 0.0 || across(*step) - across(0.0) > 1.0
+    };
+    (step(bounds.radius()).filter(are_apart))
+        .filter(|_| lines.iter().any(|line| is_in_picture(view, line)))
 }
 
 /// Whether a part of a line is within the picture, whatever its depth and whatever hides it there.

@@ -17,6 +17,11 @@ pub(in crate::viewer) fn take_escape(ctx: &egui::Context) {
 /// control gets Enter, Esc and the arrows. If none has the focus, Esc first gives up texts that are shown in red.
 pub(in crate::viewer) fn pressed(ctx: &egui::Context, has_question: bool) -> Vec<Command> {
     let focus = Focus::of_pass(ctx);
+    // No shortcut has Alt, and egui would take it for one without.
+    let has_alt = |event: &Event| matches!(event, Event::Key { modifiers, .. } if modifiers.alt);
+    if ctx.input(|input| input.events.iter().any(has_alt)) {
+        return Vec::new();
+    }
     if focus.types {
         return if has_question {
             Vec::new()

@@ -13,7 +13,7 @@ mod tour;
 
 pub(super) use command::{Command, Intent, Reply, Shot, ShotTo, TourMove};
 pub(super) use focus::leave_text;
-pub(super) use mouse::{Drag, moves_ahead};
+pub(super) use mouse::{Drag, moves_ahead, set_click};
 pub(super) use notice::{Attempt, Kind, Notice, Notices};
 pub(super) use panels::{Arrangement, Filter, Shown, Statistics, Sums, Topic, Underway, show};
 pub(super) use theme::{Look, background, color32, dress, note_missing, panels_on};

@@ -1,6 +1,7 @@
 //! Turns mouse events into actions. The scene is a widget like any other, so egui decides who owns a gesture: a press
 //! that began on a panel never reaches the scene.
 
+use super::panels::is_hint;
 use crate::viewer::{
     model::{Action, DOUBLE_CLICK_S, Stage},
     screen::SceneRect,
@@ -17,7 +18,7 @@ const ZOOM_PER_LINE: f64 = 1.15;
 const POINTS_PER_LINE: f64 = 50.0;
 
 /// How egui tells clicks from drags: by the farthest travel, never by time.
-pub(in crate::viewer) fn options(ctx: &egui::Context) {
+pub(in crate::viewer) fn set_click(ctx: &egui::Context) {
     ctx.options_mut(|options| {
         options.input_options.max_click_dist = CLICK_TRAVEL;
         options.input_options.max_click_duration = f64::INFINITY;
@@ -138,7 +139,10 @@ pub(in crate::viewer) fn scene(
     }
     let is_idle = drag.is_none() && !response.is_pointer_button_down_on();
     let hovering = (response.hover_pos().filter(|_| is_idle)).and_then(within);
-    if let Some(at) = hovering {
+    // The wheel acts on the picture below a hint, too: what it does may have brought the hint under the cursor.
+    let pointer = ui.ctx().pointer_hover_pos().filter(|_| of.is_none());
+    let on_hint = pointer.filter(|at| ui.ctx().layer_id_at(*at).is_some_and(is_hint));
+    if let Some(at) = hovering.or(on_hint.and_then(within)) {
         wheel(ui, place, at, &mut actions);
     }
     actions.push(Action::Hover(hovering));

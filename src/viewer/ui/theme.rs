@@ -1,6 +1,5 @@
 //! How panels look, and which characters their own typefaces lack.
 
-use super::mouse;
 use crate::{
     colour::Srgb,
     look::{self, Background},
@@ -66,7 +65,6 @@ impl Look {
 /// which do not show dark greys. Warnings are olive on dark panels and brown on light ones: yellow and orange mean other
 /// things.
 pub(in crate::viewer) fn dress(context: &egui::Context) {
-    mouse::options(context);
     egui_extras::install_image_loaders(context);
     // What commands change is laid out at once, and what appears in that pass is measured before it shows.
     context.options_mut(|options| options.max_passes = NonZeroUsize::MIN.saturating_add(2));

@@ -8,7 +8,15 @@ use crate::viewer::{
         notice::{Kind, Notices},
     },
 };
-use egui::{Area, Context, Frame, Id, Pos2, ProgressBar};
+use egui::{Area, Context, Frame, Id, LayerId, Pos2, ProgressBar};
+
+/// The plate of the hint where there is nothing to see.
+const HINT: &str = "hint";
+
+/// Whether a layer is that plate.
+pub(in crate::viewer::ui) fn is_hint(layer: LayerId) -> bool {
+    layer.id == Id::unique(HINT)
+}
 
 /// A plate over the picture, whose corner or middle is at a point of the window.
 pub(super) fn plate(ctx: &Context, name: &str, at: Pos2, of: Align2, inside: impl FnOnce(&mut Ui)) {
@@ -44,7 +52,7 @@ pub(super) fn show(
             });
         });
     } else if let Some((text, [button, does], asked)) = hint(shown.state) {
-        plate(&ctx, "hint", rect.center(), Align2::CENTER_CENTER, |ui| {
+        plate(&ctx, HINT, rect.center(), Align2::CENTER_CENTER, |ui| {
             ui.vertical_centered(|ui| {
                 ui.label(text).hint("why the picture is empty");
                 let button = ui.button(button).hint(does);

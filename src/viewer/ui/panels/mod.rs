@@ -50,6 +50,7 @@ pub(in crate::viewer) use arrangement::{Arrangement, Topic};
 pub(super) use field::give_up_refused;
 pub(in crate::viewer) use inspector::Sums;
 pub(in crate::viewer) use layout::show;
+pub(super) use messages::is_hint;
 pub(in crate::viewer) use objects::Filter;
 pub(in crate::viewer) use shown::{Shown, Underway};
 pub(in crate::viewer) use status::Statistics;

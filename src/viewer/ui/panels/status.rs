@@ -7,6 +7,9 @@ use std::time::Duration;
 /// For so long after a picture the line says how long it took, in seconds.
 const FRESH_S: f64 = 3.0;
 
+/// Room in points for how long a picture took.
+const WIDTH: f32 = 120.0;
+
 /// What the status line knows of the machine.
 #[derive(Clone, Debug, Default)]
 pub(in crate::viewer) struct Statistics {
@@ -61,7 +64,8 @@ fn frame(ui: &mut Ui, statistics: &Statistics) {
         return;
     };
     let left_s = drawn_s + FRESH_S - ui.input(|input| input.time);
-    if left_s > 0.0 {
+    // In a narrow window there is no room for it.
+    if left_s > 0.0 && ui.available_width() > WIDTH {
         (ui.ctx()).request_repaint_after(Duration::from_secs_f64(left_s));
         ui.separator();
         ui.weak(format!("frame {:6.1} ms", 1e3 * took.as_secs_f64()))
