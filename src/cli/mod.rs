@@ -13,6 +13,7 @@ mod contract;
 mod doctor;
 mod error;
 mod list;
+mod memory;
 mod pick;
 mod render;
 mod signals;
@@ -132,6 +133,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
 }
 
 fn run_command(cli: &Cli) -> Result<(), CliError> {
+    memory::give_back_freed();
     signals::clean_up_on_signals();
     match &cli.command {
         Some(Command::Render(args)) => render::run(args),

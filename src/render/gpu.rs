@@ -167,6 +167,7 @@ impl Gpu {
         while elements.len() > 0 {
             if at > 0 {
                 self.queue.submit([]);
+                self.wait()?;
             }
             piece.clear();
             piece.extend(elements.by_ref().take(PIECE_BYTES / size_of::<T>()));

@@ -282,10 +282,10 @@ fn unify(mesh: &Mesh, normal: impl Fn(usize, usize) -> [f32; 3]) -> (Vec<u32>, V
         }
         let (part, run) = (&data.parts[part], &data.colours[run]);
         triangles.push(std::array::from_fn(|place| {
-            let own_normal = normal(triangle, place);
+            let own_normal = Vec3::from(normal(triangle, place));
             let is_same = |vertex: u32| {
                 let (other, other_place) = split(vertices[vertex as usize]);
-                normal(other, other_place) == own_normal
+                Vec3::from(normal(other, other_place)) == own_normal
                     && part.triangles.contains(&index(other))
                     && (run.triangles.contains(&index(other))
                         || run.colour == mesh.triangle_colour(index(other)))
