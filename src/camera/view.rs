@@ -163,6 +163,14 @@ impl View {
         self.viewport.ndc_to_px(ndc)
     }
 
+    /// How many pixels wide a length across the line of sight looks at a world point; `None` where it lies beside or
+    /// behind the eye.
+    pub(crate) fn px_across(&self, length: f64, point_world: DVec3) -> Option<f64> {
+        let w = (self.camera.lens()).w(self.camera.to_view(point_world).z);
+        let px = |aside| self.px_of(DVec2::new(aside, 0.0), w).x;
+        (w > 0.0).then(|| px(length) - px(0.0))
+    }
+
     /// Where the picture shows a world point; see [`Camera::project`].
     pub fn project(&self, point_world: DVec3) -> Option<Projected> {
         self.camera.project(self.viewport, point_world)

@@ -12,8 +12,9 @@ mod completions;
 mod contract;
 mod doctor;
 mod error;
+mod freed;
 mod list;
-mod memory;
+
 mod pick;
 mod render;
 mod signals;
@@ -133,7 +134,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
 }
 
 fn run_command(cli: &Cli) -> Result<(), CliError> {
-    memory::give_back_freed();
+    freed::give_back();
     signals::clean_up_on_signals();
     match &cli.command {
         Some(Command::Render(args)) => render::run(args),

@@ -59,7 +59,7 @@ fn rows_are_added_taken_out_and_selected_in_a_range() {
     assert_eq!(all(&window), ["middle", "back"]);
     control(&window, "2 objects");
     control(&window, "object 2 first");
-    control(&window, "together 0 triangles");
+    control(&window, "shapes");
     // What was selected first is taken out: the other one takes its place.
     let at = row_of(&window, "middle");
     click_with(&mut window, CTRL, at);

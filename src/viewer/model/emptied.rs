@@ -5,7 +5,6 @@ use super::{
     state::State,
 };
 use crate::{camera::View, geometry::Section};
-use glam::DVec2;
 
 /// What leaves the picture empty.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,11 +32,10 @@ impl State {
 
     /// Whether all that is visible looks less than `px` wide, as a ball about it would. A scene of one point has no size.
     fn is_within(&self, px: f64) -> bool {
-        let (bounds, view) = (self.scene.visible_bounds(), self.view);
-        let radius = bounds.radius();
-        let w = (view.camera.lens()).w(view.camera.to_view(bounds.center()).z);
-        let across = |aside: f64| view.px_of(DVec2::new(aside, 0.0), w).x;
-        radius > 0.0 && w > 0.0 && across(radius) - across(-radius) < px
+        let bounds = self.scene.visible_bounds();
+        let diameter = 2.0 * bounds.radius();
+        let looks = (self.view).px_across(diameter, bounds.center());
+        diameter > 0.0 && looks.is_some_and(|looks| looks < px)
     }
 
     /// The lens with near and far fitted to the scene.

@@ -30,12 +30,8 @@ pub(in crate::viewer) fn grid_step(state: &State) -> Option<f64> {
         return None;
     }
     let lines = ground(&bounds, state.up_axis(), view);
-    let w = (view.camera.lens()).w(view.camera.to_view(bounds.center()).z);
     // Nearer to each other than pixels, lines are not seen as such.
-    let are_apart = |step: &f64| {
-        let across = |aside: f64| view.px_of(DVec2::new(aside, 0.0), w).x;
-        w <= 0.0 || across(*step) - across(0.0) > 1.0
-    };
+    let are_apart = |step: &f64| (view.px_across(*step, bounds.center())).is_none_or(|px| px > 1.0);
     (step(bounds.radius()).filter(are_apart))
         .filter(|_| lines.iter().any(|line| is_in_picture(view, line)))
 }
@@ -90,6 +86,7 @@ pub(super) fn ground(bounds_world: &Aabb, up_axis: UpAxis, view: &View) -> Vec<L
         let off = libm::hypot(along[0] - middle[0], along[1] - middle[1]) / radius;
         ((FADES[1] - off) / (FADES[1] - FADES[0])).clamp(0.0, 1.0)
     };
+    let place = |along: [f64; 2]| right * along[0] + front * along[1] + up * level;
     let mut all = Vec::new();
     // Lines across one axis run along the other.
     for (across, run) in [(0, 1), (1, 0)] {
@@ -106,10 +103,9 @@ pub(super) fn ground(bounds_world: &Aabb, up_axis: UpAxis, view: &View) -> Vec<L
             let end = |part: i32| {
                 let mut along = [index * step; 2];
                 along[run] = middle[run] + reach * (f64::from(2 * part) / f64::from(PARTS) - 1.0);
-                let at = right * along[0] + front * along[1] + up * level;
                 #[expect(clippy::cast_possible_truncation, reason = "of a colour")]
                 let opacity = (most * fade(along)) as f32;
-                (at, opacity)
+                (place(along), opacity)
             };
             let ends: Vec<_> = (0..=PARTS).map(end).collect();
             for (&(from, at_from), &(to, at_to)) in ends.iter().zip(&ends[1..]) {
@@ -125,14 +121,13 @@ pub(super) fn ground(bounds_world: &Aabb, up_axis: UpAxis, view: &View) -> Vec<L
             }
         }
     }
-    let place = |along: DVec2| right * along.x + front * along.y + up * level;
     all.extend(origins_foot(step, place, AXIS_OPACITY * fade([0.0; 2])));
     all
 }
 
 /// A ring around the origin's foot, where the lines of two axes cross. `place` is where a point of the ground lies in
 /// the world.
-fn origins_foot(step: f64, place: impl Fn(DVec2) -> DVec3, opacity: f64) -> Vec<Line> {
+fn origins_foot(step: f64, place: impl Fn([f64; 2]) -> DVec3, opacity: f64) -> Vec<Line> {
     /// Its radius, in steps of the grid.
     const RADIUS: f64 = 0.15;
     const SIDES: u32 = 24;
@@ -141,7 +136,7 @@ fn origins_foot(step: f64, place: impl Fn(DVec2) -> DVec3, opacity: f64) -> Vec<
     }
     let at = |i: u32| {
         let turn = f64::from(i) / f64::from(SIDES) * std::f64::consts::TAU;
-        place(RADIUS * step * DVec2::new(libm::cos(turn), libm::sin(turn)))
+        place([libm::cos(turn), libm::sin(turn)].map(|side| RADIUS * step * side))
     };
     #[expect(clippy::cast_possible_truncation, reason = "of a colour")]
     let opacity = [opacity as f32; 2];

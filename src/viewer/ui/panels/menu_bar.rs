@@ -100,6 +100,13 @@ fn opened(
     }
 }
 
+/// An open menu of these items.
+fn opened_items(ui: &mut Ui, items: &[Item], shown: &Shown, commands: &mut Vec<Command>) {
+    opened(ui, items.len(), commands, |ui, commands| {
+        lines(ui, items, shown, commands);
+    });
+}
+
 /// About how many lines a menu has.
 fn line_count(menu: &Menu, shown: &Shown) -> usize {
     let items: usize = (menu.groups.iter())
@@ -171,11 +178,7 @@ fn submenu(
     shown: &Shown,
     commands: &mut Vec<Command>,
 ) {
-    let opens = ui.menu_button(name, |ui| {
-        opened(ui, items.len(), commands, |ui, commands| {
-            lines(ui, items, shown, commands);
-        });
-    });
+    let opens = ui.menu_button(name, |ui| opened_items(ui, items, shown, commands));
     opens.response.hint(names_of(items));
 }
 
@@ -335,11 +338,7 @@ fn tool(ui: &mut Ui, shown: &Shown, tool: &Tool, with_name: bool, commands: &mut
         }
         Tool::Group(name, _, items) => {
             let menu = MenuButton::from_button(dressed(button(None)));
-            let (opens, _) = menu.ui(ui, |ui| {
-                opened(ui, items.len(), commands, |ui, commands| {
-                    lines(ui, items, shown, commands);
-                });
-            });
+            let (opens, _) = menu.ui(ui, |ui| opened_items(ui, items, shown, commands));
             (opens.named(name)).hint(hint(names_of(items)));
         }
     }

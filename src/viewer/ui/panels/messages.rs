@@ -122,6 +122,7 @@ fn hint(state: &State) -> Option<(&'static str, [String; 2], Vec<Command>)> {
     let (by, actions) = state.emptied()?;
     let by_section = "Nothing in view: the section cuts everything away";
     let by_planes = "Nothing in view: no object is between near and far";
+    let frame_all = as_in_menus(&Action::FrameAll.into());
     let own = |name: &str, hint: &str| [name, hint].map(str::to_owned);
     let (text, button) = match by {
         EmptiedBy::Section => {
@@ -132,14 +133,8 @@ fn hint(state: &State) -> Option<(&'static str, [String; 2], Vec<Command>)> {
             let hint = "move the planes so that they hold all that shows";
             (by_planes, own("Fit near and far", hint))
         }
-        EmptiedBy::Pose => {
-            let button = as_in_menus(&Action::FrameAll.into());
-            ("Nothing in view", button)
-        }
-        EmptiedBy::Distance => {
-            let button = as_in_menus(&Action::FrameAll.into());
-            ("The scene is smaller than two pixels here", button)
-        }
+        EmptiedBy::Pose => ("Nothing in view", frame_all),
+        EmptiedBy::Distance => ("The scene is smaller than two pixels here", frame_all),
     };
     let actions = actions.into_iter().chain([Action::Release]);
     Some((text, button, actions.map(Command::Act).collect()))

@@ -132,10 +132,16 @@ fn shape(state: &State, selection: Option<&Selection>, sums: &Sums) -> String {
     let scene = state.scene();
     let Some(Selection { object, others, .. }) = selection else {
         let objects = count_of(scene.objects().len(), "object");
-        return format!("{objects}, {} triangles", scene.triangle_count());
+        return match scene.triangle_count() {
+            0 => objects,
+            triangles => format!("{objects}, {triangles} triangles"),
+        };
     };
     if !others.is_empty() {
-        return format!("together {} triangles", sums.triangles);
+        return match sums.triangles {
+            0 => "shapes".to_owned(),
+            triangles => format!("together {triangles} triangles"),
+        };
     }
     let shape = &scene.objects()[*object].shape;
     match shape.triangles() {

@@ -8,7 +8,7 @@
 /// From here on each block of 4 MiB or more goes back to the system when it is freed. By itself, glibc raises this
 /// size up to 32 MiB as such blocks are freed; what is then freed below smaller blocks that live on stays with the
 /// program: 90 of the 490 MB that a picture of a noisy scan of two million triangles takes.
-pub(super) fn give_back_freed() {
+pub(super) fn give_back() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
     // SAFETY: it sets a number of the allocator, under the allocator's own lock.
     unsafe {
@@ -18,7 +18,7 @@ pub(super) fn give_back_freed() {
 
 #[cfg(all(test, target_os = "linux", target_env = "gnu"))]
 mod tests {
-    use super::give_back_freed;
+    use super::give_back;
     use std::{fs, hint::black_box};
 
     fn resident_mb() -> f64 {
@@ -32,7 +32,7 @@ mod tests {
     /// then glibc would keep such blocks.
     #[test]
     fn blocks_below_others_are_given_back() {
-        give_back_freed();
+        give_back();
         let large = || black_box(vec![1_u8; 20 << 20]);
         drop(large());
         let before = resident_mb();
