@@ -1,13 +1,18 @@
 //! Chooses the part of a scene that rays are tested against: all of it, or what the rays through one tile of the
 //! picture may meet, found once per tile.
 
+use super::Primitive;
 use crate::{
     camera::View,
     geometry::{Entry, LocalRay, PixelRays, Placement, Pyramid, WorldRay},
     scene::{Scene, Shape},
 };
 use glam::{DVec2, dvec2};
-use std::ops::{ControlFlow, Range};
+use std::{
+    cell::RefCell,
+    collections::HashMap,
+    ops::{ControlFlow, Range},
+};
 
 /// Above this many batches, each ray finds its own faster in the tree over the scene.
 const MOST_BATCHES: usize = 8;
@@ -20,6 +25,8 @@ pub(crate) struct Beam<'a> {
     pub scene: &'a Scene,
     /// `None` for all of the scene's.
     batches: Option<Vec<(&'a Range<usize>, Option<Entry>)>>,
+    /// Of surfaces that one of the rays met: whether the two lie in one plane. Most rays meet those of the one before.
+    in_one_plane: RefCell<HashMap<[Primitive; 2], bool>>,
 }
 
 impl<'a> Beam<'a> {
@@ -28,13 +35,22 @@ impl<'a> Beam<'a> {
         Self {
             scene,
             batches: None,
+            in_one_plane: RefCell::default(),
         }
     }
 
     /// The rays through a rectangle of pixels, given by its corners in pixels.
     pub fn of_tile(scene: &'a Scene, rays: &PixelRays, tile: [DVec2; 2]) -> Self {
-        let batches = batches(scene, &CornerRays::new(rays, tile));
-        Self { scene, batches }
+        Self {
+            batches: batches(scene, &CornerRays::new(rays, tile)),
+            ..Self::whole(scene)
+        }
+    }
+
+    /// Whether two flat surfaces lie in one plane, which is decided once for all rays.
+    pub(super) fn in_one_plane(&self, of: [Primitive; 2], decide: impl FnOnce() -> bool) -> bool {
+        let mut known = self.in_one_plane.borrow_mut();
+        *known.entry(of).or_insert_with(decide)
     }
 
     /// Calls `visit` with every batch that the ray, one of the beam's, may meet, and where to enter the mesh's tree if

@@ -104,7 +104,7 @@ pub struct SceneHit {
 }
 
 /// An object, or a triangle of its mesh. Its order is that by which ties are decided.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 struct Primitive {
     object: usize,
     /// By its number in the mesh.

@@ -53,10 +53,10 @@ pub(super) fn nearest(
         let placement = &scene.objects()[batch.start].placement;
         let local = &placement.local_ray(ray);
         let found = in_batch(scene, batch, entry, &local.until(limit), sides, |found| {
-            after.is_none_or(|after| order(scene, ray, found, after).is_gt())
+            after.is_none_or(|after| order(beam, ray, found, after).is_gt())
                 && is_kept(scene, ray, found)
         });
-        best = lesser(scene, ray, best, found);
+        best = lesser(beam, ray, best, found);
         if let Some(best) = &best {
             limit = best.limit();
         }
@@ -74,7 +74,7 @@ pub fn closest_by<'a>(
     triangle: TriangleTest,
     shape: Option<ShapeTest>,
 ) -> Option<SceneHit> {
-    let ray = &ray.into();
+    let (ray, beam) = (&ray.into(), &Beam::whole(scene));
     let (mut best, mut limit) = (None, ray.t_max);
     scene.visit_batches(ray, |batch| {
         let first = &scene.objects()[batch.start];
@@ -94,7 +94,7 @@ pub fn closest_by<'a>(
                 is_kept(scene, ray, found)
             }),
         };
-        best = lesser(scene, ray, best, found);
+        best = lesser(beam, ray, best, found);
         if let Some(best) = &best {
             limit = best.limit();
         }
@@ -108,30 +108,32 @@ pub type ShapeTest = fn(&Object, &Ray) -> Option<Hit>;
 
 /// All hits of a world-space ray on the visible objects, from front to back.
 pub fn all<'a>(scene: &Scene, ray: impl Into<WorldRay<'a>>, sides: Sides) -> Vec<SceneHit> {
-    all_near(&Beam::whole(scene), &ray.into(), sides, |_, _| true)
+    all_near(&Beam::whole(scene), &ray.into(), sides, |_| |_: &SceneHit| true)
 }
 
-/// Those of [`all`] hits for which `is_near(hit, nearest)` holds, and the nearest itself, in order.
-pub(crate) fn all_near(
+/// Those of [`all`] hits that are near the nearest, by what `near_to` makes of it, and the nearest itself, in order.
+pub(crate) fn all_near<F: Fn(&SceneHit) -> bool>(
     beam: &Beam,
     ray: &WorldRay,
     sides: Sides,
-    is_near: impl Fn(&SceneHit, &SceneHit) -> bool,
+    near_to: impl FnOnce(&SceneHit) -> F,
 ) -> Vec<SceneHit> {
-    let scene = beam.scene;
     let mut all = unordered(beam, ray, sides);
-    let Some(first) = all.iter().copied().min_by(|a, b| order(scene, ray, a, b)) else {
+    let Some(first) = all.iter().copied().min_by(|a, b| order(beam, ray, a, b)) else {
         return all;
     };
-    all.retain(|hit| *hit == first || is_near(hit, &first));
+    let is_near = near_to(&first);
+    all.retain(|hit| *hit == first || is_near(hit));
     // Many hits may share the first one's `t`. They are ordered by name alone.
     let (mut here, mut others): (Vec<_>, Vec<_>) =
-        (all.into_iter()).partition(|hit| is_same_t(scene, &first, hit));
+        (all.into_iter()).partition(|hit| is_same_t(beam, &first, hit));
     here.sort_unstable_by(by_name);
-    others.sort_unstable_by(|a, b| order(scene, ray, a, b));
-    here.append(&mut others);
-    // Merges the two sorted runs.
-    here.sort_by(|a, b| order(scene, ray, a, b));
+    if !others.is_empty() {
+        others.sort_unstable_by(|a, b| order(beam, ray, a, b));
+        here.append(&mut others);
+        // Merges the two sorted runs.
+        here.sort_by(|a, b| order(beam, ray, a, b));
+    }
     here
 }
 
@@ -230,13 +232,13 @@ pub(super) fn is_tied(scene: &Scene, ray: &WorldRay, sides: Sides, hit: &SceneHi
 }
 
 fn lesser(
-    scene: &Scene,
+    beam: &Beam,
     ray: &WorldRay,
     a: Option<SceneHit>,
     b: Option<SceneHit>,
 ) -> Option<SceneHit> {
     match (a, b) {
-        (Some(a), Some(b)) if order(scene, ray, &b, &a).is_lt() => Some(b),
+        (Some(a), Some(b)) if order(beam, ray, &b, &a).is_lt() => Some(b),
         (a, b) => a.or(b),
     }
 }

@@ -1,6 +1,6 @@
 //! Which of two hits comes first: ties are decided here, in exact arithmetic.
 
-use super::SceneHit;
+use super::{Beam, SceneHit};
 use crate::{
     geometry::{
         Corners, Mesh, Parameter, Square, Surface, WorldRay, are_in_one_plane, compare_surfaces,
@@ -12,8 +12,8 @@ use glam::DVec3;
 use std::cmp::Ordering;
 
 /// The order of two hits of a ray: by `t`, then object, then triangle, then front before back.
-pub(super) fn order(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
-    by_t(scene, ray, a, b).then_with(|| by_name(a, b))
+pub(super) fn order(beam: &Beam, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
+    by_t(beam, ray, a, b).then_with(|| by_name(a, b))
 }
 
 /// [`order`] of hits at one `t`.
@@ -43,7 +43,7 @@ pub(super) fn gap(
     (hit, t): (&SceneHit, &Parameter),
     next: &SceneHit,
 ) -> f64 {
-    if is_same_t(scene, hit, next) {
+    if is_same_t(&Beam::whole(scene), hit, next) {
         return 0.0;
     }
     let behind = parameter(scene, ray, next).behind(t);
@@ -59,39 +59,50 @@ pub(super) fn parameter<'a>(
     Parameter::new(ray, surface(scene, hit))
 }
 
-fn by_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
+fn by_t(beam: &Beam, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
     if a.overlaps(b) {
-        by_exact_t(scene, ray, a, b)
+        by_exact_t(beam, ray, a, b)
     } else {
         a.hit.t.total_cmp(&b.hit.t)
     }
 }
 
 #[cold]
-fn by_exact_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
-    if is_same_t(scene, a, b) {
+fn by_exact_t(beam: &Beam, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
+    if is_same_t(beam, a, b) {
         return Ordering::Equal;
     }
-    compare_surfaces(ray, &surface(scene, a), &surface(scene, b))
+    let [a, b] = [a, b].map(|hit| surface(beam.scene, hit));
+    compare_surfaces(ray, &a, &b)
 }
 
 /// Whether two hits of one ray have the same `t` because of what was hit: the same surface, or two coplanar ones. This
 /// is cheaper than comparing their parameters.
-pub(super) fn is_same_t(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
+pub(super) fn is_same_t(beam: &Beam, a: &SceneHit, b: &SceneHit) -> bool {
     if !a.overlaps(b) {
         return false;
     }
-    match (flat_of_hit(scene, a), flat_of_hit(scene, b)) {
-        (Some(a), Some(b)) => are_in_one_plane(&a, &b),
-        (None, None) => are_alike(scene, a.object, b.object) && a.hit.front == b.hit.front,
-        _ => false,
+    let scene = beam.scene;
+    if are_alike(scene, a.object, b.object) {
+        return a.hit.front == b.hit.front;
+    }
+    let flats = [a, b].map(|hit| flat_of_hit(scene, hit));
+    let [Some(flat_a), Some(flat_b)] = &flats else {
+        return false;
+    };
+    let decide = || are_in_one_plane(flat_a, flat_b);
+    if flat_a.shares_space(flat_b) {
+        decide()
+    } else {
+        beam.in_one_plane([a.primitive(), b.primitive()], decide)
     }
 }
 
 /// Whether two objects, neither a mesh, are the same shape under the same placement.
 fn are_alike(scene: &Scene, a: usize, b: usize) -> bool {
     let [a, b] = [a, b].map(|object| &scene.objects()[object]);
-    a.shape.kind() == b.shape.kind() && a.placement == b.placement
+    let is_mesh = matches!(a.shape, Shape::Mesh { .. });
+    !is_mesh && a.shape.kind() == b.shape.kind() && a.placement == b.placement
 }
 
 fn flat_of_hit<'a>(scene: &'a Scene, hit: &SceneHit) -> Option<Corners<'a>> {

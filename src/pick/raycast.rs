@@ -65,9 +65,9 @@ pub fn raycast_ndc_until(
     deadline: Instant,
 ) -> Option<Image<Pixel>> {
     let (rays, lens) = (&observer.rays(), observer.camera.lens());
-    let (camera, beam) = (&ndc.of.camera, &Beam::whole(scene));
+    let camera = &ndc.of.camera;
     let (back, normals) = (ndc.back(&scene.visible_bounds()), ndc.normals());
-    let seen = |ray: &WorldRay| {
+    let seen = |beam: &Beam, ray: &WorldRay| {
         let hit = nearest(beam, ray, observer.sides, None)?;
         let p_view = camera.to_view(ray.at(hit.hit.t));
         let depth = observer.camera.to_view(ndc.of_view(p_view)).z;
@@ -77,10 +77,12 @@ pub fn raycast_ndc_until(
         });
         Some((id(scene, &hit), colour.0, depth))
     };
+    let seen = &seen;
     in_time(observer, deadline, |_| {
-        |px| {
+        let beam = Beam::whole(scene);
+        move |px| {
             let ray = ndc.ray(&rays.ray(px), back);
-            let (id, colour, depth) = (ray.and_then(|ray| seen(&ray)))
+            let (id, colour, depth) = (ray.and_then(|ray| seen(&beam, &ray)))
                 .unwrap_or_else(|| (Id::default(), behind(observer, background, px), lens.far));
             #[expect(clippy::cast_possible_truncation, reason = "as depth is stored")]
             let depth = lens.ndc_depth(depth) as f32;

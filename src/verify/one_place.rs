@@ -131,9 +131,10 @@ impl<'a> Places<'a> {
         let (scene, view) = (self.surfaces.scene, self.surfaces.space.view());
         let reach = Reach::new(&self.surfaces, ray, px);
         // Filter: most hits lie too far behind.
-        let is_near =
-            |hit: &SceneHit, first: &SceneHit| reach.nearness(hit)[0] >= reach.nearness(first)[1];
-        let hits = pick::all_near(beam, ray, view.sides, is_near);
+        let hits = pick::all_near(beam, ray, view.sides, |first| {
+            let (reach, least) = (&reach, reach.nearness(first)[1]);
+            move |hit: &SceneHit| reach.nearness(hit)[0] >= least
+        });
         let Some((first, near)) = hits.split_first() else {
             return Vec::new();
         };

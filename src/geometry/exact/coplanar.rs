@@ -12,7 +12,7 @@ use glam::DVec3;
 
 /// Whether two triangles lie in one plane of the world; the first must have an area.
 pub(crate) fn are_in_one_plane(a: &Corners, b: &Corners) -> bool {
-    if a.placement == b.placement && a.origin == b.origin {
+    if a.shares_space(b) {
         return are_coplanar(a.corners, b.corners);
     }
     let plane = OnePlane(a, b);

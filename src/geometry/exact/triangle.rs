@@ -34,6 +34,11 @@ impl<'a> Corners<'a> {
         }
     }
 
+    /// Whether both have their corners about one origin of one object space.
+    pub fn shares_space(&self, other: &Self) -> bool {
+        self.origin == other.origin && self.placement == other.placement
+    }
+
     pub fn is_finite(&self) -> bool {
         self.origin.is_finite() && self.corners.iter().all(|corner| corner.is_finite())
     }
