@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_2;
 
 /// An invertible affine model matrix with its inverse: translation, rotation, non-uniform scale, mirroring
 /// and shear alike.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Placement {
     pub(super) model: DAffine3,
     pub(super) inverse_linear: DMat3,
@@ -17,6 +17,13 @@ pub struct Placement {
     pub(super) error: f64,
     mirrors: bool,
     pub(super) is_identity: bool,
+}
+
+impl PartialEq for Placement {
+    /// The model matrix alone: all else follows from it.
+    fn eq(&self, other: &Self) -> bool {
+        self.model == other.model
+    }
 }
 
 /// Why a model matrix was refused.
