@@ -108,7 +108,9 @@ pub type ShapeTest = fn(&Object, &Ray) -> Option<Hit>;
 
 /// All hits of a world-space ray on the visible objects, from front to back.
 pub fn all<'a>(scene: &Scene, ray: impl Into<WorldRay<'a>>, sides: Sides) -> Vec<SceneHit> {
-    all_near(&Beam::whole(scene), &ray.into(), sides, |_| |_: &SceneHit| true)
+    all_near(&Beam::whole(scene), &ray.into(), sides, |_| {
+        |_: &SceneHit| true
+    })
 }
 
 /// Those of [`all`] hits that are near the nearest, by what `near_to` makes of it, and the nearest itself, in order.
