@@ -37,7 +37,7 @@ fn hits_are_marked(view: Key, object: &str) {
     let bare = window.picture().expect("a picture");
     click(&mut window, at);
     window.send([Event::PointerGone]);
-    let pick = |window: &Window| window.state().selection()?.pick.as_ref()?.hit.clone();
+    let pick = |window: &Window| window.state().picked().cloned();
     assert!(pick(&window).is_some_and(|hit| hit.front));
     assert_eq!(selected(&window), Some(object));
     let front = window.picture().expect("a picture");

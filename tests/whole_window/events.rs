@@ -23,9 +23,7 @@ fn a_click_picks_the_pixel_under_it_at_every_scale() {
             "{at}"
         );
         assert_eq!(
-            state
-                .selection()
-                .and_then(|selection| selection.pick.clone()?.hit),
+            state.picked().cloned(),
             pick::pick(state.scene(), state.view(), at)
         );
     }
@@ -108,8 +106,7 @@ fn a_double_click_on_what_is_picked_keeps_it() {
     window.wait_s(1.0);
     let twice = [true, false, true, false].map(|down| button(MIDDLE, PointerButton::Primary, down));
     window.send(twice);
-    let pick = window.state().selection().and_then(|it| it.pick.clone());
-    let hit = pick.and_then(|pick| pick.hit).expect("the cube");
+    let hit = window.state().picked().expect("the cube");
     assert_eq!((hit.object.as_str(), hit.front), ("front", true));
 }
 

@@ -60,7 +60,7 @@ fn keys_step_through_the_ray() {
     press_key(&mut window, Modifiers::SHIFT, Key::N);
     seen.push(selected(&window).expect("picked").to_owned());
     assert_eq!(seen, ["front", "middle", "middle", "back", "middle"]);
-    let keys = [Key::Y, Key::D, Key::W, Key::L, Key::X];
+    let keys = [Key::G, Key::Y, Key::D, Key::W, Key::L, Key::X];
     for (overlay, key) in Overlay::ALL.into_iter().zip(keys) {
         let shows = window.state().overlays().shows(overlay);
         press_key(&mut window, Modifiers::NONE, key);

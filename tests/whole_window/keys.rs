@@ -126,9 +126,9 @@ fn shortcuts_work_from_wherever_tab_leads() {
     for _ in 0..6 {
         press_key(&mut window, NONE, Key::Tab);
         seen.extend(focused(&window).map(str::to_owned));
-        let before = window.state().grid();
+        let before = window.state().overlays();
         press_key(&mut window, NONE, Key::G);
-        assert_ne!(window.state().grid(), before, "at {seen:?}");
+        assert_ne!(window.state().overlays(), before, "at {seen:?}");
     }
     assert_eq!(seen.len(), 6, "{seen:?}");
     // Enter and Space press the button that has the focus; Esc takes the focus away.
@@ -392,9 +392,9 @@ fn the_help_is_searched() {
     // The words are forgotten. What is typed at once goes into the field, and does nothing else.
     press_key(&mut window, NONE, Key::H);
     assert_eq!(rows(&window), [true; 3]);
-    let grid = window.state().grid();
+    let grid = window.state().overlays();
     window.send_at_once(vec![press(Key::G), Event::Text("grid".into())]);
-    assert_eq!(window.state().grid(), grid);
+    assert_eq!(window.state().overlays(), grid);
     assert!(
         rows(&window) == [false; 3]
             && has_control(

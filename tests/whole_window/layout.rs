@@ -176,11 +176,11 @@ fn all_of_the_menus_can_be_reached_at_any_width() {
     // What is in a menu works.
     let (mut window, _folder) = row(1.0);
     window.resize(px([640, 400], 1.0));
-    let before = window.state().grid();
+    let before = window.state().overlays();
     click_on(&mut window, "View");
     click_on(&mut window, "Overlays");
     click_on(&mut window, "Grid");
-    assert_ne!(window.state().grid(), before);
+    assert_ne!(window.state().overlays(), before);
 }
 
 /// The controls of the panels, and where each is.

@@ -286,7 +286,8 @@ fn selected(window: &Window) -> Option<&str> {
 
 /// The pixel position at which the selection was picked.
 fn picked_px(window: &Window) -> Option<DVec2> {
-    Some(window.state().selection()?.pick.as_ref()?.px)
+    let hits = window.state().hits()?;
+    hits.pick().map(|_| hits.px)
 }
 
 fn here(path: &str) -> PathBuf {

@@ -283,6 +283,6 @@ fn the_menu_s_picks_are_measured() {
     menus::open_menu(&mut window, MIDDLE);
     click_on(&mut window, "Pick this point");
     assert_eq!(selected(&window), Some("front"));
-    let hits = window.state().hits().map(|hits| hits.at);
+    let hits = window.state().hits().and_then(|hits| hits.at);
     assert_eq!(hits, Some(0), "the nearest again");
 }

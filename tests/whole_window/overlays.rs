@@ -101,15 +101,17 @@ fn a_box_in_ndc_has_its_corners_where_the_camera_projects_them() {
     let seen = state.pane_view(Stage::Ndc).expect("a view");
     let origin = four::rects(&window)[3].min;
     let origin = DVec2::new(origin.x.into(), origin.y.into());
-    let corners = state.scene().bounds_of(1).corners().into_iter();
-    let shown = corners.filter(|corner| {
+    let objects = 0..state.scene().objects().len();
+    let boxes = objects.map(|object| state.scene().bounds_of(object));
+    let shown = boxes.flat_map(|bounds| bounds.corners()).filter(|corner| {
         let drawn = state.ndc().drawn(*corner).expect("behind near");
         let at = seen.project(drawn).expect("in front").px + origin;
         let [before, now] = [&bare, &boxed].map(|picture| about_pixel(picture, at));
         turned(&before, &now, look::BOXES.0)
     });
-    // The others are behind objects.
-    assert!(shown.count() >= 4);
+    // The others are behind objects and names.
+    let shown = shown.count();
+    assert!(shown >= 12, "{shown} of 24");
 }
 
 /// Where an object shows in the window, with room for its outline.
@@ -262,3 +264,16 @@ fn an_overlay_without_lines_says_why() {
     press_key(&mut window, none, Key::D);
     assert_eq!(window.messages().count(), 0);
 }
+
+/// Edges that are dense in the picture fade. Then the window says so, lest the wireframe look broken.
+#[test]
+fn it_is_said_that_dense_edges_fade() {
+    for (side, is_dense) in [(10, false), (250, true)] {
+        let (mut window, _folder, _) = stalls::opened(side);
+        let says = |window: &Window| has_control(window, DENSE);
+        press_key(&mut window, Modifiers::NONE, Key::W);
+        assert_eq!(says(&window), is_dense, "{side}");
+        press_key(&mut window, Modifiers::NONE, Key::W);
+    }
+}
+const DENSE: &str = "most edges are closer together than pixels, and fade: come nearer";

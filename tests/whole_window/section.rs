@@ -31,9 +31,7 @@ fn a_cut_solid_shows_and_picks_its_inside() {
         "{seen:?} for {inside:?}"
     );
     click(&mut window, pos2(590.5, 385.5));
-    let selection = window.state().selection().expect("a selection");
-    let hit = selection.pick.as_ref().and_then(|pick| pick.hit.as_ref());
-    let hit = hit.expect("a hit");
+    let hit = window.state().picked().expect("a hit");
     assert_eq!((hit.object.as_str(), hit.front), ("front", false));
     assert!(
         (hit.point_world.z - 1.5).abs() < 1e-12,

@@ -79,6 +79,12 @@ fn a_typed_number_counts_before_files_are_added() {
     window.drop_file(folder.path().join("other.toml"));
     assert_eq!(window.state().scene().objects().len(), 6);
     assert_eq!(x(&window), 0.25);
+    // Each is a step of its own.
+    press_key(&mut window, CTRL, Key::Z);
+    assert_eq!(window.state().scene().objects().len(), 3);
+    assert_eq!(x(&window), 0.25);
+    press_key(&mut window, CTRL, Key::Z);
+    assert_eq!(x(&window), 0.0);
 }
 
 /// A text that is no number is left as Enter leaves it: red, and the number before stays in force.

@@ -49,10 +49,11 @@ fn a_pick_is_always_what_its_own_view_finds() {
     let (mut state, mut own, mut earlier) = (front_view(), 0, 0);
     for action in actions {
         state.apply(action);
-        let pick = state.selection().and_then(|it| it.pick.clone());
         // A click on nothing keeps its ray too, but picks nothing.
         let ray = state.pick_ray().filter(|ray| !ray.picks.is_empty());
-        assert_eq!(ray.map(RayHits::line), pick, "{action:?}");
+        assert_eq!(ray.and_then(RayHits::pick), state.picked(), "{action:?}");
+        let object = state.picked().map(|pick| pick.id - 1);
+        assert!(object.is_none() || object == state.selected(), "{action:?}");
         let Some(ray) = ray else { continue };
         let found = pick::pick_all(state.scene(), &ray.view, ray.px);
         assert_eq!(ray.picks, found, "{action:?}");

@@ -87,7 +87,7 @@ fn an_object_behind_another_keeps_its_own_pick() {
     );
     let pick = state.picked().expect("its back, still");
     assert_eq!((pick.object.as_str(), pick.front), ("middle", false));
-    assert_eq!(state.hits().map(|hits| hits.at), Some(3));
+    assert_eq!(state.hits().and_then(|hits| hits.at), Some(3));
 }
 
 #[test]

@@ -115,10 +115,8 @@ fn switching_back_leaving_or_opening_a_file_restores_the_default() {
     assert_eq!((selected(&state), state.method()), (None, broken.swap()));
     state.apply(Action::PickBy(None));
     assert_eq!((selected(&state), state.method()), (Some("Near"), None));
-    let pick = state
-        .selection()
-        .and_then(|selection| selection.pick.clone());
-    assert_eq!(pick.expect("a pick").px, MIDDLE + 0.5);
+    assert_eq!(state.picked(), state.hits().expect("a click").pick());
+    assert_eq!(state.hits().expect("a click").px, MIDDLE + 0.5);
 
     state.apply(Action::PickBy(broken.swap()));
     state.apply(Action::Views(Views::Four));
@@ -149,10 +147,7 @@ fn switching_back_leaving_or_opening_a_file_restores_the_default() {
 
 #[test]
 fn while_another_method_picks_no_pick_is_sightline_s() {
-    let pick = |state: &State| {
-        let selection = state.selection()?;
-        selection.pick.clone()
-    };
+    let pick = |state: &State| state.picked().cloned();
     let mut state = opened("stretched");
     state.apply(Action::Click(MIDDLE, 0.0));
     assert!(pick(&state).is_some());

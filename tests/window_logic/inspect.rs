@@ -31,7 +31,7 @@ fn every_surface_on_the_ray_is_listed_and_stepped_through() {
         let line = state.apply(Action::Step { forward: true });
         assert_eq!(line.expect("a pick").hit.as_ref(), Some(&hits.picks[at]));
         assert_eq!(state.picked(), Some(&hits.picks[at]));
-        assert_eq!(state.hits().map(|hits| hits.at), Some(at));
+        assert_eq!(state.hits().and_then(|hits| hits.at), Some(at));
     }
     for at in [4, 3] {
         state.apply(Action::Step { forward: false });

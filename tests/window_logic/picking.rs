@@ -19,10 +19,8 @@ fn a_click_selects_and_a_click_beside_selects_nothing() {
 }
 
 fn side(state: &State) -> (String, bool) {
-    let selection = state.selection().expect("something");
-    let pick = selection.pick.as_ref().expect("a pick");
-    let hit = pick.hit.clone().expect("a hit");
-    (hit.object, hit.front)
+    let hit = state.picked().expect("a hit");
+    (hit.object.clone(), hit.front)
 }
 
 #[test]

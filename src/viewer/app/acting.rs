@@ -19,7 +19,7 @@ impl App {
         if self.waits(&action) {
             return;
         }
-        let clicks = matches!(action, Action::Click(..));
+        let clicks = matches!(action, Action::Click(..)) && !self.state.awaits_scene();
         let was_measuring = self.state.measuring().is_on;
         let start = Instant::now();
         let (method, scene) = (self.state.method(), self.state.scene_revision());
@@ -37,7 +37,7 @@ impl App {
             };
         }
         if self.state.measuring().is_on && !was_measuring {
-            self.arrangement.show(Topic::Measure);
+            self.memory.panels.show(Topic::Measure);
         }
         if clicks {
             if self.host == Host::Window {
@@ -52,13 +52,17 @@ impl App {
         }
     }
 
-    /// Why what an action has made show cannot be seen; `None` if it can, or if the action has made nothing show.
+    /// Why what an action has made show cannot be seen, or not all of it; `None` if it can, or if the action has made
+    /// nothing show.
     fn shows_nothing(&self, action: Action) -> Option<&'static str> {
         let state = &self.state;
         match action {
             Action::Toggle(overlay) if state.overlays().shows(overlay) => match overlay {
                 Overlay::Triangle if state.picked().is_none_or(|pick| pick.triangle.is_none()) => {
                     Some("the picked triangle shows once one is picked")
+                }
+                Overlay::Wireframe if state.edges_are_dense() => {
+                    Some("most edges are closer together than pixels, and fade: come nearer")
                 }
                 Overlay::Distance if state.measuring().last_two().is_none() => {
                     Some("the distance shows once two points are picked")
@@ -88,13 +92,13 @@ impl App {
     /// Shows these views. Stages unfold the matrices; back in the picture, they are folded if they were before.
     pub(super) fn show_views(&mut self, views: Views) {
         let was_picture = self.state.views() == Views::Picture;
-        let shows = self.arrangement.shows(Topic::Matrices);
+        let shows = self.memory.panels.shows(Topic::Matrices);
         if was_picture && views != Views::Picture {
             self.matrices_showed = shows;
         }
         let is_picture = views == Views::Picture;
         if was_picture != is_picture && !self.matrices_showed && shows == is_picture {
-            self.arrangement.toggle_matrices();
+            self.memory.panels.toggle_matrices();
         }
         self.act(Action::Views(views));
     }

@@ -115,7 +115,7 @@ impl App {
             }
             Command::ToggleHelp => self.helps ^= true,
             Command::ToggleFour => self.toggle_views(),
-            Command::TogglePipeline => self.arrangement.toggle_matrices(),
+            Command::TogglePipeline => self.memory.panels.toggle_matrices(),
             Command::ShowsDepthSteps => {}
             Command::Tour(to) => self.go_on_tour(to),
             Command::NextLook => {
@@ -154,9 +154,19 @@ impl App {
         }
     }
 
-    /// Puts a text on the clipboard. Once it is there, `done` says so.
     fn copy(&mut self, text: String, done: &'static str) {
-        self.to_copy = Some((OutputCommand::CopyText(text), done));
+        self.put_on_clipboard(OutputCommand::CopyText(text), done);
+    }
+
+    /// Puts a text or a picture on the clipboard. Once it is there, `done` says so.
+    pub(super) fn put_on_clipboard(&mut self, copies: OutputCommand, done: &'static str) {
+        self.context.send_cmd(copies);
+        self.context.request_repaint();
+        self.copying = Some(done);
+        if self.host == Host::Picture {
+            // There is no clipboard that could refuse it.
+            self.was_copied(Ok(()));
+        }
     }
 
     /// What was copied is on the clipboard, or why it is not.

@@ -104,13 +104,13 @@ impl App {
             }
         }
         let mut delays = output.viewport_output.values();
-        self.is_settled =
+        self.rest.is_settled =
             delays.all(|viewport| viewport.repaint_delay > Duration::ZERO) && !self.is_busy();
-        if self.is_rough {
+        if self.rest.is_rough {
             let wait_s = if laid.moves { REST_S } else { 0.0 };
             (self.context).request_repaint_after(Duration::from_secs_f64(wait_s));
         }
-        if self.host == Host::Window && self.is_settled && self.prepare(screen) {
+        if self.host == Host::Window && self.rest.is_settled && self.prepare(screen) {
             (self.context).request_repaint_after(PREPARE_EVERY);
         }
         drawn
@@ -146,7 +146,7 @@ impl App {
             self.obey(Command::Act(action));
         }
         let underway = self.underway();
-        let arrangement = self.arrangement.clone();
+        let arrangement = self.memory.panels.clone();
         // A screenshot without panels shows no passing messages either.
         let wanted = self.screenshots.wanted;
         let is_shot = wanted.is_some_and(|(shot, _)| !shot.has_panels);
@@ -176,7 +176,7 @@ impl App {
             checking: &self.checking,
             marks: painted(&context, &self.state, &self.checking, &mut self.marks),
             statistics: &self.statistics,
-            arrangement: &mut self.arrangement,
+            arrangement: &mut self.memory.panels,
             recent: &self.memory.recent,
             look: self.memory.look,
             sums: &mut self.sums,
@@ -203,11 +203,11 @@ impl App {
             self.obey(command);
         }
         let follows_cursor =
-            self.arrangement.shows(Topic::Matrices) || !self.state.stages().is_empty();
+            self.memory.panels.shows(Topic::Matrices) || !self.state.stages().is_empty();
         let is_outdated = acted
             || (follows_cursor && cursor != self.state.cursor())
             || before != (self.state.hover(), self.state.row())
-            || arrangement != self.arrangement;
+            || arrangement != self.memory.panels;
         if is_outdated && context.current_pass_index() == 0 {
             context.request_discard("commands have changed what the panels show");
         } else if is_outdated {
@@ -215,14 +215,6 @@ impl App {
         }
         if self.underway().is_some() {
             context.request_repaint_after(PROGRESS_EVERY);
-        }
-        if let Some((copies, done)) = self.to_copy.take() {
-            context.send_cmd(copies);
-            self.copying = Some(done);
-            if self.host == Host::Picture {
-                // There is no clipboard that could refuse it.
-                self.was_copied(Ok(()));
-            }
         }
     }
 
@@ -235,7 +227,7 @@ impl App {
 
     /// Draws a pass, on a new device if the old one is lost. Then does what waited for the frame.
     fn draw(&mut self, laid: &Laid, screen: &mut impl Screen) -> Result<bool, GpuError> {
-        self.is_rough = false;
+        self.rest.is_rough = false;
         if screen.restore()? {
             self.textures.renew();
         }
@@ -257,7 +249,7 @@ impl App {
         match &updated {
             Ok(Updated { anew, rough }) => {
                 self.state.accepted();
-                self.is_rough = *rough;
+                self.rest.is_rough = *rough;
                 if *anew {
                     self.announce();
                 }

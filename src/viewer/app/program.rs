@@ -17,8 +17,8 @@ use crate::{
         options::Options,
         screen::{SceneRect, Textures},
         ui::{
-            self, Arrangement, Attempt, Command, Drag, Filter, Kind, Notice, Notices, Shot, ShotTo,
-            Statistics, Sums, Tour,
+            self, Attempt, Command, Drag, Filter, Kind, Notice, Notices, Shot, ShotTo, Statistics,
+            Sums, Tour,
         },
     },
 };
@@ -89,7 +89,6 @@ pub(in crate::viewer) struct App {
     pub helps: bool,
     /// Where in the tour the user is.
     pub tour: Option<Tour>,
-    pub arrangement: Arrangement,
     /// Whether the matrices showed before the four views did.
     pub(super) matrices_showed: bool,
     /// What is remembered from one run to the next.
@@ -114,8 +113,6 @@ pub(in crate::viewer) struct App {
     announced: u64,
     pub host: Host,
     pub statistics: Statistics,
-    /// What is to go on the clipboard, and what to say once it is there.
-    pub(super) to_copy: Option<(egui::OutputCommand, &'static str)>,
     /// What to say once the host has copied.
     pub(super) copying: Option<&'static str>,
     /// Whether the window covers all of the screen.
@@ -126,10 +123,6 @@ pub(in crate::viewer) struct App {
     pub(super) panes: Vec<(Stage, SceneRect)>,
     /// Whether the scene's picture moves or rests.
     pub rest: Rest,
-    /// Whether the scene's picture gets better at rest.
-    pub is_rough: bool,
-    /// Whether the last frame left nothing to do but that.
-    pub is_settled: bool,
     /// The user has quit.
     pub quit: bool,
 }
@@ -156,7 +149,6 @@ impl App {
             told: Vec::new(),
             helps: false,
             tour: options.tour.then(Tour::default),
-            arrangement: memory.panels.clone(),
             matrices_showed: false,
             memory,
             keeping: None,
@@ -174,14 +166,11 @@ impl App {
             announced: 0,
             host,
             statistics: Statistics::default(),
-            to_copy: None,
             copying: None,
             fills_screen: false,
             place: None,
             panes: Vec::new(),
             rest: Rest::default(),
-            is_rough: false,
-            is_settled: false,
             quit: false,
             context,
             textures: Textures::default(),

@@ -40,7 +40,6 @@ impl App {
     }
 
     fn begin_to_keep(&mut self) {
-        self.memory.panels = self.arrangement.clone();
         let file = self.options.memory.clone();
         if let (Some(file), Ok(text)) = (file, toml::to_string(&self.memory)) {
             self.keeping = Some(jobs::keep(self.keeping.take(), file, text));

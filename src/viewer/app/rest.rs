@@ -10,6 +10,10 @@ pub const REST_S: f64 = 0.15;
 pub(in crate::viewer) struct Rest {
     /// What is to be shown, and since when, in seconds of egui's clock.
     since_s: Option<((OnScreen, Vec<View>), f64)>,
+    /// Whether the picture gets better at rest.
+    pub is_rough: bool,
+    /// Whether the last frame left nothing to do but that.
+    pub is_settled: bool,
 }
 
 impl Rest {

@@ -69,7 +69,7 @@ impl App {
                 .map(|path| Some(format!("saved {}", path.display()))),
             ShotTo::Clipboard => {
                 let copies = OutputCommand::CopyImage(copy_of(&picture));
-                self.to_copy = Some((copies, "the screenshot is copied"));
+                self.put_on_clipboard(copies, "the screenshot is copied");
                 Ok(None)
             }
         });

@@ -17,7 +17,7 @@ impl App {
         self.memory.toured = true;
         self.tour = self.tour.unwrap_or_default().after(to);
         for topic in self.tour.map_or(&[][..], |tour| tour.step().2.topics) {
-            self.arrangement.show(*topic);
+            self.memory.panels.show(*topic);
         }
         if to == TourMove::Begin && !self.state.is_demo() {
             self.intend(Intent::Open(Vec::new()));
@@ -36,7 +36,7 @@ impl App {
         let done = JustDone {
             command,
             state: &self.state,
-            matrices: self.arrangement.shows(Topic::Matrices),
+            matrices: self.memory.panels.shows(Topic::Matrices),
             checking: &self.checking,
         };
         if tour.notice(&done) {

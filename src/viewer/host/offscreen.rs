@@ -106,12 +106,12 @@ impl Offscreen {
 
     /// Whether the picture on screen gets better once nothing has moved for [`REST_S`].
     pub fn is_rough(&self) -> bool {
-        self.app.is_rough
+        self.app.rest.is_rough
     }
 
     /// Whether the last frame left nothing to do but that.
     pub fn is_settled(&self) -> bool {
-        self.app.is_settled
+        self.app.rest.is_settled
     }
 
     /// Whether something is under way that will change what is shown.

@@ -1,7 +1,11 @@
 //! What a user can do to the scene and the view: the window's own event type. Tests replay it.
 
 use super::{
-    matrices::Row, measuring::MeasureAction, overlay::Overlay, stages::Stage, views::Views,
+    matrices::Row,
+    measuring::MeasureAction,
+    overlay::Overlay,
+    stages::{Stage, Views},
+    timeline::Gesture,
 };
 use crate::{
     camera::{CameraChoice, DepthMapping, UpAxis, Viewport},
@@ -86,8 +90,6 @@ pub enum Action {
     Isolate,
     /// Show every object.
     ShowAll,
-    /// Show or hide the grid with its axes.
-    ToggleGrid,
     /// Show or hide an overlay.
     Toggle(Overlay),
     /// Show the boxes of the meshes' trees one level deeper, or one level higher. Past the first or the last level,
@@ -121,17 +123,25 @@ pub enum Action {
     ToggleFreeze,
 }
 
+/// What an action means for the slide or drag before it.
+#[derive(Clone, Copy, Default)]
+pub(in crate::viewer) enum InGesture {
+    /// It ends it.
+    #[default]
+    Ends,
+    /// It may come in the middle of one.
+    Between,
+    /// It is a part of this one: with those before it, one step of undo.
+    Of(Gesture),
+}
+
 /// The rules that an action obeys.
-#[expect(
-    clippy::struct_excessive_bools,
-    reason = "an action may obey any of them"
-)]
 #[derive(Clone, Copy, Default)]
 pub(in crate::viewer) struct Rules {
     /// It makes the view leap, so undo restores the view.
     pub leaps: bool,
-    /// A slide or drag may go on after it. Any other action ends the gesture.
-    pub goes_on: bool,
+    /// Whether a slide or drag may go on after it.
+    pub gesture: InGesture,
     /// While the mouse is in one of the four views it is for that view, and not for the camera's picture.
     pub in_view: bool,
     /// It edits the scene, or takes an edit back. While files load, edits wait, unless a changed file is followed.
@@ -146,8 +156,8 @@ impl Action {
             leaps: true,
             ..none
         };
-        let goes_on = Rules {
-            goes_on: true,
+        let between = Rules {
+            gesture: InGesture::Between,
             ..none
         };
         let in_view = Rules {
@@ -160,7 +170,7 @@ impl Action {
         };
         match self {
             Self::Resize(_) | Self::Hover(_) => Rules {
-                goes_on: true,
+                gesture: InGesture::Between,
                 ..in_view
             },
             Self::BeginTurn(_)
@@ -183,21 +193,25 @@ impl Action {
                 edits: choice.section.is_some(),
                 ..leaps
             },
-            Self::Lens(_) | Self::PictureHeight(_) | Self::Pose(_) => Rules {
-                goes_on: true,
+            Self::Lens(_) | Self::PictureHeight(_) => Rules {
+                gesture: InGesture::Of(Gesture::Lens),
+                ..leaps
+            },
+            Self::Pose(_) => Rules {
+                gesture: InGesture::Of(Gesture::Pose),
                 ..leaps
             },
             Self::Section(_) => Rules {
                 leaps: true,
-                goes_on: true,
+                gesture: InGesture::Of(Gesture::Section),
                 ..edits
             },
             Self::ToggleSection => Rules {
                 leaps: true,
                 ..edits
             },
-            Self::Place(..) => Rules {
-                goes_on: true,
+            Self::Place(object, _) => Rules {
+                gesture: InGesture::Of(Gesture::Place(*object)),
                 ..edits
             },
             Self::SetVisible(..)
@@ -210,13 +224,12 @@ impl Action {
                 edits: *action != MeasureAction::Toggle,
                 ..none
             },
-            Self::Light(_) | Self::LightRow(_) | Self::Enter(_) => goes_on,
+            Self::Light(_) | Self::LightRow(_) | Self::Enter(_) => between,
             Self::Steer(_)
             | Self::StepTo(_)
             | Self::Step { .. }
             | Self::Select(_)
             | Self::ToggleSelected(_)
-            | Self::ToggleGrid
             | Self::Toggle(_)
             | Self::TreeLevel { .. }
             | Self::Views(_)
@@ -244,6 +257,15 @@ pub struct LensControls {
 }
 
 impl LensControls {
+    /// The same with near and far fitted to the scene.
+    pub(super) fn fitted(self) -> Self {
+        Self {
+            near: None,
+            far: None,
+            ..self
+        }
+    }
+
     /// The lens of a camera choice, with defaults for what it leaves open.
     pub fn of(choice: &CameraChoice) -> Self {
         Self {

@@ -12,10 +12,9 @@ use std::{fmt::Write, path::Path};
 /// command lists all surfaces.
 pub(in crate::viewer) fn pick_command(state: &State, ray: &RayHits) -> String {
     let command = pick_at(state, &ray.view, ray.px);
-    if ray.at == 0 {
-        command
-    } else {
-        format!("{command} --all-hits")
+    match ray.at {
+        None | Some(0) => command,
+        Some(_) => format!("{command} --all-hits"),
     }
 }
 
@@ -65,7 +64,7 @@ fn line(state: &State, view: &View, command: &str) -> String {
     }
     flag("near", lens.near.to_string());
     flag("far", lens.far.to_string());
-    if state.up_axis == UpAxis::Z {
+    if state.up_axis() == UpAxis::Z {
         flag("up-axis", "z".into());
     }
     if lens.depth == DepthMapping::Standard {

@@ -1,9 +1,9 @@
 //! Moving, hiding, showing and adding objects; changes to the list of measures.
 
 use super::{
+    chosen::Chosen,
     measuring::{MeasureAction, MeasuredPoint, Measuring},
-    state::{Chosen, Edit, Edits, State, UndoStep},
-    timeline::Gesture,
+    state::{Edit, Edits, State, UndoStep},
 };
 use crate::{
     geometry::{Placement, shares::in_shares},
@@ -29,15 +29,14 @@ impl State {
         let chosen = self.chosen.clone();
         let edits = self.edit(|edits| &mut edits.matrices);
         let inverse = self.make(Edit::Place(object, placement));
-        let step = UndoStep::Edited(inverse, edits, chosen);
-        self.timeline.push(Some(Gesture::Place(object)), step);
+        self.timeline.push(UndoStep::Edited(inverse, edits, chosen));
     }
 
     /// Hides all that is selected and deselects it.
     pub(super) fn hide_selection(&mut self) {
         let chosen = self.chosen.clone();
         let selected: BTreeSet<usize> = self.all_selected().collect();
-        self.chosen.selection = None;
+        self.chosen.deselect();
         self.show_with(chosen, |index| selected.contains(&index).then_some(false));
     }
 
@@ -64,12 +63,13 @@ impl State {
             return;
         }
         let inverse = self.make(Edit::Toggle(objects));
-        self.timeline
-            .push(None, UndoStep::Edited(inverse, self.edits, chosen));
+        let edits = self.edits;
+        self.timeline.push(UndoStep::Edited(inverse, edits, chosen));
     }
 
     /// Adds the objects of other files to the scene. View and selection stay.
     pub(in crate::viewer) fn add(&mut self, loaded: Loaded, paths: Vec<PathBuf>) {
+        self.timeline.begin(None);
         let chosen = self.chosen.clone();
         let mut edits = self.edit(|edits| &mut edits.objects);
         let mut source = self.source.clone();
@@ -90,8 +90,7 @@ impl State {
             .chain(loaded.scene.objects().iter());
         let scene = objects.cloned().collect();
         let inverse = self.make(Edit::Compose(scene, source));
-        self.timeline
-            .push(None, UndoStep::Edited(inverse, edits, chosen));
+        self.timeline.push(UndoStep::Edited(inverse, edits, chosen));
         self.refresh_panes();
     }
 
@@ -119,7 +118,6 @@ impl State {
         if !matches!(inverse, Edit::Place(..)) {
             self.compare_hidden();
         }
-        self.cleared = None;
         self.rearranged();
         inverse
     }
@@ -129,7 +127,7 @@ impl State {
     fn rearranged(&mut self) {
         self.visibility_revision += 1;
         self.cursor = None;
-        self.clicked_s = None;
+        self.last_click = None;
         if let Some(showing) = &mut self.showing {
             showing.compared = None;
         }
@@ -159,7 +157,7 @@ impl State {
             MeasureAction::Clear => self.measuring.list.clear(),
         }
         if self.measuring.list != list {
-            self.timeline.push(None, UndoStep::Measured(list));
+            self.timeline.push(UndoStep::Measured(list));
         }
     }
 

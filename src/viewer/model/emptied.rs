@@ -1,9 +1,6 @@
 //! Whether nothing of the scene is in the picture, why, and what brings it back.
 
-use super::{
-    action::{Action, LensControls},
-    state::State,
-};
+use super::{action::Action, state::State};
 use crate::{camera::View, geometry::Section};
 
 /// What leaves the picture empty.
@@ -38,15 +35,6 @@ impl State {
         diameter > 0.0 && looks.is_some_and(|looks| looks < px)
     }
 
-    /// The lens with near and far fitted to the scene.
-    fn fitted(&self) -> LensControls {
-        LensControls {
-            near: None,
-            far: None,
-            ..self.controls
-        }
-    }
-
     /// What leaves the picture without any of the visible objects, or with none of a size that one can see, and the
     /// actions that bring some into view. `None` if one may be seen.
     pub fn emptied(&self) -> Option<(EmptiedBy, Vec<Action>)> {
@@ -60,12 +48,12 @@ impl State {
             ..view
         };
         let fits = |view: View| {
-            let camera = self.camera_with(&self.fitted());
+            let camera = self.camera_with(&self.controls.fitted());
             camera.is_ok_and(|camera| self.may_show(&View { camera, ..view }))
         };
         let is_cut = view.section.is_some() && self.takes_sections();
         let cut_off = Action::Section(None);
-        let fit = Action::Lens(self.fitted());
+        let fit = Action::Lens(self.controls.fitted());
         let keeps = |section: Section| {
             let kept = |corner| section.side(corner) >= 0.0;
             (self.scene).any_visible(|bounds| bounds.corners().into_iter().any(kept))

@@ -22,8 +22,8 @@ pub struct RayHits {
     pub picks: Vec<Pick>,
     /// The surfaces that drawing cannot tell from the first.
     pub in_one_place: Option<InOnePlace>,
-    /// The index of the surface that is picked; meaningless when there are none.
-    pub at: usize,
+    /// The index of the surface that is picked, if one is.
+    pub at: Option<usize>,
 }
 
 /// How the view on screen shows a pick, which belongs to the view that it was made in.
@@ -55,7 +55,7 @@ impl RayHits {
     /// Casts the ray through a position and picks surface `at`, which wraps round where there are fewer.
     pub fn cast(scene: &Scene, view: View, px: DVec2, at: usize) -> Self {
         let picks = pick::pick_all(scene, &view, px);
-        let at = at % picks.len().max(1);
+        let at = at.checked_rem(picks.len());
         Self {
             view,
             px,
@@ -65,9 +65,14 @@ impl RayHits {
         }
     }
 
+    /// The surface that is picked, if one is.
+    pub fn pick(&self) -> Option<&Pick> {
+        self.picks.get(self.at?)
+    }
+
     /// How another view shows the surface that is picked; `None` where nothing is.
     pub(super) fn seen_in(&self, view: &View) -> Option<PickView> {
-        let pick = self.picks.get(self.at)?;
+        let pick = self.pick()?;
         if *view == self.view {
             return Some(PickView::Own);
         }
@@ -110,7 +115,7 @@ impl RayHits {
     pub fn line(&self) -> PickLine {
         PickLine {
             px: self.px,
-            hit: self.picks.get(self.at).cloned(),
+            hit: self.pick().cloned(),
             in_one_place: self.in_one_place.clone(),
         }
     }

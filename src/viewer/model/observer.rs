@@ -1,18 +1,17 @@
 //! The observer of one of the four views: looks at a stage from outside, and turns, pans and zooms in that view alone.
 
+use super::{action::Action, rig::Rig};
 use crate::{
     camera::{
-        Camera, DepthMapping, Framed, Framing, Lens, Orbit, Projection, UpAxis, View, Viewport,
-        fit_near_far,
+        Camera, DepthMapping, Framing, Lens, Orbit, Projection, UpAxis, View, Viewport,
+        fit_near_far, pixel_centre,
     },
     geometry::{Aabb, Sides},
 };
-use glam::{DAffine3, DVec2, DVec3};
+use glam::{DAffine3, DVec3};
 
 /// Radians: narrow enough for boxes to look like boxes.
 const FOV_Y: f64 = 0.6;
-/// Radians of orbit for a pixel of drag.
-pub(super) const TURN_PER_PX: f64 = 0.008;
 /// The share of a view that framed points fill: labels need the rest.
 const FILLED: f64 = 0.8;
 /// The points that a view frames.
@@ -21,12 +20,8 @@ pub(super) type Points = [DVec3; 17];
 /// An observer, in the right-handed space that its stage is drawn in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Observer {
-    orbit: Orbit,
-    up_axis: UpAxis,
+    rig: Rig,
     pub viewport: Viewport,
-    /// What dragging turns about.
-    pivot: DVec3,
-    pan_depth: f64,
     /// What is framed, until the user moves the view: a resize frames it again.
     framed: Option<Points>,
 }
@@ -35,11 +30,8 @@ impl Observer {
     /// Looks at points from a direction, given in the up axis's frame: right, up, towards the viewer.
     pub fn new(up_axis: UpAxis, from: DVec3, points: &Points, viewport: Viewport) -> Self {
         let mut observer = Self {
-            orbit: Orbit::new(up_axis, from),
-            up_axis,
+            rig: Rig::new(Orbit::new(up_axis, from), up_axis),
             viewport,
-            pivot: DVec3::ZERO,
-            pan_depth: 1.0,
             framed: None,
         };
         observer.frame(points);
@@ -48,14 +40,46 @@ impl Observer {
 
     /// Shows all of these points from the present direction, as large as they fit.
     pub fn frame(&mut self, points: &Points) {
-        self.orbit.frame(points, &framing(self.viewport));
-        self.pivot = points.bounds().center();
-        self.pan_depth = self.orbit.distance();
+        self.rig.frame(points, &framing(self.viewport));
         self.framed = Some(*points);
     }
 
-    /// Gives the view this size.
-    pub fn resize(&mut self, viewport: Viewport) {
+    /// Whether it has not moved since it was framed.
+    pub fn is_untouched(&self) -> bool {
+        self.framed.is_some()
+    }
+
+    /// Does what the mouse does in this view. `hit` is what the cursor is on.
+    pub fn act(&mut self, action: Action, hit: Option<DVec3>) {
+        let Some(camera) = self.camera() else { return };
+        let point = |px| {
+            let ray = camera.ray(self.viewport, px);
+            self.rig.point(hit, &camera, &ray)
+        };
+        match action {
+            Action::BeginTurn(_) => return self.rig.begin_turn(hit),
+            Action::BeginPan(px) => {
+                let point = point(px);
+                return self.rig.begin_pan(point, &camera);
+            }
+            Action::Resize(viewport) => return self.resize(viewport),
+            Action::Turn(by_px) => self.rig.turn(by_px),
+            Action::Pan(by_px) => self.rig.pan(by_px, &LENS, self.viewport),
+            Action::Zoom(px, factor) => {
+                let point = point(pixel_centre(px));
+                self.rig.orbit.zoom(point, factor);
+            }
+            // The direction is in the stage's own space.
+            Action::LookFrom(to_eye) => {
+                let frame = self.rig.up_axis.frame();
+                self.rig.look_from(frame.transpose() * to_eye);
+            }
+            _ => return,
+        }
+        self.framed = None;
+    }
+
+    fn resize(&mut self, viewport: Viewport) {
         if viewport != self.viewport {
             self.viewport = viewport;
             if let Some(points) = self.framed {
@@ -64,52 +88,8 @@ impl Observer {
         }
     }
 
-    /// Whether it has not moved since it was framed.
-    pub fn is_untouched(&self) -> bool {
-        self.framed.is_some()
-    }
-
-    /// Looks from a direction that is given in the stage's own space, such as that of an axis.
-    pub fn look_from(&mut self, to_eye: DVec3) {
-        let direction = self.up_axis.frame().transpose() * to_eye;
-        self.orbit.look_from(self.up_axis, direction);
-        self.framed = None;
-    }
-
-    /// Begins a turn about `at`, or about the last pivot.
-    pub fn begin_turn(&mut self, at: Option<DVec3>) {
-        self.pivot = at.unwrap_or(self.pivot);
-    }
-
-    pub fn turn(&mut self, by_px: DVec2) {
-        let [yaw, pitch] = [-by_px.x, by_px.y].map(|px| px * TURN_PER_PX);
-        self.orbit.turn(self.pivot, yaw, pitch);
-        self.framed = None;
-    }
-
-    /// Begins a pan in which `at` follows the cursor.
-    pub fn begin_pan(&mut self, at: Option<DVec3>) {
-        if let (Some(at), Some(camera)) = (at, self.camera()) {
-            self.pan_depth = camera.to_view(at).z;
-        }
-    }
-
-    pub fn pan(&mut self, by_px: DVec2) {
-        (self.orbit).pan(by_px, self.pan_depth, &LENS, self.viewport);
-        self.framed = None;
-    }
-
-    /// Zooms towards `at`, or else towards the point at `px` that is as deep as the target.
-    pub fn zoom(&mut self, px: DVec2, at: Option<DVec3>, factor: f64) {
-        let Some(camera) = self.camera() else { return };
-        let ray = camera.ray(self.viewport, px);
-        let at = at.unwrap_or_else(|| ray.at(self.orbit.distance()));
-        self.orbit.zoom(at, factor);
-        self.framed = None;
-    }
-
     fn camera(&self) -> Option<Camera> {
-        self.orbit.camera(LENS).ok()
+        self.rig.orbit.camera(LENS).ok()
     }
 
     /// The view in the space of the scene that is drawn. `to_scene`, a rotation and a translation, leads to that space.

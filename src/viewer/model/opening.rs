@@ -2,16 +2,18 @@
 
 use super::{
     action::LensControls,
+    chosen::Chosen,
+    in_gallery::Showing,
     measuring::Measuring,
     on_screen::Seen,
     ortho_height::OrthoHeight,
     overlay::Overlays,
-    showing::Showing,
-    state::{Chosen, Edit, Edits, Filed, Source, State, UndoStep, Viewpoint},
+    rig::Rig,
+    state::{Edit, Edits, Filed, Source, State, UndoStep, Viewpoint},
     timeline::Timeline,
 };
 use crate::{
-    camera::{CameraChoice, CameraError, Orbit, View, Viewport},
+    camera::{CameraChoice, CameraError, View, Viewport},
     geometry::Sides,
     scene::Loaded,
 };
@@ -31,7 +33,7 @@ impl State {
         let section = loaded.scene.section(choice.section.unwrap_or_default());
         let section = section.ok().flatten();
         let up_axis = choice.up_axis.unwrap_or_default();
-        let orbit = Orbit::of_camera(&camera, up_axis);
+        let rig = Rig::of_camera(&camera, up_axis);
         let controls = LensControls::of(&choice);
         Ok(Self {
             hides_others: false,
@@ -44,10 +46,9 @@ impl State {
             opened_at: None,
             replaced: None,
             outside: None,
-            orbit,
-            up_axis,
+            rig,
             controls,
-            ortho: OrthoHeight::chosen(&choice, &orbit),
+            ortho: OrthoHeight::chosen(&choice, &rig.orbit),
             view: View {
                 camera,
                 viewport,
@@ -55,14 +56,11 @@ impl State {
                 section,
             },
             seen: Seen::Wanted,
-            pivot_world: orbit.target(),
-            pan_depth: orbit.distance(),
             chosen: Chosen::default(),
             cursor: None,
             lit: None,
-            clicked_s: None,
+            last_click: None,
             measuring: Measuring::default(),
-            cleared: None,
             section_off: None,
             source: Source {
                 paths: Vec::new(),
@@ -71,7 +69,6 @@ impl State {
             document: 0,
             edits: Edits::default(),
             timeline: Timeline::default(),
-            grid: true,
             overlays: Overlays::default(),
             frozen: None,
             panes: None,
@@ -133,12 +130,12 @@ impl State {
     fn exchange(&mut self, mut other: Box<Self>) -> Box<Self> {
         other.scene_revision = self.scene_revision + 1;
         other.visibility_revision = self.visibility_revision + 1;
-        (other.grid, other.overlays) = (self.grid, self.overlays);
+        other.overlays = self.overlays;
         other.panes = self.panes.take();
         // The picture on screen is still of the scene before.
         other.seen = self.seen;
         other.measuring.is_on = self.measuring.is_on;
-        (other.cursor, other.lit, other.clicked_s) = (None, None, None);
+        (other.cursor, other.lit, other.last_click) = (None, None, None);
         mem::swap(self, &mut *other);
         self.resize(other.view.viewport);
         self.fit();
@@ -176,9 +173,8 @@ impl State {
         // The choices made a valid camera before; other bounds or another viewport cannot change that.
         if let Ok(camera) = self.opened_with.resolve(&self.scene, self.view.viewport) {
             self.controls = LensControls::of(&self.opened_with);
-            self.orbit = Orbit::of_camera(&camera, self.up_axis);
-            self.ortho = OrthoHeight::chosen(&self.opened_with, &self.orbit);
-            self.pivot_world = self.orbit.target();
+            self.rig = Rig::of_camera(&camera, self.rig.up_axis);
+            self.ortho = OrthoHeight::chosen(&self.opened_with, &self.rig.orbit);
             self.view.camera = camera;
         }
     }

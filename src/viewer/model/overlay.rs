@@ -3,6 +3,8 @@
 /// Something shown over the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overlay {
+    /// The grid on the ground, with axes.
+    Grid,
     /// The triangle under the pick, with its corners and barycentrics.
     Triangle,
     /// The distance between the last two picks.
@@ -17,7 +19,8 @@ pub enum Overlay {
 
 impl Overlay {
     /// All of them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
+        Self::Grid,
         Self::Triangle,
         Self::Distance,
         Self::Wireframe,
@@ -25,9 +28,9 @@ impl Overlay {
         Self::Boxes,
     ];
 
-    /// Whether it is drawn with the scene, and not by the panels over the picture.
-    fn is_in_scene(self) -> bool {
-        !matches!(self, Self::Triangle | Self::Distance)
+    /// Whether it is drawn with the scene, for what is selected. The panels draw the pick's over the picture.
+    fn is_of_selection(self) -> bool {
+        !matches!(self, Self::Grid | Self::Triangle | Self::Distance)
     }
 }
 
@@ -43,7 +46,7 @@ pub struct Overlays {
 impl Default for Overlays {
     fn default() -> Self {
         Self {
-            shown: 1 << Overlay::Triangle as u32,
+            shown: 1 << Overlay::Grid as u32 | 1 << Overlay::Triangle as u32,
             tree_level: None,
         }
     }
@@ -72,10 +75,11 @@ impl Overlays {
         Self { tree_level, ..self }
     }
 
-    /// Whether any overlay that shows is drawn with the scene.
-    pub(in crate::viewer) fn in_scene(self) -> bool {
+    /// Whether any that shows is drawn with the scene, for what is selected.
+    pub(in crate::viewer) fn are_of_selection(self) -> bool {
         let mut all = Overlay::ALL.into_iter();
-        all.any(|overlay| self.shows(overlay) && overlay.is_in_scene()) || self.tree_level.is_some()
+        let shows = all.any(|overlay| self.shows(overlay) && overlay.is_of_selection());
+        shows || self.tree_level.is_some()
     }
 }
 

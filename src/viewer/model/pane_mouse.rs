@@ -3,8 +3,9 @@
 use super::{
     action::Action,
     hits::RayHits,
+    last_click::Cleared,
     stages::Stage,
-    state::{Cleared, Cursor, DOUBLE_CLICK_S, State},
+    state::{Cursor, State},
 };
 use crate::{
     camera::{Projected, pixel_centre},
@@ -74,7 +75,8 @@ impl State {
                     .filter(|(_, pick)| pick.id == object + 1 && off(pick) <= most)
                     .min_by(|(_, a), (_, b)| off(a).total_cmp(&off(b)));
                 if let Some((at, _)) = there {
-                    return self.take_hits(RayHits { at, ..hits });
+                    let at = Some(at);
+                    return Some(self.take_hits(RayHits { at, ..hits }));
                 }
             }
         }
@@ -85,42 +87,27 @@ impl State {
         None
     }
 
-    /// Whether a click is on the same pixel of the same view as the one before, and not the second of a double click.
-    fn clicks_again(&mut self, stage: Stage, px: DVec2, time_s: f64) -> bool {
-        let view = self.pane_view(stage);
-        let at = view.map(|view| (stage, pixel_centre(px), view));
-        let Some(panes) = &mut self.panes else {
-            return false;
-        };
-        let same = at.is_some() && std::mem::replace(&mut panes.clicked_at, at) == at;
-        same && (panes.clicked_s).is_some_and(|last_s| time_s - last_s > DOUBLE_CLICK_S)
-    }
-
-    /// Before a click on nothing, keeps what the click will clear. The second click of a double click leaves what the
-    /// first one kept.
-    fn keep_cleared(&mut self, time_s: f64, is_on_nothing: bool) {
-        let kept = is_on_nothing.then(|| Cleared {
+    /// Before a click on nothing clears: keeps what it will clear, in case it begins a double click.
+    fn keep_cleared(&mut self) {
+        let cleared = Cleared {
             chosen: self.chosen.clone(),
             points: self.measuring.points.clone(),
             point: self.panes.as_ref().and_then(|panes| panes.point),
-        });
-        let Some(panes) = &mut self.panes else { return };
-        let last_s = panes.clicked_s.replace(time_s);
-        let is_second = last_s.is_some_and(|last_s| time_s - last_s <= DOUBLE_CLICK_S);
-        if !(is_second && is_on_nothing && self.cleared.is_some()) {
-            self.cleared = kept;
+        };
+        if let Some(click) = &mut self.last_click {
+            click.cleared.get_or_insert(cleared);
         }
     }
 
     /// After a double click: restores what its first click cleared.
     fn restore_cleared(&mut self) {
-        let Some(kept) = self.cleared.take() else {
+        let Some(cleared) = self.last_click.take().and_then(|click| click.cleared) else {
             return;
         };
-        self.chosen = kept.chosen;
-        self.measuring.points = kept.points;
+        self.chosen = cleared.chosen;
+        self.measuring.points = cleared.points;
         if let Some(panes) = &mut self.panes {
-            panes.point = kept.point;
+            panes.point = cleared.point;
         }
     }
 
@@ -137,12 +124,15 @@ impl State {
         match action {
             Action::Click(px, time_s) => {
                 let point = self.pane_point(stage, px);
-                let again = self.clicks_again(stage, px, time_s);
-                self.keep_cleared(time_s, point.is_none());
+                let view = self.pane_view(stage)?;
+                let again = self.clicks_again(&(Some(stage), pixel_centre(px), view), time_s);
                 match point {
                     Some(_) if again && self.pick_ray().is_some() => return self.step(true),
                     Some((object, point)) => return self.pick_point(object, point),
-                    None => self.select(None),
+                    None => {
+                        self.keep_cleared();
+                        self.select(None);
+                    }
                 }
             }
             Action::ClickAlso(px) => {
@@ -168,17 +158,7 @@ impl State {
             Action::ResetView => self.frame_pane(stage),
             _ => {
                 let panes = self.panes.as_mut()?;
-                let observer = &mut panes.observers[stage as usize];
-                match action {
-                    Action::Resize(viewport) => observer.resize(viewport),
-                    Action::BeginTurn(_) => observer.begin_turn(hit),
-                    Action::Turn(by_px) => observer.turn(by_px),
-                    Action::BeginPan(_) => observer.begin_pan(hit),
-                    Action::Pan(by_px) => observer.pan(by_px),
-                    Action::Zoom(px, factor) => observer.zoom(pixel_centre(px), hit, factor),
-                    Action::LookFrom(direction) => observer.look_from(direction),
-                    _ => {}
-                }
+                panes.observers[stage as usize].act(action, hit);
             }
         }
         None

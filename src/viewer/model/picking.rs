@@ -1,11 +1,13 @@
 //! Clicks, the cursor, and the surfaces on a click's ray; in the gallery, clicks picked by a method of the study.
 
 use super::{
+    chosen::Chosen,
     hits::{PickView, RayHits},
+    in_gallery::Compared,
+    last_click::{LastClick, Place},
     measuring::MeasuredPoint,
     on_screen::Seen,
-    showing::Compared,
-    state::{Chosen, Cursor, DOUBLE_CLICK_S, Selection, State},
+    state::{Cursor, State},
 };
 use crate::{
     camera::{View, pixel_centre},
@@ -14,20 +16,25 @@ use crate::{
     study::swap::Swap,
 };
 use glam::DVec2;
-use std::sync::Arc;
 
 impl State {
     /// Selects what lies at a pixel: the nearest surface, or, for another click on the same pixel of the same picture,
     /// the next one behind. The second click of a double click selects the nearest again.
-    pub(super) fn click(&mut self, px: DVec2, time_s: f64) -> Option<PickLine> {
+    pub(super) fn click(&mut self, px: DVec2, time_s: f64) -> PickLine {
         let px = pixel_centre(px);
         let view = self.clicked_view();
-        let same = |hits: &&RayHits| (hits.px, hits.view) == (px, view);
-        let again =
-            (self.clicked_s.replace(time_s)).is_some_and(|last_s| time_s - last_s > DOUBLE_CLICK_S);
-        let behind = self.hits().filter(same).filter(|_| again);
-        let at = behind.map_or(0, |hits| hits.at + 1);
+        let again = self.clicks_again(&(None, px, view), time_s);
+        let last = self.hits().and_then(|hits| hits.at).filter(|_| again);
+        let at = last.map_or(0, |at| at + 1);
         self.take_hits(RayHits::cast(&self.scene, view, px, at))
+    }
+
+    /// Notes a click. Returns whether it is on the same pixel of the same view as the click before, and not the second
+    /// of a double click.
+    pub(super) fn clicks_again(&mut self, place: &Place, time_s: f64) -> bool {
+        let (click, is_again) = LastClick::after(self.last_click.take(), place, time_s);
+        self.last_click = Some(click);
+        is_again
     }
 
     /// Adds the object at a pixel to what is selected, or takes it out. In the gallery, only while Sightline's own
@@ -46,7 +53,7 @@ impl State {
     pub fn pick_ray(&self) -> Option<&RayHits> {
         let ray = self.hits()?;
         let counts = match self.selection() {
-            Some(selection) => selection.pick.is_some(),
+            Some(_) => ray.at.is_some(),
             None => ray.picks.is_empty() && ray.view == self.view,
         };
         counts.then_some(ray)
@@ -73,19 +80,10 @@ impl State {
     }
 
     /// Makes one of a ray's surfaces the pick.
-    pub(super) fn take_hits(&mut self, hits: RayHits) -> Option<PickLine> {
+    pub(super) fn take_hits(&mut self, hits: RayHits) -> PickLine {
         let line = hits.line();
-        let object = line.hit.as_ref().map(|hit| hit.id - 1);
-        let pick = Some(line);
-        let select = |object| Selection {
-            object,
-            others: Arc::default(),
-            pick: pick.clone(),
-        };
-        self.chosen.selection = object.map(select);
         // While clicks snap, the point that is measured is known later.
-        let measured = pick.as_ref().filter(|_| !self.measuring.is_on);
-        if let Some(hit) = measured.and_then(|line| line.hit.as_ref()) {
+        if let Some(hit) = line.hit.as_ref().filter(|_| !self.measuring.is_on) {
             let last = self.measuring.points.last();
             if last.map(|last| last.point_world) != Some(hit.point_world) {
                 self.measuring.take(MeasuredPoint {
@@ -96,21 +94,30 @@ impl State {
                 });
             }
         }
-        self.chosen.hits = Some(hits);
-        pick
+        self.chosen = Chosen {
+            hits: Some(hits),
+            ..Chosen::object(line.hit.as_ref().map(|hit| hit.id - 1))
+        };
+        line
     }
 
     /// Picks another surface on the last click's ray, counted from the front.
     pub(super) fn step_to(&mut self, at: usize) -> Option<PickLine> {
         let hits = (self.chosen.hits).take_if(|hits| at < hits.picks.len())?;
-        self.take_hits(RayHits { at, ..hits })
+        let at = Some(at);
+        Some(self.take_hits(RayHits { at, ..hits }))
     }
 
     /// Picks the next surface on the last click's ray, or the one before, in a ring.
     pub(super) fn step(&mut self, forward: bool) -> Option<PickLine> {
         let hits = self.hits().filter(|hits| !hits.picks.is_empty())?;
-        let count = hits.picks.len();
-        self.step_to((hits.at + if forward { 1 } else { count - 1 }) % count)
+        let last = hits.picks.len() - 1;
+        self.step_to(match (hits.at, forward) {
+            (Some(at), true) if at < last => at + 1,
+            (_, true) => 0,
+            (None | Some(0), false) => last,
+            (Some(at), false) => at - 1,
+        })
     }
 
     /// A view with near and far fitted to the scene as it is now.
@@ -123,16 +130,10 @@ impl State {
 
     /// Adds to the pick what the file says about it.
     pub(in crate::viewer) fn learn(&mut self, in_file: &InFile) {
-        let Some(hit) = self.chosen.picked_mut() else {
-            return;
-        };
-        hit.in_file = in_file.clone();
-        let name = (hit.id, hit.triangle);
         if let Some(hits) = &mut self.chosen.hits
-            && let Some(pick) = hits.picks.get_mut(hits.at)
-            && (pick.id, pick.triangle) == name
+            && let Some(at) = hits.at
         {
-            pick.in_file = in_file.clone();
+            hits.picks[at].in_file = in_file.clone();
         }
     }
 
@@ -148,17 +149,12 @@ impl State {
             self.refitted(old.view)
         };
         let mut hits = RayHits::cast(&self.scene, view, old.px, 0);
-        if let Some(selection) = &mut self.chosen.selection {
-            // The object's first hit that is front or back as the old one was, else its first hit.
-            let of_selected = |pick: &Pick| pick.id == selection.object + 1;
-            let before = old.picks.get(old.at).filter(|pick| of_selected(pick));
-            let front = before.is_none_or(|pick| pick.front);
-            let alike = |pick: &Pick| of_selected(pick) && pick.front == front;
-            let mut picks = hits.picks.iter();
-            let now = (picks.position(alike)).or_else(|| hits.picks.iter().position(of_selected));
-            hits.at = now.unwrap_or(0);
-            selection.pick = now.map(|_| hits.line());
-        }
+        // The object's first hit that is front or back as the old one was, else its first hit.
+        let of_selected = |pick: &Pick| Some(pick.id - 1) == self.selected();
+        let front = old.pick().is_none_or(|pick| pick.front);
+        let alike = |pick: &Pick| of_selected(pick) && pick.front == front;
+        let mut picks = hits.picks.iter();
+        hits.at = (picks.position(alike)).or_else(|| hits.picks.iter().position(of_selected));
         self.chosen.hits = Some(hits);
     }
 
@@ -169,14 +165,15 @@ impl State {
         };
         showing.method = method;
         let compared = showing.compared.take().map(|compared| compared.px);
-        let px = compared.or_else(|| Some(self.selection()?.pick.as_ref()?.px));
+        let picked = self.hits().filter(|hits| hits.at.is_some());
+        let px = compared.or_else(|| Some(picked?.px));
         match px {
             Some(px) if self.method().is_some() => self.compare(px),
             Some(px) => drop(self.click(px, 0.0)),
             None => {}
         }
         // The next click there picks the nearest surface again.
-        self.clicked_s = None;
+        self.last_click = None;
     }
 
     /// A click by the method that is set. The object that it finds is selected, right or wrong, but not as a pick of

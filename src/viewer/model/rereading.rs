@@ -1,15 +1,13 @@
 //! The files on screen are read again: what stays.
 
 use super::{
+    chosen::Chosen,
     filed::shown_in,
+    in_gallery::Showing,
     made::{Made, is_same},
-    showing::Showing,
-    state::{Chosen, State},
+    state::State,
 };
-use crate::{
-    pick::Pick,
-    scene::{Loaded, obj::InFile},
-};
+use crate::scene::{Loaded, obj::InFile};
 use std::collections::BTreeSet;
 
 impl State {
@@ -50,7 +48,7 @@ impl State {
         self.scene_revision += 1;
         self.visibility_revision += 1;
         (self.cursor, self.lit) = (None, None);
-        (self.cleared, self.clicked_s) = (None, None);
+        self.last_click = None;
         if let Some(showing) = &mut self.showing {
             showing.compared = None;
         }
@@ -61,10 +59,9 @@ impl State {
 
     /// Forgets what files have said about picks: the same face may stand on another line now.
     fn ask_files_again(&mut self) {
-        let forget = |pick: &mut Pick| pick.in_file = InFile::default();
-        self.chosen.picked_mut().into_iter().for_each(forget);
-        let on_ray = (self.chosen.hits.iter_mut()).flat_map(|hits| &mut hits.picks);
-        on_ray.for_each(forget);
+        for pick in (self.chosen.hits.iter_mut()).flat_map(|hits| &mut hits.picks) {
+            pick.in_file = InFile::default();
+        }
     }
 }
 

@@ -31,7 +31,7 @@ impl State {
 
     /// Whether the scene as it is has yet to be drawn: on screen is another one, or this one before objects were added.
     /// Then a click picks nothing, since the user has not seen what is there.
-    pub(super) fn awaits_scene(&self) -> bool {
+    pub(in crate::viewer) fn awaits_scene(&self) -> bool {
         match self.seen {
             Seen::Wanted => false,
             Seen::Picture(seen) => seen.scene_revision != self.scene_revision,

@@ -1,12 +1,15 @@
 //! Selecting one object or several, and what is asked of all that is selected.
 
-use super::state::{Chosen, Selection, State};
+use super::{
+    chosen::{Chosen, Selection},
+    state::State,
+};
 use crate::{
     colour::Srgb,
     geometry::{Aabb, OnTriangle},
-    scene::Shape,
+    scene::{Object, Shape},
 };
-use std::{collections::BTreeSet, iter, mem, sync::Arc};
+use std::{collections::BTreeSet, mem, sync::Arc};
 
 impl State {
     /// Indices of all that is selected: the object that was selected first, then the others in order.
@@ -26,6 +29,24 @@ impl State {
             Some(_) => self.scene.bounds_among(self.all_selected()),
             None => self.scene.visible_bounds(),
         }
+    }
+
+    /// Whether most edges of triangles that a wireframe shows are so close in the picture that they fade: as many
+    /// triangles as what is selected has, or else all of the scene, side by side in its picture.
+    pub(in crate::viewer) fn edges_are_dense(&self) -> bool {
+        /// The wireframe's shader has faded edges by 1.5 pixels, and begins at 14.
+        const FADED_PX: f64 = 4.0;
+        let objects = self.scene.objects();
+        let triangles = |object: &Object| object.shape.triangles().map_or(0, |all| all.len());
+        let count: usize = match self.selected() {
+            Some(_) => self.all_selected().map(|of| triangles(&objects[of])).sum(),
+            None => self.scene.triangle_count(),
+        };
+        let bounds = self.bounds_of_selection();
+        let across = (self.view).px_across(2.0 * bounds.radius(), bounds.center());
+        #[expect(clippy::cast_precision_loss, reason = "about a spacing")]
+        let least = FADED_PX * (count as f64).sqrt();
+        across.is_some_and(|px| px < least)
     }
 
     /// The name, where the file gives one, and the colour of the picked surface, at the pick. Where no surface is picked,
@@ -79,7 +100,7 @@ impl State {
 
     /// Selects all of these objects. What was selected first stays first, with its picked point, if it is among them.
     pub(in crate::viewer) fn select_all(&mut self, objects: &BTreeSet<usize>) {
-        self.timeline.end_gesture();
+        self.timeline.begin(None);
         if self
             .selected()
             .is_none_or(|first| !objects.contains(&first))
@@ -91,24 +112,5 @@ impl State {
         }
         self.chosen.add(objects.clone());
         self.refresh_panes();
-    }
-}
-
-impl Selection {
-    /// The object that was selected first, then the others in order.
-    pub fn all(&self) -> impl Iterator<Item = usize> {
-        let others = self.others.iter().copied();
-        iter::once(self.object).chain(others)
-    }
-}
-
-impl Chosen {
-    /// Selects these objects, too.
-    pub(super) fn add(&mut self, objects: BTreeSet<usize>) {
-        if let Some(Selection { object, others, .. }) = &mut self.selection {
-            let others = Arc::make_mut(others);
-            others.extend(objects);
-            others.remove(object);
-        }
     }
 }

@@ -1,4 +1,4 @@
-//! The stages of the pipeline.
+//! The stages of the pipeline, and which of them the window shows.
 
 /// How far along the pipeline something is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -27,4 +27,16 @@ impl Stage {
     pub fn name(self) -> &'static str {
         Self::ALL[self as usize].1
     }
+}
+
+/// What the window shows of the scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Views {
+    /// What the scene's camera sees.
+    #[default]
+    Picture,
+    /// All stages side by side.
+    Four,
+    /// One of them, large.
+    One(Stage),
 }

@@ -1,11 +1,11 @@
 //! The four views: one scene and its one camera at each stage of the pipeline, each seen by an observer of its own.
 
 use super::{
+    four_views::Panes,
     observer::{Observer, Points},
-    stages::Stage,
+    stages::{Stage, Views},
     state::State,
     viewing::with_frustum,
-    views::{Panes, Views},
 };
 use crate::{
     camera::{NdcSpace, UpAxis, View},
@@ -65,8 +65,6 @@ impl State {
             object: None,
             alone: Scene::default(),
             alone_of: None,
-            clicked_s: None,
-            clicked_at: None,
             point: None,
         }));
         self.refresh_panes();
@@ -198,7 +196,7 @@ impl State {
         points[..8].copy_from_slice(&self.view.frustum_corners());
         points[8] = camera.eye();
         let points = points.map(|point| to_drawn.transform_point3(point));
-        let up = self.up_axis;
+        let up = self.rig.up_axis;
         let (up_axis, from, points) = match stage {
             Stage::Object => (up, DVec3::new(1.0, 0.8, 1.6), corners_of(object)),
             Stage::World => {

@@ -2,39 +2,28 @@
 
 use super::{
     action::LensControls,
+    chosen::{Chosen, Selection},
+    four_views::Panes,
     hits::{DepthSteps, RayHits},
+    in_gallery::Showing,
+    last_click::LastClick,
     matrices::Row,
-    measuring::{Entry, MeasuredPoint, Measuring},
+    measuring::{Entry, Measuring},
     on_screen::Seen,
     ortho_height::OrthoHeight,
     overlay::Overlays,
-    showing::Showing,
+    rig::Rig,
     timeline::Timeline,
-    views::Panes,
 };
 use crate::{
-    camera::{Camera, CameraChoice, Orbit, UpAxis, View},
+    camera::{Camera, CameraChoice, UpAxis, View},
     geometry::{Placement, Section, Sides},
-    pick::{Pick, PickLine},
+    pick::Pick,
     scene::{MeshFile, Scene},
     study::swap::Swap,
 };
 use glam::{DVec2, DVec3};
-use std::{collections::BTreeSet, path::PathBuf, sync::Arc};
-
-/// Two clicks that are more seconds apart are two picks, not a double click.
-pub const DOUBLE_CLICK_S: f64 = 0.3;
-
-/// What is selected.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Selection {
-    /// Index of the object; of several, of the one that was selected first.
-    pub object: usize,
-    /// Indices of the other objects.
-    pub others: Arc<BTreeSet<usize>>,
-    /// The pick that selected it; `None` when it was chosen from the list.
-    pub pick: Option<PickLine>,
-}
+use std::path::PathBuf;
 
 /// The pixel under the cursor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,47 +47,12 @@ pub struct Frozen {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Viewpoint {
     pub opened_with: CameraChoice,
-    pub orbit: Orbit,
-    pub up_axis: UpAxis,
+    pub rig: Rig,
     pub controls: LensControls,
     pub ortho: OrthoHeight,
     pub camera: Camera,
-    pub pivot_world: DVec3,
     pub section: Option<Section>,
     pub sides: Sides,
-}
-
-/// What is selected, and the ray that it was picked by.
-#[derive(Clone, Default)]
-pub(super) struct Chosen {
-    pub selection: Option<Selection>,
-    pub hits: Option<RayHits>,
-}
-
-impl Chosen {
-    /// An object without a point of it, or nothing.
-    pub fn object(object: Option<usize>) -> Self {
-        Self {
-            selection: object.map(|object| Selection {
-                object,
-                others: Arc::default(),
-                pick: None,
-            }),
-            hits: None,
-        }
-    }
-
-    /// The picked hit on the selected object.
-    pub fn picked_mut(&mut self) -> Option<&mut Pick> {
-        self.selection.as_mut()?.pick.as_mut()?.hit.as_mut()
-    }
-}
-
-/// What a click on nothing clears.
-pub(super) struct Cleared {
-    pub chosen: Chosen,
-    pub points: Vec<MeasuredPoint>,
-    pub point: Option<(usize, DVec3)>,
 }
 
 /// Which edits a scene has, visibility aside. Each edit sets a new number: equal numbers mean an equal scene.
@@ -132,7 +86,6 @@ pub(super) enum Edit {
 }
 
 /// An undo step: how things were before a change. See [`Timeline`].
-#[expect(clippy::large_enum_variant, reason = "most steps are edits")]
 pub(super) enum UndoStep {
     /// The scene was as this edit makes it, with these numbers, and that was chosen.
     Edited(Edit, Edits, Chosen),
@@ -168,24 +121,19 @@ pub struct State {
     pub(super) replaced: Option<Box<State>>,
     /// What was open before the gallery, with its edits and its history.
     pub(super) outside: Option<Box<State>>,
-    pub(super) orbit: Orbit,
-    pub(super) up_axis: UpAxis,
+    pub(super) rig: Rig,
     pub(super) controls: LensControls,
     pub(super) ortho: OrthoHeight,
     pub(super) view: View,
     /// What is on screen.
     pub(super) seen: Seen,
-    pub(super) pivot_world: DVec3,
-    pub(super) pan_depth: f64,
     pub(super) chosen: Chosen,
     pub(super) cursor: Option<Cursor>,
     /// The object whose row in a list the cursor rests on.
     pub(super) lit: Option<usize>,
-    /// When the ray in `chosen` was clicked; `None` once the next click there is to pick the nearest surface again.
-    pub(super) clicked_s: Option<f64>,
+    /// `None` once the next click is to pick the nearest surface, wherever it is.
+    pub(super) last_click: Option<LastClick>,
     pub(super) measuring: Measuring,
-    /// What a click on nothing in one of the four views has just cleared, in case it begins a double click.
-    pub(super) cleared: Option<Cleared>,
     /// The section that was turned off last.
     pub(super) section_off: Option<Section>,
     pub(super) source: Source,
@@ -196,7 +144,6 @@ pub struct State {
     pub(super) hides_others: bool,
     pub(super) filed: Filed,
     pub(super) timeline: Timeline<UndoStep>,
-    pub(super) grid: bool,
     pub(super) overlays: Overlays,
     pub(super) frozen: Option<Frozen>,
     /// The four views, while they are open.
@@ -238,7 +185,7 @@ impl State {
 
     /// Which of the world's axes points up.
     pub fn up_axis(&self) -> UpAxis {
-        self.up_axis
+        self.rig.up_axis
     }
 
     /// What is selected.
@@ -251,9 +198,9 @@ impl State {
         Some(self.selection()?.object)
     }
 
-    /// The picked hit on the selected object.
+    /// The picked surface, of the object that was selected first; `None` when that was chosen from the list.
     pub fn picked(&self) -> Option<&Pick> {
-        self.selection()?.pick.as_ref()?.hit.as_ref()
+        self.hits()?.pick()
     }
 
     /// What undo (`back`) or redo would change, in a word or two; `None` where there is nothing to undo or redo.
@@ -296,11 +243,6 @@ impl State {
         self.overlays
     }
 
-    /// Whether the grid shows.
-    pub fn grid(&self) -> bool {
-        self.grid
-    }
-
     /// The camera that was left standing in the scene. The four views show none: the world view shows the camera as it
     /// is.
     pub fn frozen(&self) -> Option<&Frozen> {
@@ -327,12 +269,10 @@ impl State {
     pub(super) fn viewpoint(&self) -> Viewpoint {
         Viewpoint {
             opened_with: self.opened_with,
-            orbit: self.orbit,
-            up_axis: self.up_axis,
+            rig: self.rig,
             controls: self.controls,
             ortho: self.ortho,
             camera: self.view.camera,
-            pivot_world: self.pivot_world,
             section: self.view.section,
             sides: self.view.sides,
         }
@@ -346,7 +286,6 @@ impl State {
     /// The depth buffer's steps at the pick, in the view of the click: the camera may have moved since.
     pub fn depth_steps(&self) -> Option<DepthSteps> {
         let hits = self.hits()?;
-        let pick = hits.picks.get(hits.at)?;
-        Some(DepthSteps::at(hits.view.camera.lens(), pick))
+        Some(DepthSteps::at(hits.view.camera.lens(), hits.pick()?))
     }
 }

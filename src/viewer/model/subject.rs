@@ -2,7 +2,7 @@
 
 use super::{
     on_screen::OnScreen,
-    overlay::Overlays,
+    overlay::{Overlay, Overlays},
     stages::Stage,
     state::{Frozen, State},
 };
@@ -76,7 +76,7 @@ impl State {
             others: self.selection().map(|selection| &selection.others),
             hover: self.hover(),
             overlays: self.overlays,
-            grid: self.grid.then_some(self.up_axis),
+            grid: (self.overlays.shows(Overlay::Grid)).then_some(self.rig.up_axis),
             frozen: self.frozen().copied(),
             lesson: None,
         }

@@ -3,9 +3,9 @@
 /// The history keeps this many steps; older ones are forgotten first.
 const MOST: usize = 256;
 
-/// A slide or a drag: all its changes are one step.
+/// A slide or a drag: all its changes are one step of undo.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Gesture {
+pub(in crate::viewer) enum Gesture {
     /// The lens is slid.
     Lens,
     /// The camera's place is dragged.
@@ -21,6 +21,8 @@ pub(super) struct Timeline<S> {
     past: Vec<S>,
     future: Vec<S>,
     gesture: Option<Gesture>,
+    /// Whether the gesture has added its step.
+    has_step: bool,
     marks: u64,
 }
 
@@ -30,6 +32,7 @@ impl<S> Default for Timeline<S> {
             past: Vec::new(),
             future: Vec::new(),
             gesture: None,
+            has_step: false,
             marks: 0,
         }
     }
@@ -43,26 +46,26 @@ impl<S> Timeline<S> {
     }
 
     /// Adds the step that takes back what was just done. Within a gesture, only the first change adds a step.
-    pub fn push(&mut self, gesture: Option<Gesture>, step: S) {
-        if gesture.is_some() && self.gesture == gesture {
+    pub fn push(&mut self, step: S) {
+        if std::mem::replace(&mut self.has_step, self.gesture.is_some()) {
             return;
         }
         self.past.push(step);
         self.future.clear();
-        self.gesture = gesture;
         if self.past.len() > MOST {
             self.past.remove(0);
         }
     }
 
-    /// The next change is a step of its own.
-    pub fn end_gesture(&mut self) {
-        self.gesture = None;
+    /// A gesture begins or goes on; `None`: the next change is a step of its own.
+    pub fn begin(&mut self, gesture: Option<Gesture>) {
+        self.has_step &= gesture.is_some() && self.gesture == gesture;
+        self.gesture = gesture;
     }
 
     /// Takes the last step, back or forth.
     pub fn take(&mut self, back: bool) -> Option<S> {
-        self.gesture = None;
+        self.begin(None);
         if back {
             self.past.pop()
         } else {

@@ -1,15 +1,12 @@
 //! What can be undone: each change leaves a step that takes it back.
 
-use super::{
-    state::{Edits, State, UndoStep, Viewpoint},
-    timeline::Gesture,
-};
+use super::state::{Edits, State, UndoStep, Viewpoint};
 use std::mem;
 
 impl State {
     /// Keeps a step back to how the view was, if it has changed. It leads back to where the view stood only if that
     /// has changed.
-    pub(super) fn record_viewpoint(&mut self, gesture: Option<Gesture>, was: &Viewpoint) {
+    pub(super) fn record_viewpoint(&mut self, was: &Viewpoint) {
         let now = self.viewpoint();
         let cut = Viewpoint {
             section: now.section,
@@ -22,7 +19,7 @@ impl State {
             UndoStep::Viewpoint(*was)
         };
         if *was != now {
-            self.timeline.push(gesture, step);
+            self.timeline.push(step);
         }
     }
 

@@ -1,12 +1,12 @@
 //! What each action does to the state.
 
 use super::{
-    action::{Action, LensControls},
+    action::{Action, InGesture, LensControls},
+    rig::Rig,
     state::State,
-    timeline::Gesture,
 };
 use crate::{
-    camera::{Camera, Orbit, pixel_centre},
+    camera::{Camera, pixel_centre},
     geometry::Sides,
     pick::PickLine,
 };
@@ -16,15 +16,11 @@ impl State {
     /// action that can be undone leaves a step that takes it back.
     pub fn apply(&mut self, action: Action) -> Option<PickLine> {
         let rules = action.rules();
-        if !rules.goes_on {
-            self.timeline.end_gesture();
+        match rules.gesture {
+            InGesture::Between => {}
+            InGesture::Ends => self.timeline.begin(None),
+            InGesture::Of(gesture) => self.timeline.begin(Some(gesture)),
         }
-        let gesture = match action {
-            Action::Lens(_) | Action::PictureHeight(_) => Some(Gesture::Lens),
-            Action::Section(_) => Some(Gesture::Section),
-            Action::Pose(_) => Some(Gesture::Pose),
-            _ => None,
-        };
         let entered = self.panes.as_ref().and_then(|panes| panes.entered);
         if let Some(stage) = entered.filter(|_| rules.in_view) {
             let picked = self.act_in(stage, action);
@@ -34,7 +30,7 @@ impl State {
         let before = rules.leaps.then(|| self.viewpoint());
         let picked = self.perform(action);
         if let Some(before) = before {
-            self.record_viewpoint(gesture, &before);
+            self.record_viewpoint(&before);
         }
         self.refresh_panes();
         picked
@@ -47,21 +43,26 @@ impl State {
             Action::Release => {}
             Action::Resize(viewport) => self.resize(viewport),
             Action::BeginTurn(px) => {
-                self.pivot_world = self.surface_at(px).unwrap_or(self.pivot_world);
+                let hit = self.surface_at(px);
+                self.rig.begin_turn(hit);
             }
             Action::Turn(by_px) | Action::Steer(by_px) => self.turn(by_px),
-            Action::BeginPan(px) => self.pan_depth = self.view.camera.to_view(self.point_at(px)).z,
+            Action::BeginPan(px) => {
+                let point_world = self.point_at(px);
+                self.rig.begin_pan(point_world, &self.view.camera);
+            }
             Action::Pan(by_px) => self.pan(by_px),
             Action::Zoom(px, factor) => {
                 // What a click there picks stays there, however far the zoom goes.
-                self.orbit.zoom(self.point_at(pixel_centre(px)), factor);
+                let point_world = self.point_at(pixel_centre(px));
+                self.rig.orbit.zoom(point_world, factor);
                 self.moved();
             }
             Action::Click(..) | Action::ClickAlso(_) | Action::Recentre(_)
                 if self.awaits_scene() => {}
             Action::ClickAlso(px) => self.click_also(px),
             Action::Click(px, _) if self.method().is_some() => self.compare(pixel_centre(px)),
-            Action::Click(px, time_s) => return self.click(px, time_s),
+            Action::Click(px, time_s) => return Some(self.click(px, time_s)),
             Action::Recentre(px) => self.recentre(px),
             Action::Hover(px) => self.cursor = px.map(|px| self.cursor_at(px)),
             Action::Light(object) => (self.lit, self.row) = (object, None),
@@ -69,13 +70,13 @@ impl State {
             Action::FrameAll => self.frame_all(),
             Action::FrameSelection => self.frame_selection(),
             Action::LookFrom(direction) => {
-                self.orbit.look_from(self.up_axis, direction);
+                self.rig.look_from(direction);
                 self.moved();
             }
             Action::ResetView => self.reset_view(),
             Action::Pose([eye, target, up]) => {
                 if let Ok(camera) = Camera::new(eye, target, up, *self.view.camera.lens()) {
-                    self.orbit = Orbit::of_camera(&camera, self.up_axis);
+                    self.rig = Rig::of_camera(&camera, self.rig.up_axis);
                     self.view.camera = camera;
                     self.fit();
                 }
@@ -87,7 +88,7 @@ impl State {
                 ..self.controls
             }),
             Action::UpAxis(up_axis) => {
-                self.up_axis = up_axis;
+                self.rig.up_axis = up_axis;
                 self.opened_with.up_axis = Some(up_axis);
                 // The reset is for the pose alone: the lens stays.
                 let controls = self.controls;
@@ -117,7 +118,6 @@ impl State {
             Action::ShowAll => self.show(|_| Some(true)),
             Action::Toggle(overlay) => self.overlays = self.overlays.toggled(overlay),
             Action::TreeLevel { deeper } => self.overlays = self.overlays.next_tree_level(deeper),
-            Action::ToggleGrid => self.grid = !self.grid,
             Action::ToggleFreeze => self.toggle_freeze(),
             Action::PickBy(method) => self.pick_by(method),
             Action::NextMethod { forward } => {

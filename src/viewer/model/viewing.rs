@@ -2,14 +2,14 @@
 
 use super::{
     action::{Action, LensControls},
-    observer::TURN_PER_PX,
     ortho_height::OrthoHeight,
+    rig::Rig,
     state::{Frozen, State, Viewpoint},
 };
 use crate::{
     camera::{
-        Camera, CameraChoice, CameraError, Framed, Framing, Lens, Orbit, Projection, SectionChoice,
-        View, check_size, fit_near_far, least_near,
+        Camera, CameraChoice, CameraError, Framed, Framing, Lens, Projection, SectionChoice, View,
+        check_size, fit_near_far, least_near,
     },
     geometry::{Aabb, Placement, PlacementError},
     pick,
@@ -65,7 +65,7 @@ impl State {
             near: self.controls.near,
             far: self.controls.far,
             depth: Some(self.controls.depth),
-            up_axis: Some(self.up_axis),
+            up_axis: Some(self.rig.up_axis),
             section: self.view.section.map(SectionChoice::Plane),
         }
     }
@@ -124,7 +124,7 @@ impl State {
         let fov_y = controls.fov_deg.to_radians();
         let mut lens = Lens {
             projection: if controls.orthographic {
-                let height = self.ortho.at(self.orbit.distance());
+                let height = self.ortho.at(self.rig.orbit.distance());
                 Projection::Orthographic { height }
             } else {
                 Projection::Perspective { fov_y }
@@ -178,12 +178,7 @@ impl State {
 
     /// The depths that fitted planes would have: the scene lies between them.
     pub fn depth_range(&self) -> (f64, f64) {
-        let fitted = LensControls {
-            near: None,
-            far: None,
-            ..self.controls
-        };
-        self.planes(&self.view, &fitted)
+        self.planes(&self.view, &self.controls.fitted())
     }
 
     /// Takes over a camera, to the bit; does nothing when it is invalid.
@@ -191,19 +186,18 @@ impl State {
         let Ok(camera) = choice.resolve(&self.scene, self.view.viewport) else {
             return;
         };
-        self.up_axis = choice.up_axis.unwrap_or(self.up_axis);
+        let up_axis = choice.up_axis.unwrap_or(self.rig.up_axis);
         self.controls = LensControls {
             // An orthographic camera has no field of view.
             fov_deg: choice.fov.unwrap_or(self.controls.fov_deg),
             ..LensControls::of(&choice)
         };
-        self.orbit = Orbit::of_camera(&camera, self.up_axis);
+        self.rig = Rig::of_camera(&camera, up_axis);
         let choice = CameraChoice {
             fov: Some(self.controls.fov_deg),
             ..choice
         };
-        self.ortho = OrthoHeight::chosen(&choice, &self.orbit);
-        self.pivot_world = self.orbit.target();
+        self.ortho = OrthoHeight::chosen(&choice, &self.rig.orbit);
         self.view.camera = camera;
         if let Some(section) = choice.section
             && self.takes_sections()
@@ -224,7 +218,8 @@ impl State {
                 // Moves to where perspective shows the target as large as it was.
                 let as_perspective = OrthoHeight::of_perspective(controls.fov_deg);
                 let nearer = as_perspective.at(1.0) / self.ortho.at(1.0);
-                self.orbit.zoom(self.orbit.target(), nearer);
+                let orbit = &mut self.rig.orbit;
+                orbit.zoom(orbit.target(), nearer);
                 return self.moved();
             }
             _ => {}
@@ -235,20 +230,19 @@ impl State {
     pub(super) fn set_picture_height(&mut self, height: f64) {
         let is_valid = self.check(&Action::PictureHeight(height)).is_ok();
         if self.controls.orthographic && is_valid {
-            self.ortho = OrthoHeight::new(height, &self.orbit);
+            self.ortho = OrthoHeight::new(height, &self.rig.orbit);
             self.fit();
         }
     }
 
     pub(super) fn turn(&mut self, by_px: DVec2) {
-        let [yaw, pitch] = [-by_px.x, by_px.y].map(|px| px * TURN_PER_PX);
-        self.orbit.turn(self.pivot_world, yaw, pitch);
+        self.rig.turn(by_px);
         self.moved();
     }
 
     pub(super) fn pan(&mut self, by_px: DVec2) {
         let (lens, viewport) = (self.view.camera.lens(), self.view.viewport);
-        self.orbit.pan(by_px, self.pan_depth, lens, viewport);
+        self.rig.pan(by_px, lens, viewport);
         self.moved();
     }
 
@@ -258,14 +252,14 @@ impl State {
         let Some(point_world) = hit.map(|hit| ray.at(hit.hit.t)) else {
             return self.frame_all();
         };
-        self.pivot_world = point_world;
+        self.rig.pivot = point_world;
         let camera = &self.view.camera;
         let distance = match camera.lens().projection {
             // The point keeps its depth, and so its size.
             Projection::Perspective { .. } => camera.to_view(point_world).z,
-            Projection::Orthographic { .. } => self.orbit.distance(),
+            Projection::Orthographic { .. } => self.rig.orbit.distance(),
         };
-        self.orbit.center_on(point_world, distance);
+        self.rig.orbit.center_on(point_world, distance);
         self.moved();
     }
 
@@ -275,21 +269,10 @@ impl State {
         Some(ray.at(self.quick_hit(&ray)?.hit.t))
     }
 
-    /// The world point that zoom and pan keep at a position of the picture: on the surface there, else as deep as the
-    /// pivot.
+    /// The world point that zoom and pan keep at a position of the picture.
     pub(super) fn point_at(&self, px: DVec2) -> DVec3 {
-        if let Some(point_world) = self.surface_at(px) {
-            return point_world;
-        }
-        let ray = self.view.ray(px);
-        let depth = self.view.camera.to_view(self.pivot_world).z;
-        // A pivot at or behind the eye has no depth to use.
-        let depth = if depth > 1e-3 * self.orbit.distance() {
-            depth
-        } else {
-            self.orbit.distance()
-        };
-        ray.at(depth / ray.direction.dot(self.view.camera.forward()))
+        let (view, hit) = (&self.view, self.surface_at(px));
+        self.rig.point(hit, &view.camera, &view.ray(px))
     }
 
     /// If near and far were set by hand and would leave nothing of a box in view, or none of the visible objects, they
@@ -333,26 +316,18 @@ impl State {
             is_parallel: self.view.camera.lens().is_orthographic(),
             filled: Framing::FILLED,
         };
-        self.orbit.frame(framed, &framing);
-        let bounds_world = framed.bounds();
+        self.rig.frame(framed, &framing);
         self.ortho = OrthoHeight::of_perspective(self.controls.fov_deg);
-        self.pivot_world = if bounds_world.is_empty() {
-            self.orbit.target()
-        } else {
-            bounds_world.center()
-        };
         self.moved();
-        self.free_planes_for(&bounds_world);
+        self.free_planes_for(&framed.bounds());
     }
 
     /// Goes back to where the view stood.
     pub(super) fn restore_viewpoint(&mut self, to: &Viewpoint) {
         self.opened_with = to.opened_with;
-        self.orbit = to.orbit;
-        self.up_axis = to.up_axis;
+        self.rig = to.rig;
         self.controls = to.controls;
         self.ortho = to.ortho;
-        self.pivot_world = to.pivot_world;
         self.view.camera = to.camera;
         self.view.section = to.section;
         self.view.sides = to.sides;
@@ -361,7 +336,7 @@ impl State {
 
     /// The orbit changed: the camera follows.
     pub(super) fn moved(&mut self) {
-        if let Ok(camera) = self.orbit.camera(*self.view.camera.lens()) {
+        if let Ok(camera) = self.rig.orbit.camera(*self.view.camera.lens()) {
             self.view.camera = camera;
         }
         self.fit();

@@ -7,7 +7,7 @@ use crate::{
     geometry::{Aabb, clip_points},
     look,
     render::Line,
-    viewer::model::State,
+    viewer::model::{Overlay, State},
 };
 use glam::{DVec2, DVec3};
 
@@ -26,7 +26,7 @@ const BELOW: f64 = 5e-3;
 /// objects included. `None` while there is no grid, or none of it is seen.
 pub(in crate::viewer) fn grid_step(state: &State) -> Option<f64> {
     let (bounds, view) = (state.scene().bounds(), state.view());
-    if !state.grid() {
+    if !state.overlays().shows(Overlay::Grid) {
         return None;
     }
     let lines = ground(&bounds, state.up_axis(), view);

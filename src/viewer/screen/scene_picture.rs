@@ -49,7 +49,7 @@ pub(super) struct ScenePicture {
     /// The picture's name among egui's textures.
     texture: Option<TextureId>,
     /// What the targets show.
-    shown: Option<Shown>,
+    held: Option<Held>,
     /// What is marked on the picture.
     marked: Option<Marked>,
     /// Pixels for a point, as the marks were drawn.
@@ -61,8 +61,8 @@ pub(super) struct ScenePicture {
     to_draw: u32,
 }
 
-/// What a picture shows, and how well.
-struct Shown {
+/// What the texture holds, and how well it shows it.
+struct Held {
     of: Drawn,
     finish: Finish,
     is_by_rays: bool,
@@ -106,14 +106,14 @@ impl ScenePicture {
     ) -> Result<Updated, GpuError> {
         let wanted = Drawn::wanted(subject, brush.renderer.background);
         let finish = self.finish(brush, subject, &wanted, moves);
-        let shown = self.shown.as_ref().filter(|shown| shown.of == wanted);
-        let anew = shown.is_none_or(|shown| shown.finish < finish);
+        let held = self.held.as_ref().filter(|held| held.of == wanted);
+        let anew = held.is_none_or(|held| held.finish < finish);
         if anew {
             self.draw(brush, subject, &wanted, finish)?;
         }
         self.mark(brush, subject);
         let best = self.finish(brush, subject, &wanted, false);
-        let rough = self.shown.as_ref().is_some_and(|shown| shown.finish < best);
+        let rough = self.held.as_ref().is_some_and(|held| held.finish < best);
         Ok(Updated { anew, rough })
     }
 
@@ -125,13 +125,13 @@ impl ScenePicture {
     /// The same, if the picture has this size.
     pub fn texture(&self, size: Viewport) -> Option<TextureId> {
         let fits = |targets: &Targets| targets.viewport == size;
-        let is_shown = self.shown.is_some() && self.targets.as_ref().is_some_and(fits);
+        let is_shown = self.held.is_some() && self.targets.as_ref().is_some_and(fits);
         self.texture.filter(|_| is_shown)
     }
 
     /// What it shows.
     pub fn on_screen(&self) -> Option<OnScreen> {
-        self.shown.as_ref().map(|shown| shown.of.on_screen())
+        self.held.as_ref().map(|held| held.of.on_screen())
     }
 
     /// The ids as they are drawn. Where the picture on screen was not drawn, but found by rays, it is drawn.
@@ -141,8 +141,8 @@ impl ScenePicture {
         subject: &Subject,
     ) -> Result<Option<Image<Id>>, GpuError> {
         let wanted = Drawn::wanted(subject, brush.renderer.background);
-        let is_drawn = |shown: &Shown| shown.of == wanted && !shown.is_by_rays;
-        if !self.shown.as_ref().is_some_and(is_drawn) {
+        let is_drawn = |held: &Held| held.of == wanted && !held.is_by_rays;
+        if !self.held.as_ref().is_some_and(is_drawn) {
             self.to_draw = self.to_draw.max(1);
             self.draw(brush, subject, &wanted, Finish::Fine)?;
         }
@@ -189,7 +189,7 @@ impl ScenePicture {
         }
         // A scene that does not fit leaves the picture before it on screen.
         self.scenes.upload(&brush.gpu, subject, &mut brush.meshes)?;
-        let before = self.shown.take();
+        let before = self.held.take();
         self.marked = None;
         self.fit(brush, view.viewport)?;
         let (Some(scene), Some(targets)) = (&self.scenes.now, &self.targets) else {
@@ -213,7 +213,7 @@ impl ScenePicture {
             let pixels = enlarged(pixels, view.viewport);
             brush.renderer.take_pixels(onto, &pixels, &lines)?;
         } else if finish == Finish::Smooth {
-            let has_ids = |shown: Shown| shown.of == *wanted && shown.finish == Finish::Fine;
+            let has_ids = |held: Held| held.of == *wanted && held.finish == Finish::Fine;
             if before.is_some_and(has_ids) {
                 brush.renderer.draw_colours(onto, &lines)?;
             } else {
@@ -229,7 +229,7 @@ impl ScenePicture {
             self.took = Some((subject.revision, again.map(|_| began.elapsed())));
             self.to_draw = self.to_draw.saturating_sub(1);
         }
-        self.shown = Some(Shown {
+        self.held = Some(Held {
             of: *wanted,
             // Pictures that are drawn are never coarse.
             finish: match by_rays {

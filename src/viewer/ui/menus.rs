@@ -488,18 +488,17 @@ fn tools() -> Menu {
 
 /// Lines around the scene and over it.
 fn overlays() -> Group {
-    let grid = item(
-        "Grid",
-        [(NONE, Key::G)],
-        Action::ToggleGrid,
-        "on the ground, with axes: x red, y green, z blue",
-    )
-    .on_if(|shown| shown.state.grid());
     let overlay = |(name, key, which, hint)| {
         let shows = move |shown: &Shown| shown.state.overlays().shows(which);
         item(name, [(NONE, key)], Action::Toggle(which), hint).on_if(shows)
     };
     let overlays = [
+        (
+            "Grid",
+            Key::G,
+            Overlay::Grid,
+            "on the ground, with axes: x red, y green, z blue",
+        ),
         (
             "Picked triangle",
             Key::Y,
@@ -553,11 +552,8 @@ fn overlays() -> Group {
         )
         .now(level),
     ];
-    let all = std::iter::once(grid)
-        .chain(overlays.map(overlay))
-        .chain(trees);
     Group {
-        items: all.collect(),
+        items: overlays.into_iter().map(overlay).chain(trees).collect(),
         name: Some(("Overlays", icons::OVERLAYS)),
     }
 }

@@ -1,4 +1,4 @@
-//! Turns mouse events into actions. The scene is a widget like any other, so egui decides who owns a gesture: a press
+//! Turns mouse events into actions. The scene is a widget like any other, so egui decides who owns a slide: a press
 //! that began on a panel never reaches the scene.
 
 use super::panels::is_hint;

@@ -22,6 +22,20 @@ pub(super) fn rimmed(colour: Color32) -> [(Color32, f32); 2] {
     [(Color32::from_black_alpha(200), 2.0), (colour, 0.0)]
 }
 
+/// What words over a picture stand on: dark under dark panels, light under light ones. 255 hides the picture below.
+pub(super) fn backing(context: &egui::Context, opacity: u8) -> Color32 {
+    match context.theme() {
+        Theme::Dark => Color32::from_black_alpha(opacity),
+        Theme::Light => Color32::from_white_alpha(opacity),
+    }
+}
+
+/// A colour of the picture, as words on a [`backing`] have it: darker on a light one.
+pub(super) fn of_words(context: &egui::Context, colour: Color32) -> Color32 {
+    let colour = Srgb([colour.r(), colour.g(), colour.b()]);
+    color32(Srgb::from_linear(background(context).over(colour)))
+}
+
 /// Whether panels are dark or light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

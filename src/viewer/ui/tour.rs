@@ -172,7 +172,7 @@ const CHAPTERS: [Chapter; 8] = [
                 "Click the egg, and then the same pixel again.",
                 "The egg is a sphere under a matrix. A ray hits it where a quadratic in t is 0: twice, once or never. The smaller root is the front; the larger one, a back face, gets a ring with a cross.",
                 |done| {
-                    let further = done.state.hits().is_some_and(|hits| hits.at > 0);
+                    let further = done.state.hits().is_some_and(|hits| hits.at > Some(0));
                     further && done.clicks_on(|shape| matches!(shape, Shape::Sphere))
                 },
             ),

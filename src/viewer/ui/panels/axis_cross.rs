@@ -53,23 +53,13 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, state: &State, commands: &mut Vec<Co
         let text = text.color(ui.visuals().strong_text_color());
         let text = Label::new(text).selectable(false);
         // Readable over every surface and background.
-        let plate = Frame::new().fill(plate(ui, 190));
+        let plate = Frame::new().fill(backing(ui.ctx(), 190));
         let plate = plate.corner_radius(3.0).inner_margin(vec2(4.0, 1.0));
         ui.scope_builder(inside, |ui| plate.show(ui, |ui| ui.add(text)).inner)
             .inner
             .on_hover_text(
                 "from one line of the ground's grid to the next, in the world's units (G hides it)",
             );
-    }
-}
-
-/// What the cross and the words beside it stand on: dark under dark panels, light under light ones. 255 hides the
-/// picture below.
-fn plate(ui: &Ui, opacity: u8) -> Color32 {
-    if ui.visuals().dark_mode {
-        Color32::from_black_alpha(opacity)
-    } else {
-        Color32::from_white_alpha(opacity)
     }
 }
 
@@ -82,7 +72,7 @@ fn middle(rect: Rect) -> Pos2 {
 pub(super) fn cross(ui: &mut Ui, rect: Rect, seen: &DMat3) -> Option<DVec3> {
     let middle = middle(rect);
     let painter = ui.painter().with_clip_rect(rect);
-    painter.circle_filled(middle, RADIUS, plate(ui, 140));
+    painter.circle_filled(middle, RADIUS, backing(ui.ctx(), 140));
     let mut clicked = None;
     for end in ends(seen, middle) {
         let response = interact(ui, rect, &end);
@@ -137,7 +127,7 @@ fn draw(ui: &Ui, painter: &Painter, middle: Pos2, end: &End, is_lit: bool) {
     if end.is_negative() {
         let radius = if is_lit { END } else { 0.6 * END };
         let edge = Stroke::new(1.5, colour);
-        painter.circle(end.at, radius, plate(ui, 140), edge);
+        painter.circle(end.at, radius, backing(ui.ctx(), 140), edge);
         of_name = colour;
     } else {
         painter.line_segment([middle, end.at], Stroke::new(2.0, colour));

@@ -98,10 +98,11 @@ fn marks(painter: &Painter, place: SceneRect, state: &State, compared: &Compared
     ];
     let mut corner = at + vec2(20.0, 14.0);
     for (text, colour) in lines {
+        let colour = of_words(painter.ctx(), colour);
         let galley = painter.layout_no_wrap(text, FontId::proportional(16.0), colour);
         let size = galley.size();
         let plate = Rect::from_min_size(corner, size).expand2(vec2(5.0, 1.0));
-        painter.rect_filled(plate, 3.0, Color32::from_black_alpha(210));
+        painter.rect_filled(plate, 3.0, backing(painter.ctx(), 210));
         painter.galley(corner, galley, colour);
         corner.y += size.y + 3.0;
     }

@@ -1,7 +1,7 @@
 //! A field for a number, which is typed, dragged or stepped. Text that is no valid value stays, in a red frame, and a
 //! tooltip says why; the last valid value stays in force. Nothing beside the field moves.
 
-use super::{gesture::Gesture, hints::described, prelude::*};
+use super::{hints::described, prelude::*, slide::Slide};
 use crate::geometry::range;
 use egui::{
     Context, Direction, DragValue, Id, InputState, Key, Modifiers, StrokeKind, UiBuilder,
@@ -92,7 +92,7 @@ impl<'a> Field<'a> {
         &self,
         ui: &mut Ui,
         step: f64,
-        gesture: &mut Gesture,
+        slide: &mut Slide,
         check: impl Fn(f64) -> Result<(), E>,
     ) -> Option<f64> {
         let (value, pass) = (self.value, ui.ctx().cumulative_pass_nr());
@@ -158,7 +158,7 @@ impl<'a> Field<'a> {
         if steps != 0.0 {
             ui.memory_mut(|memory| memory.request_focus(id));
         }
-        gesture.note(&response);
+        slide.note(&response);
         if !had_focus {
             ui.data_mut(|data| data.insert_temp(key, Began(shown.clone())));
         }

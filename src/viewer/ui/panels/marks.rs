@@ -179,7 +179,9 @@ impl Page<'_> {
     }
 
     fn text(&mut self, at: Pos2, text: String) {
-        let (font, colour) = (FontId::proportional(15.0), self.colour);
+        let context = self.painter.ctx();
+        let (font, colour) = (FontId::proportional(15.0), of_words(context, self.colour));
+        let backing = backing(context, 200);
         let galley = self.painter.layout_no_wrap(text, font, colour);
         let rect = Align2::CENTER_CENTER.anchor_size(at, galley.size());
         // Moved sideways into the picture, if it fits there.
@@ -196,7 +198,7 @@ impl Page<'_> {
         let plate = rect.expand2(around);
         self.labels.push(plate);
         self.labels.sort_by(|a, b| a.top().total_cmp(&b.top()));
-        (self.painter).rect_filled(plate, 3.0, Color32::from_black_alpha(200));
+        (self.painter).rect_filled(plate, 3.0, backing);
         self.painter.galley(rect.min, galley, colour);
     }
 }

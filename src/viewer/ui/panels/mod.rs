@@ -6,7 +6,6 @@ mod banner;
 mod differences;
 mod exhibit;
 mod field;
-mod gesture;
 mod help;
 mod hints;
 mod inspector;
@@ -26,6 +25,7 @@ mod section_handle;
 mod shot_card;
 mod shown;
 mod sides;
+mod slide;
 mod status;
 #[cfg(test)]
 mod tests;
@@ -37,7 +37,10 @@ mod prelude {
     pub(super) use crate::viewer::{
         model::{Action, State},
         screen::SceneRect,
-        ui::{command::Command, theme::color32},
+        ui::{
+            command::Command,
+            theme::{backing, color32, of_words},
+        },
     };
     pub(super) use egui::{
         Align, Align2, Button, Color32, FontId, Grid, Label, Layout, Rect, Response, RichText,

@@ -140,10 +140,10 @@ impl Page<'_> {
         self.name(eye, "eye", colour, "where the scene's camera stands");
         let near = format!("near {}", short(lens.near));
         let hint = "the near plane: its depth is the panel's near";
-        self.name(corners[1], near, colour, hint);
+        self.name(self.outermost(&corners[..4], &corners), near, colour, hint);
         let far = format!("far {}", short(lens.far));
         let hint = "the far plane: its depth is the panel's far";
-        self.name(corners[5], far, colour, hint);
+        self.name(self.outermost(&corners[4..], &corners), far, colour, hint);
         let size = 0.2 * self.state.scene().visible_bounds().radius();
         // A point has no radius; that of nothing is infinite.
         let has_size = size > 0.0 && size.is_finite();

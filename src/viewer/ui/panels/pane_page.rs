@@ -49,6 +49,16 @@ impl Page<'_> {
         self.segment(at, at).map(|[at, _]| at)
     }
 
+    /// That one of some points which is farthest from the middle of them all in this view: a name there is beside
+    /// whatever lies between them.
+    pub fn outermost(&self, some: &[DVec3], all: &[DVec3]) -> DVec3 {
+        let all: Vec<Pos2> = all.iter().filter_map(|at| self.position(*at)).collect();
+        let middle = Rect::from_points(&all).center();
+        let off = |at: &DVec3| (self.position(*at)).map_or(0.0, |at| at.distance_sq(middle));
+        let farthest = some.iter().max_by(|a, b| off(a).total_cmp(&off(b)));
+        farthest.copied().unwrap_or_default()
+    }
+
     fn segment(&self, from: DVec3, to: DVec3) -> Option<[Pos2; 2]> {
         let ends = self.seen.project_segment(from, to)?;
         let ends = ends.map(|end| self.place.to_position(end));
@@ -122,8 +132,10 @@ impl Page<'_> {
     /// Writes the names over all lines, each clear of `taken` and of the other names.
     pub fn write(self, mut taken: Vec<Rect>) {
         // Names do not cover named points either.
-        let at = self.names.iter().map(|name| name.at);
-        taken.extend(at.map(|at| Rect::from_center_size(at, Vec2::splat(9.0))));
+        let named: Vec<Pos2> = self.names.iter().map(|name| name.at).collect();
+        let around = |at: &Pos2| Rect::from_center_size(*at, Vec2::splat(9.0));
+        taken.extend(named.iter().map(around));
+        let middle = Rect::from_points(&named).center();
         let painter = self.painter();
         let size_of_text = (self.rect.size().min_elem() / 32.0).clamp(TEXT[0], TEXT[1]);
         for Name {
@@ -134,19 +146,22 @@ impl Page<'_> {
         } in self.names
         {
             let font = FontId::proportional(size_of_text);
+            let colour = of_words(self.ui.ctx(), colour);
             let galley = painter.layout_no_wrap(text.clone(), font, colour);
             let size = galley.size() + vec2(6.0, 2.0);
-            let mut rects = BESIDE.into_iter().flat_map(|away| {
-                [
-                    (Align2::LEFT_BOTTOM, vec2(0.7, -0.5)),
-                    (Align2::LEFT_TOP, vec2(0.7, 0.5)),
-                    (Align2::RIGHT_BOTTOM, vec2(-0.7, -0.5)),
-                    (Align2::RIGHT_TOP, vec2(-0.7, 0.5)),
-                    (Align2::CENTER_BOTTOM, vec2(0.0, -1.0)),
-                    (Align2::CENTER_TOP, vec2(0.0, 1.0)),
-                ]
-                .map(|(align, by)| align.anchor_size(at + away * by, size))
-            });
+            let mut sides = [
+                (Align2::LEFT_BOTTOM, vec2(0.7, -0.5)),
+                (Align2::LEFT_TOP, vec2(0.7, 0.5)),
+                (Align2::RIGHT_BOTTOM, vec2(-0.7, -0.5)),
+                (Align2::RIGHT_TOP, vec2(-0.7, 0.5)),
+                (Align2::CENTER_BOTTOM, vec2(0.0, -1.0)),
+                (Align2::CENTER_TOP, vec2(0.0, 1.0)),
+            ];
+            // Outwards first: objects are in the middle.
+            sides.sort_by(|(_, a), (_, b)| b.dot(at - middle).total_cmp(&a.dot(at - middle)));
+            let mut rects = BESIDE
+                .into_iter()
+                .flat_map(|away| sides.map(|(align, by)| align.anchor_size(at + away * by, size)));
             let is_free = |rect: &Rect| {
                 self.rect.contains_rect(*rect) && !taken.iter().any(|taken| taken.intersects(*rect))
             };
@@ -154,7 +169,7 @@ impl Page<'_> {
                 continue;
             };
             taken.push(rect);
-            painter.rect_filled(rect, 3.0, Color32::from_black_alpha(190));
+            painter.rect_filled(rect, 3.0, backing(self.ui.ctx(), 190));
             let text = RichText::new(text).size(size_of_text).color(colour);
             let label = Label::new(text).selectable(false).extend();
             let inside = Rect::from_center_size(rect.center(), galley.size());

@@ -178,7 +178,7 @@ fn heading(ui: &mut Ui, stage: Stage, rect: Rect, state: &State, commands: &mut 
     let name = stage.name();
     let strip = Rect::from_min_size(rect.min, vec2(rect.width(), HEADING.min(rect.height())));
     let painter = ui.painter().with_clip_rect(rect);
-    painter.rect_filled(strip, 0.0, Color32::from_black_alpha(190));
+    painter.rect_filled(strip, 0.0, backing(ui.ctx(), 190));
     // A click here is none in the view below.
     let id = ui.scope_id().with(("heading", stage as usize));
     if ui.interact(strip, id, Sense::CLICK).double_clicked() {
@@ -188,12 +188,8 @@ fn heading(ui: &mut Ui, stage: Stage, rect: Rect, state: &State, commands: &mut 
     let inside = inside.layout(Layout::right_to_left(Align::Min));
     ui.scope_builder(inside, |ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
-        let text = |text: &str, size, grey| {
-            let text = RichText::new(text).size(size);
-            text.color(Color32::from_gray(grey))
-        };
         let mut button = |icon: &str, does: &str, hint: &str, action: Action| {
-            let button = Button::new(text(icon, 12.0, 220)).small();
+            let button = Button::new(RichText::new(icon).size(12.0)).small();
             let button = ui.add(button.frame_when_inactive(false));
             let button = button.named(&format!("{does} {name}"));
             button.asks(hint, action, commands);
@@ -217,9 +213,9 @@ fn heading(ui: &mut Ui, stage: Stage, rect: Rect, state: &State, commands: &mut 
         ui.with_layout(Layout::top_down(Align::Min), |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             let (shows, hint) = about(state, stage);
-            let title = Label::new(text(name, 14.0, 255).strong());
+            let title = Label::new(RichText::new(name).size(14.0).strong());
             ui.add(title.selectable(false)).hint(hint);
-            let shows = Label::new(text(&shows, 11.0, 205));
+            let shows = Label::new(RichText::new(shows).size(11.0));
             ui.add(shows.selectable(false).truncate()).hint(hint);
         });
     });

@@ -1,6 +1,6 @@
 //! The section in the picture: its rim around what is visible, and an arrow along n that drags it.
 
-use super::{gesture::Gesture, prelude::*};
+use super::{prelude::*, slide::Slide};
 use crate::{
     camera::View,
     geometry::{Aabb, Section, clip_points},
@@ -44,8 +44,8 @@ pub(super) fn show(
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "drag the section"));
     let is_lit = response.hovered() || response.dragged();
     arrow.draw(&painter, is_lit);
-    let mut gesture = Gesture::default();
-    gesture.note(&response);
+    let mut slide = Slide::default();
+    slide.note(&response);
     let moved = response.dragged().then(|| {
         let by = response.drag_delta();
         let along = f64::from(by.dot(arrow.per_world)) / f64::from(arrow.per_world.length_sq());
@@ -53,7 +53,7 @@ pub(super) fn show(
         Section::new(normal, section.offset() - along * normal.length())
     });
     let moved = moved.and_then(Result::ok).filter(|moved| *moved != section);
-    gesture.push(moved.map(|moved| Action::Section(Some(moved))), commands);
+    slide.push(moved.map(|moved| Action::Section(Some(moved))), commands);
     if is_lit {
         ui.set_cursor_icon(CursorIcon::Grab);
     }

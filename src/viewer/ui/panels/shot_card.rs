@@ -1,6 +1,6 @@
 //! The card that screenshots are taken from: what they show, on which background, how large, and where they go.
 
-use super::{field::Field, gesture::Gesture, prelude::*};
+use super::{field::Field, prelude::*, slide::Slide};
 use crate::{
     camera::Viewport,
     look::Backdrop,
@@ -101,7 +101,7 @@ fn size(ui: &mut Ui, state: &State, shot: &mut Shot) {
         let asked: [Option<f64>; 2] = array::from_fn(|at| {
             let (name, side) = (["width", "height"][at], f64::from(sides[at]));
             let field = Field::new(name, "in pixels", at as u64, 56.0, side);
-            field.show(ui, 1.0, &mut Gesture::default(), |side| {
+            field.show(ui, 1.0, &mut Slide::default(), |side| {
                 pixels(side).map(drop)
             })
         });

@@ -162,7 +162,7 @@ fn each_key_asks_for_what_its_line_says() {
 fn a_key_that_was_pressed_twice_within_a_frame_is_done_twice() {
     for key in [Key::B, Key::Num5, Key::G] {
         let mut state = opened("gallery:needles");
-        let shows = |state: &State| (state.view().sides, state.controls(), state.grid());
+        let shows = |state: &State| (state.view().sides, state.controls(), state.overlays());
         let before = shows(&state);
         let twice = vec![press(key, Modifiers::NONE); 2];
         for command in pass(&state, twice).1 {

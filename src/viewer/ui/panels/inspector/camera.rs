@@ -2,9 +2,9 @@
 
 use super::{
     field::{AXES, Field, WIDTH},
-    gesture::Gesture,
     lens_slider,
     prelude::*,
+    slide::Slide,
 };
 use crate::{
     camera::{CameraChoice, Orbit, Projection, UpAxis},
@@ -15,18 +15,18 @@ use std::cell::Cell;
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let controls = state.controls();
-    let (mut next, mut gesture) = (controls, Gesture::default());
+    let (mut next, mut slide) = (controls, Slide::default());
+    projection(ui, &mut next);
     // By default a column is as wide as a button, which is too wide for the panel.
     let grid = Grid::new("lens").num_columns(3).min_col_width(0.0);
     grid.show(ui, |ui| {
-        projection(ui, &mut next);
         match state.view().camera.lens().projection {
-            Projection::Perspective { .. } => fov(ui, state, &mut next, &mut gesture),
+            Projection::Perspective { .. } => fov(ui, state, &mut next, &mut slide),
             Projection::Orthographic { height } => picture_height(ui, state, height, commands),
         }
-        planes(ui, state, &mut next, &mut gesture);
+        planes(ui, state, &mut next, &mut slide);
     });
-    gesture.push((next != controls).then_some(Action::Lens(next)), commands);
+    slide.push((next != controls).then_some(Action::Lens(next)), commands);
     up_axis(ui, state, commands);
     let header = CollapsingHeader::new("Pose");
     let header = header.show_unindented(ui, |ui| pose(ui, state, commands));
@@ -57,20 +57,19 @@ pub(super) fn copy(ui: &mut Ui, commands: &mut Vec<Command>) {
 }
 
 fn projection(ui: &mut Ui, next: &mut LensControls) {
-    ui.label("projection")
-        .hint("how the view is flattened into a picture");
     ui.horizontal(|ui| {
+        ui.label("projection")
+            .hint("how the view is flattened into a picture");
         ui.selectable_value(&mut next.orthographic, false, "perspective")
             .hint("what is farther away looks smaller, as the eye sees it (5)");
-        ui.selectable_value(&mut next.orthographic, true, "ortho")
-            .hint("orthographic: equal lengths look equal at any distance (5)");
+        ui.selectable_value(&mut next.orthographic, true, "orthographic")
+            .hint("equal lengths look equal at any distance (5)");
     });
-    ui.end_row();
 }
 
 const FOV: &str = "field of view: the angle that the picture spans from bottom to top, in degrees";
 
-fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gesture) {
+fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, slide: &mut Slide) {
     ui.label("fov").hint(FOV);
     let typed = |fov_deg| {
         let lens = LensControls {
@@ -81,10 +80,10 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
         state.check(&Action::Lens(lens))
     };
     ui.horizontal(|ui| {
-        let slid = lens_slider::fov(ui, "fov, slid", FOV, next.fov_deg, gesture);
+        let slid = lens_slider::fov(ui, "fov, slid", FOV, next.fov_deg, slide);
         next.fov_deg = slid.unwrap_or(next.fov_deg);
         let field = Field::new("fov", FOV, state.scene_revision(), WIDTH, next.fov_deg);
-        if let Some(number) = field.show(ui, 1.0, gesture, typed) {
+        if let Some(number) = field.show(ui, 1.0, slide, typed) {
             next.fov_deg = number;
         }
     });
@@ -98,17 +97,17 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
 /// In place of the field of view.
 fn picture_height(ui: &mut Ui, state: &State, height: f64, commands: &mut Vec<Command>) {
     const HINT: &str = "how much of the world the picture spans from bottom to top, in world units";
-    let mut gesture = Gesture::default();
+    let mut slide = Slide::default();
     ui.label("height").hint(HINT);
     let field = Field::new("height", HINT, state.scene_revision(), WIDTH, height);
     let typed = |height| state.check(&Action::PictureHeight(height));
-    let number = (field.by_factors(true)).show(ui, 0.01 * height, &mut gesture, typed);
-    gesture.push(number.map(Action::PictureHeight), commands);
+    let number = (field.by_factors(true)).show(ui, 0.01 * height, &mut slide, typed);
+    slide.push(number.map(Action::PictureHeight), commands);
     ui.end_row();
 }
 
 /// Near and far: a slider, a field, and a box that fits the plane to the scene again.
-fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gesture) {
+fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, slide: &mut Slide) {
     let lens = state.view().camera.lens();
     let (least, most) = state.depth_range();
     let step = 0.01 * (most - least);
@@ -134,13 +133,13 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
         };
         ui.horizontal(|ui| {
             let named = format!("{name}, slid");
-            let slid = lens_slider::plane(ui, state, &named, hint, value, gesture);
+            let slid = lens_slider::plane(ui, state, &named, hint, value, slide);
             if let Some(slid) = slid.filter(|slid| typed(*slid).is_ok()) {
                 *which(next) = Some(slid);
             }
             let field = Field::new(name, hint, state.scene_revision(), WIDTH, value);
             let field = field.by_factors(lens_slider::by_factors(least, most));
-            if let Some(number) = field.show(ui, step, gesture, typed) {
+            if let Some(number) = field.show(ui, step, slide, typed) {
                 *which(next) = Some(number);
             }
         });
@@ -197,7 +196,7 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let typed: TypedUp = ui.data(|data| data.get_temp(id)).unwrap_or_default();
     let refused = [const { Cell::new(None) }; 3];
     let mut next_up = typed.up;
-    let (mut asked, mut gesture) = (None, Gesture::default());
+    let (mut asked, mut slide) = (None, Slide::default());
     let up = typed.up.filter(|up| *up == camera.up_hint());
     let pose = [camera.eye(), camera.target(), up.unwrap_or(camera.up())];
     let is_level = Orbit::is_upright(camera, state.up_axis());
@@ -244,7 +243,7 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                 let name = format!("{name} {}", AXES[axis]);
                 let (of, value) = (state.scene_revision(), pose[row][axis]);
                 let field = Field::new(&name, hint, of, width, value);
-                if let Some(number) = field.show(ui, 0.01 * size, &mut gesture, check) {
+                if let Some(number) = field.show(ui, 0.01 * size, &mut slide, check) {
                     let action = with(number);
                     if let (2, Action::Pose([.., up])) = (row, &action) {
                         next_up = Some(*up);
@@ -259,7 +258,7 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         refused: refused.map(Cell::into_inner),
     };
     ui.data_mut(|data| data.insert_temp(id, typed));
-    gesture.push(asked, commands);
+    slide.push(asked, commands);
 }
 
 /// A part of a row, of this width in points.

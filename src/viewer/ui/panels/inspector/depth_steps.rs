@@ -2,8 +2,8 @@
 
 use super::{
     field::{short, value_text},
-    gesture::Gesture,
     prelude::*,
+    slide::Slide,
 };
 use crate::{camera::DepthMapping, viewer::model::DepthSteps};
 
@@ -29,7 +29,7 @@ fn stores(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         ui.selectable_value(&mut next.depth, DepthMapping::Standard, "standard")
             .hint("near 0, far 1: as courses teach it");
     });
-    Gesture::default().push((next != controls).then_some(Action::Lens(next)), commands);
+    Slide::default().push((next != controls).then_some(Action::Lens(next)), commands);
 }
 
 const STEP: &str = "the smallest difference in depth that the 32-bit depth buffer resolves here";

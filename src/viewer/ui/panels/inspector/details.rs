@@ -92,12 +92,9 @@ fn spaces(hit: &Pick, digits: Digits) -> [Row; 4] {
 
 fn hits(ui: &mut Ui, state: &State, digits: Digits, commands: &mut Vec<Command>) {
     let Some(hits) = state.hits() else { return };
-    ui.strong(format!(
-        "Hits on the ray: {} of {}",
-        hits.at + 1,
-        hits.picks.len()
-    ))
-    .hint(
+    let count = hits.picks.len();
+    let count = (hits.at).map_or(count.to_string(), |at| format!("{} of {count}", at + 1));
+    ui.strong(format!("Hits on the ray: {count}")).hint(
         "every surface under the click, from front to back (N: the next, Shift+N: the one before)",
     );
     // Only rows in sight are laid out: a ray may hit thousands of surfaces.
@@ -111,7 +108,7 @@ fn hits(ui: &mut Ui, state: &State, digits: Digits, commands: &mut Vec<Command>)
             let side = if pick.front { "front" } else { "back" };
             let (number, distance) = (at + 1, digits.length(pick.distance));
             let text = format!("{number:>3}  {distance}  {side:5}  {}", pick.object);
-            let label = ui.selectable_label(at == hits.at, value_text(text));
+            let label = ui.selectable_label(Some(at) == hits.at, value_text(text));
             let hint = "distance from the eye in world units, side, object: click to pick it";
             label.asks(hint, Action::StepTo(at), commands);
         }

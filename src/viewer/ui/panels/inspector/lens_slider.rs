@@ -1,6 +1,6 @@
 //! Sliders of the lens: of the field of view, and of near and far over the depths at which the scene lies.
 
-use super::{gesture::Gesture, prelude::*};
+use super::{prelude::*, slide::Slide};
 use egui::Slider;
 use std::ops::RangeInclusive;
 
@@ -15,11 +15,11 @@ pub(super) fn fov(
     name: &str,
     hint: &str,
     fov_deg: f64,
-    gesture: &mut Gesture,
+    slide: &mut Slide,
 ) -> Option<f64> {
     let mut slid = fov_deg;
     let slider = Slider::new(&mut slid, FOV).show_value(false);
-    let is_slid = note(&ui.add(slider), name, hint, gesture);
+    let is_slid = note(&ui.add(slider), name, hint, slide);
     is_slid.then_some(slid)
 }
 
@@ -30,14 +30,14 @@ pub(super) fn plane(
     name: &str,
     hint: &str,
     depth: f64,
-    gesture: &mut Gesture,
+    slide: &mut Slide,
 ) -> Option<f64> {
     let (least, most) = state.depth_range();
     let mut slid = depth;
     let slider = Slider::new(&mut slid, least..=most).logarithmic(by_factors(least, most));
     let slider = ui.add(slider.smart_aim(false).show_value(false));
     let hint = format!("{hint}. It slides over the depths of the scene");
-    let is_slid = note(&slider, name, &hint, gesture);
+    let is_slid = note(&slider, name, &hint, slide);
     is_slid.then_some(slid)
 }
 
@@ -47,9 +47,9 @@ pub(super) fn by_factors(least: f64, most: f64) -> bool {
 }
 
 /// Names a slider and adds a hint, but not while it is dragged: the tooltip would cover the numbers that change.
-fn note(slider: &Response, name: &str, hint: &str, gesture: &mut Gesture) -> bool {
+fn note(slider: &Response, name: &str, hint: &str, slide: &mut Slide) -> bool {
     let slider = slider.clone().named(name);
-    gesture.note(&slider);
+    slide.note(&slider);
     let is_slid = slider.changed();
     if !slider.dragged() {
         slider.hint(hint);

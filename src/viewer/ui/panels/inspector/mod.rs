@@ -15,7 +15,7 @@ mod section;
 mod topics;
 mod value_rows;
 
-use super::{arrangement, field, gesture, hints, prelude};
+use super::{arrangement, field, hints, prelude, slide};
 pub(in crate::viewer) use picked::Sums;
 pub(super) use picked::swatch;
 pub(super) use topics::show;

@@ -2,9 +2,9 @@
 
 use super::{
     field::{AXES, Field, WIDTH},
-    gesture::Gesture,
     matrix_rows::volumes,
     prelude::*,
+    slide::Slide,
 };
 use crate::geometry::Trs;
 use glam::DAffine3;
@@ -68,7 +68,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
     // In a small window the fields share the width beside names and letters.
     let share = (ui.available_width() - NAME) / 3.0;
     let width = (share - LETTER - ui.spacing().item_spacing.x).min(WIDTH - LETTER);
-    let (mut asked, mut gesture) = (None, Gesture::default());
+    let (mut asked, mut slide) = (None, Slide::default());
     Grid::new("parts").num_columns(4).show(ui, |ui| {
         let shown = trs.map_or(POSITION + 1, |_| PARTS.len());
         for (part, [name, hint]) in PARTS.into_iter().enumerate().take(shown) {
@@ -83,7 +83,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
                     let name = format!("{name} {letter}");
                     let field = Field::new(&name, hint, of, width, value);
                     let field = field.by_factors(part == SCALE);
-                    if let Some(number) = field.show(ui, step, &mut gesture, check) {
+                    if let Some(number) = field.show(ui, step, &mut slide, check) {
                         asked = Some(with(part, axis, number));
                     }
                 });
@@ -107,5 +107,5 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
         ui.add(Label::new(format!("Only {name} moves.")).truncate())
             .hint("of several selected objects, the one that was selected first");
     }
-    gesture.push(asked, commands);
+    slide.push(asked, commands);
 }

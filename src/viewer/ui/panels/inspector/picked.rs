@@ -83,7 +83,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, sums: &mut Sums, commands: &mut V
     row(ui, "shape", &shape(state, selection, sums), hint);
     // Of several, only the first can be picked, and all rows are about all of them.
     let hit = state.picked().filter(|_| several.is_none());
-    let position = hit.map(|hit| hit.point_world.to_array().map(short).join("  "));
+    let position = hit.map(|hit| hit.point_world.to_array().map(short).join(" "));
     let hint =
         "the picked point: x, y and z in the scene's own coordinates; Details has all digits";
     row(ui, "position", position.as_deref().unwrap_or(NOTHING), hint);
@@ -215,7 +215,7 @@ fn in_row(ui: &mut Ui, name: &str, hint: &str, value: impl FnOnce(&mut Ui)) {
 /// One line, whatever it says; a tooltip has all of it.
 fn remark(ui: &mut Ui, state: &State) {
     let (short, whole) = said(state);
-    let is_hidden = state.pick_ray().is_some_and(|ray| ray.at > 0);
+    let is_hidden = state.pick_ray().is_some_and(|ray| ray.at > Some(0));
     let is_elsewhere = matches!(state.pick_view(), Some(view) if view != PickView::Own);
     let is_warning = is_hidden || is_elsewhere;
     let mut text = RichText::new(short);
@@ -283,17 +283,18 @@ fn said(state: &State) -> (String, String) {
         }
         Some(PickView::Own) | None => {}
     }
-    let line = selection.pick.as_ref();
-    let in_one_place = line.and_then(|line| line.in_one_place.as_ref());
+    let in_one_place = state.hits().and_then(|hits| hits.in_one_place.as_ref());
     if let Some(all) = in_one_place.filter(|all| hit.may_be_of(all)) {
         let whole = format!(
             "{all} They are closer together than drawing can tell apart. The picture may show any of them; the pick's order is exact."
         );
         return (all.to_string(), whole);
     }
-    if let Some(ray) = state.pick_ray().filter(|ray| ray.at > 0) {
-        let (number, count) = (ray.at + 1, ray.picks.len());
-        let (before, first) = (&ray.picks[ray.at - 1].object, &ray.picks[0].object);
+    if let Some(ray) = state.pick_ray()
+        && let Some(before) = ray.at.and_then(|at| at.checked_sub(1))
+    {
+        let (number, count) = (before + 2, ray.picks.len());
+        let (before, first) = (&ray.picks[before].object, &ray.picks[0].object);
         return own(
             &format!("Surface {number} of {count}, behind {before}."),
             &format!(

@@ -3,10 +3,10 @@
 use super::{
     arrangement::MATRIX,
     field::{LEAST, char_width, short_in, value_text},
-    gesture::Gesture,
     lens_slider,
     matrix_rows::{columns, determinant, fitted, rows, title},
     prelude::*,
+    slide::Slide,
 };
 use crate::{
     camera::View,
@@ -106,14 +106,14 @@ fn about(stage: Stage) -> &'static str {
 /// Sliders for what P is made of, next to its numbers.
 fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let (controls, lens) = (state.controls(), state.view().camera.lens());
-    let (mut next, mut gesture) = (controls, Gesture::default());
+    let (mut next, mut slide) = (controls, Slide::default());
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.spacing_mut().slider_width = ((ui.available_width() - 106.0) / 3.0).clamp(24.0, 90.0);
         let hint = "slide it: P's numbers and all views follow";
         ui.label("fov").hint(hint);
         ui.add_enabled_ui(!controls.orthographic, |ui| {
-            let slid = lens_slider::fov(ui, "P's fov", hint, controls.fov_deg, &mut gesture);
+            let slid = lens_slider::fov(ui, "P's fov", hint, controls.fov_deg, &mut slide);
             next.fov_deg = slid.unwrap_or(next.fov_deg);
         });
         for (name, depth, which) in [
@@ -122,13 +122,13 @@ fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         ] {
             ui.label(name).hint(hint);
             let named = format!("P's {name}");
-            let slid = lens_slider::plane(ui, state, &named, hint, depth, &mut gesture);
+            let slid = lens_slider::plane(ui, state, &named, hint, depth, &mut slide);
             *which = slid.or(*which);
         }
     });
     let action = Action::Lens(next);
     let can_be = next != controls && state.check(&action).is_ok();
-    gesture.push(can_be.then_some(action), commands);
+    slide.push(can_be.then_some(action), commands);
 }
 
 /// The followed point's colour on light panels: darker than in the views, to be readable.

@@ -2,8 +2,8 @@
 
 use super::{
     field::{AXES, Field, WIDTH},
-    gesture::Gesture,
     prelude::*,
+    slide::Slide,
 };
 use crate::geometry::Section;
 use egui::Slider;
@@ -61,7 +61,7 @@ fn numbers(ui: &mut Ui, state: &State, section: &Section, commands: &mut Vec<Com
     let along = bounds.corners().map(|corner| -normal.dot(corner));
     let [least, most] = [f64::min, f64::max].map(|end| along.into_iter().fold(along[0], end));
     let check = |normal: DVec3, offset: f64| Section::new(normal, offset).map(|_| ());
-    let (mut next, mut gesture) = (None, Gesture::default());
+    let (mut next, mut slide) = (None, Slide::default());
     let of = state.scene_revision();
     Grid::new("section").num_columns(4).show(ui, |ui| {
         ui.label("n").hint(NORMAL);
@@ -75,7 +75,7 @@ fn numbers(ui: &mut Ui, state: &State, section: &Section, commands: &mut Vec<Com
             let field = Field::new(&name, NORMAL, of, WIDTH, normal[i]);
             let step = 0.01 * normal.abs().max_element();
             let check = |number| check(with(number), offset);
-            if let Some(number) = field.show(ui, step, &mut gesture, check) {
+            if let Some(number) = field.show(ui, step, &mut slide, check) {
                 next = Some((with(number), offset));
             }
         }
@@ -83,19 +83,19 @@ fn numbers(ui: &mut Ui, state: &State, section: &Section, commands: &mut Vec<Com
         ui.label("c").hint(OFFSET);
         let field = Field::new("section c", OFFSET, of, WIDTH, offset);
         let step = 0.01 * (most - least);
-        if let Some(number) = field.show(ui, step, &mut gesture, |number| check(normal, number)) {
+        if let Some(number) = field.show(ui, step, &mut slide, |number| check(normal, number)) {
             next = Some((normal, number));
         }
         if least < most {
             let mut slid = offset;
             let slider = ui.add(Slider::new(&mut slid, least..=most).show_value(false));
             let slider = slider.named("section c, slid").hint(OFFSET);
-            gesture.note(&slider);
+            slide.note(&slider);
             if slider.changed() && check(normal, slid).is_ok() {
                 next = Some((normal, slid));
             }
         }
     });
     let next = next.and_then(|(normal, offset)| Section::new(normal, offset).ok());
-    gesture.push(next.map(|next| Action::Section(Some(next))), commands);
+    slide.push(next.map(|next| Action::Section(Some(next))), commands);
 }

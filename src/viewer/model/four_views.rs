@@ -1,20 +1,8 @@
 //! What the four views hold.
 
 use super::{observer::Observer, stages::Stage};
-use crate::{camera::View, scene::Scene};
-use glam::{DVec2, DVec3};
-
-/// What the window shows of the scene.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Views {
-    /// What the scene's camera sees.
-    #[default]
-    Picture,
-    /// All stages side by side.
-    Four,
-    /// One of them, large.
-    One(Stage),
-}
+use crate::scene::Scene;
+use glam::DVec3;
 
 /// The four views.
 pub(super) struct Panes {
@@ -29,10 +17,6 @@ pub(super) struct Panes {
     /// It alone, in its own space, and which object of which scene it is.
     pub alone: Scene,
     pub alone_of: Option<(u64, usize)>,
-    /// When one of the views was clicked last.
-    pub clicked_s: Option<f64>,
-    /// Which view was clicked last, where, and how that view stood.
-    pub clicked_at: Option<(Stage, DVec2, View)>,
     /// A clicked point that the scene's camera does not see: its object, and the point in that object's space.
     pub point: Option<(usize, DVec3)>,
 }

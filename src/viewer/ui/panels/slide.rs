@@ -4,19 +4,19 @@ use super::prelude::*;
 
 /// What a control that can be slid or dragged did in this pass.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Gesture {
+pub(super) struct Slide {
     goes_on: bool,
     ended: bool,
 }
 
-impl Gesture {
+impl Slide {
     /// Notes what a control that can be slid or dragged did.
     pub fn note(&mut self, response: &Response) {
         self.goes_on |= response.dragged();
         self.ended |= response.drag_stopped();
     }
 
-    /// Asks for the change, if there is one, and ends the undo step with the gesture.
+    /// Asks for the change, if there is one, and ends the undo step with the slide.
     pub fn push(self, action: Option<Action>, commands: &mut Vec<Command>) {
         let changed = action.is_some();
         commands.extend(action.map(Command::Act));
