@@ -3,7 +3,7 @@
 use super::{
     super::{PixelGrid, ThroughPoint, line::Line, local_ray::Exactly},
     integer::Ring,
-    matrix::{Adjugate, product},
+    matrix::Adjugate,
     number::{Number, Vector},
     point::{moved, placed},
     root::Root,
@@ -148,13 +148,13 @@ impl<I: Ring> LocalLine<I> {
             };
         };
         let model = placement.model();
-        let Adjugate { rows, determinant } = Adjugate::new(model.matrix3);
+        let to_object = Adjugate::new(model.matrix3);
         let translation = Vector::new(model.translation).times(&line.weight);
         let from_translation = line.origin.minus(&translation);
         Self {
-            origin: product(&rows, &from_translation),
-            direction: product(&rows, &line.direction),
-            weight: determinant.times(&line.weight),
+            origin: to_object.times(&from_translation),
+            direction: to_object.times(&line.direction),
+            weight: to_object.determinant.times(&line.weight),
         }
     }
 }

@@ -23,7 +23,7 @@ pub(in super::super) fn mirrors(matrix: DMat3) -> bool {
 }
 
 /// A matrix's inverse times its determinant, by rows.
-pub(super) struct Adjugate<I> {
+pub(crate) struct Adjugate<I> {
     pub rows: [Vector<I>; 3],
     pub determinant: Number<I>,
 }
@@ -35,6 +35,11 @@ impl<I: Ring> Adjugate<I> {
         let determinant = x.dot(&rows[0]);
         Self { rows, determinant }
     }
+
+    /// It times a vector.
+    pub fn times(&self, v: &Vector<I>) -> Vector<I> {
+        Vector::of(&self.rows.each_ref().map(|row| row.dot(v)))
+    }
 }
 
 /// A matrix times a vector.
@@ -42,11 +47,6 @@ pub(super) fn turned_by<I: Ring>(matrix: DMat3, object: &Vector<I>) -> Vector<I>
     let columns = columns(matrix);
     let [x, y, z] = [0, 1, 2].map(|i| columns[i].times(&object.component(i)));
     x.plus(&y).plus(&z)
-}
-
-/// A matrix, by rows, times a vector.
-pub(super) fn product<I: Ring>(rows: &[Vector<I>; 3], v: &Vector<I>) -> Vector<I> {
-    Vector::of(&rows.each_ref().map(|row| row.dot(v)))
 }
 
 fn columns<I: Ring>(matrix: DMat3) -> [Vector<I>; 3] {

@@ -1,179 +1,138 @@
-//! The point of a conic's arcs nearest to the origin, by branch and bound.
-//!
-//! An arc is a rational quadratic Bézier curve: u, v and w are quadratics in a parameter, and the picture shows (u / w,
-//! v / w). So the squared distance (u^2 + v^2) / w^2 is a quotient of quartics. Where the denominator's Bernstein
-//! coefficients are positive, the quotient is nowhere below the least quotient of coefficients (Narkawicz et al.,
-//! "Bounding the Range of a Rational Function over a Box", Reliable Computing 17, 2012). That bound's error falls with
-//! the square of the parameter's range. Arcs are halved until no piece may be nearer than the nearest known end by more
-//! than the tolerance. This needs no start value and misses no minimum; a circle about the origin needs no halving.
-//!
-//! Halving adds coordinates, which cancels digits. So coordinates are in fixed point, where the rounding has a bound.
-//! That bound is subtracted from each lower bound and added to each distance.
+//! The point nearest to the origin of a conic that is kept by half-planes.
 
-use crate::geometry::{
-    binary::{split, times_power_of_two},
-    dyadic::{Integer, rounded},
-};
-use num_bigint::BigInt;
-use std::array;
+use glam::DVec2;
+use std::f64::consts::TAU;
 
-/// How far the answer may exceed the least distance: relatively by this, or in pixels by [`TOLERANCE_PX`], whichever is
-/// more. A ten-thousandth of what picks promise.
-const TOLERANCE: f64 = 1e-13;
-const TOLERANCE_PX: f64 = 1e-10;
+/// Directions in which the conic is looked for, before the nearest ones are refined.
+const DIRECTIONS: u32 = 256;
+/// Each step of a golden section keeps 0.618 of a range: as many steps as turn one direction's share of a turn into
+/// less than 1e-10. Distances near the least one differ by the square of that.
+const STEPS: u32 = 40;
 
-/// A number in fixed point.
-pub(super) trait Fixed: Integer {
-    /// Half the sum, rounded down.
-    fn midpoint(&self, other: &Self) -> Self;
+/// Where `constant + linear . p + p . (square p)` is 0. The origin lies inside: `constant` is not negative, and each ray
+/// from there meets the conic's own branch once or not at all, before any other branch.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Conic {
+    pub constant: f64,
+    pub linear: DVec2,
+    /// The factors of x^2, x y and y^2.
+    pub square: [f64; 3],
 }
 
-impl Fixed for i128 {
-    fn midpoint(&self, other: &Self) -> Self {
-        (self + other) >> 1
+/// Where `constant + linear . p` is not negative.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct HalfPlane {
+    pub constant: f64,
+    pub linear: DVec2,
+}
+
+impl HalfPlane {
+    fn keeps(&self, p: DVec2) -> bool {
+        self.constant + self.linear.dot(p) >= 0.0
     }
 }
 
-impl Fixed for BigInt {
-    fn midpoint(&self, other: &Self) -> Self {
-        (self + other) >> 1
-    }
-}
-
-/// Three control points (u, v, w).
-pub(super) type Controls<T> = [[T; 3]; 3];
-
-/// Arcs in fixed point, at least one. If `w` is positive along an arc, it is also positive at the arc's control points.
-pub(super) struct Arcs<T> {
-    pub(super) controls: Vec<Controls<T>>,
-    /// Divided by 2^bits, coordinates are about 1 or less.
-    pub(super) bits: i64,
-    /// Error bound of each coordinate, in units of its last bit.
-    pub(super) error: f64,
-    /// `u / w` is in units of 2^`exponent` pixels.
-    pub(super) exponent: i64,
-}
-
-/// A part of an arc.
-struct Piece<T> {
-    controls: Controls<T>,
-    /// How often it was halved.
-    halvings: i32,
-    /// Lower bound on its distance from the origin, in pixels.
-    least: f64,
-}
-
-impl<T: Fixed> Arcs<T> {
-    /// The distance in pixels from the origin to the nearest point.
+impl Conic {
+    /// The distance from the origin to the nearest point that all half-planes keep; `None` where they keep none.
     ///
-    /// # Errors
-    /// When `bits` are too few to tell: the distance to the nearest known point.
-    pub(super) fn distance_px(&self) -> Result<f64, f64> {
-        let mut best = f64::INFINITY;
-        let mut pieces = Vec::new();
-        for controls in self.controls.iter().cloned() {
-            best = self.add(&mut pieces, controls, 0, best);
-        }
-        // With a minimum on each of four arcs, each bit costs four halvings; this is twice that.
-        for _ in 0..8 * self.bits {
-            pieces.retain(|piece| piece.least + tolerance(piece.least) < best);
-            let order = |&a: &usize, &b: &usize| pieces[a].least.total_cmp(&pieces[b].least);
-            let Some(least) = (0..pieces.len()).min_by(order) else {
-                return Ok(best);
+    /// That point is one of those where the distance is least among all about it, or one where the conic crosses the
+    /// border of a half-plane. As `r(angle)` has few and wide minima, a search along the circle of directions finds
+    /// them: 1 / r is a linear form of the direction plus the root of a quadratic one.
+    pub fn distance(&self, half_planes: &[HalfPlane]) -> Option<f64> {
+        let are_kept = |p: &DVec2| half_planes.iter().all(|half_plane| half_plane.keeps(*p));
+        let nearest = self.nearest_about().into_iter().filter(are_kept);
+        let ends = half_planes.iter().enumerate().flat_map(|(at, border)| {
+            let others = move |p: &DVec2| {
+                let mut others = half_planes.iter().enumerate().filter(|(i, _)| *i != at);
+                others.all(|(_, half_plane)| half_plane.keeps(*p))
             };
-            let piece = pieces.swap_remove(least);
-            for half in halves(&piece.controls) {
-                best = self.add(&mut pieces, half, piece.halvings + 1, best);
+            self.crossings(border).into_iter().flatten().filter(others)
+        });
+        let distances = nearest.chain(ends).map(DVec2::length);
+        distances.filter(|px| px.is_finite()).reduce(f64::min)
+    }
+
+    /// The points that are nearer than those about them.
+    fn nearest_about(&self) -> Vec<DVec2> {
+        let step = TAU / f64::from(DIRECTIONS);
+        let nearness = |angle: f64| self.nearness(direction(angle));
+        let all: Vec<f64> = (0..DIRECTIONS)
+            .map(|i| nearness(f64::from(i) * step))
+            .collect();
+        let before = all.iter().cycle().skip(all.len() - 1);
+        let after = all.iter().cycle().skip(1);
+        let mut found = Vec::new();
+        for ((i, here), (before, after)) in (0..DIRECTIONS).zip(&all).zip(before.zip(after)) {
+            if *here > 0.0 && here >= before && here >= after {
+                let angle = greatest(nearness, f64::from(i) * step, step);
+                found.push(direction(angle) / nearness(angle));
             }
         }
-        Err(best)
+        found
     }
 
-    /// Adds a piece to those that may be nearest. Returns the distance to the nearest known point, the piece's ends
-    /// included.
-    fn add(
-        &self,
-        pieces: &mut Vec<Piece<T>>,
-        controls: Controls<T>,
-        halvings: i32,
-        best: f64,
-    ) -> f64 {
-        // Squares of a short arc's u and v would underflow, so these are scaled to be about 1.
-        let up = (controls.iter().flat_map(|[u, v, _]| [u, v]).map(length)).fold(0, i64::max);
-        // Each halving rounds down twice, by half a unit at most.
-        let units = self.error + f64::from(halvings);
-        let errors = Errors {
-            aside: times_power_of_two(units, -up),
-            w: times_power_of_two(units, -self.bits) + f64::MIN_POSITIVE,
+    /// 1 / r, where r is the distance to the conic in a direction; 0 where it does not lie there.
+    fn nearness(&self, direction: DVec2) -> f64 {
+        let [constant, linear, square] = self.along(DVec2::ZERO, direction);
+        let root = (linear * linear - 4.0 * square * constant).sqrt();
+        // Of two forms of the same number, the one in which nothing cancels. A root that is none is NaN, and `max` drops
+        // it.
+        let twice = if linear > 0.0 {
+            -4.0 * square / (linear + root)
+        } else {
+            (root - linear) / constant
         };
-        let points = (controls.each_ref())
-            .map(|[u, v, w]| [(u, up), (v, up), (w, self.bits)].map(|(c, down)| rounded(c, -down)));
-        let in_px = |distance| times_power_of_two(distance, up - self.bits + self.exponent);
-        pieces.push(Piece {
-            least: in_px(least_distance(&points, &errors)),
-            controls,
-            halvings,
-        });
-        let [from, to] = [points[0], points[2]].map(|end| in_px(end_distance(end, &errors)));
-        best.min(from).min(to)
+        (0.5 * twice).max(0.0)
+    }
+
+    /// Where the conic crosses the border of a half-plane.
+    fn crossings(&self, border: &HalfPlane) -> [Option<DVec2>; 2] {
+        let length = border.linear.length();
+        if length == 0.0 {
+            return [None; 2];
+        }
+        let across = border.linear / length;
+        let (foot, along) = (-border.constant / length * across, across.perp());
+        let [constant, linear, square] = self.along(foot, along);
+        let root = (linear * linear - 4.0 * square * constant).sqrt();
+        let sum = -0.5 * (linear + root.copysign(linear));
+        let at = |s: f64| s.is_finite().then(|| foot + s * along);
+        [at(sum / square), at(constant / sum)]
+    }
+
+    /// The factors of 1, s and s^2 of the conic's form at `from + s direction`.
+    fn along(&self, from: DVec2, direction: DVec2) -> [f64; 3] {
+        let [xx, xy, yy] = self.square;
+        let times = |p: DVec2| DVec2::new(xx * p.x + 0.5 * xy * p.y, 0.5 * xy * p.x + yy * p.y);
+        [
+            self.constant + from.dot(self.linear + times(from)),
+            direction.dot(self.linear + 2.0 * times(from)),
+            direction.dot(times(direction)),
+        ]
     }
 }
 
-/// How far apart two distances in pixels may be and count as equal.
-fn tolerance(distance_px: f64) -> f64 {
-    (TOLERANCE * distance_px).max(TOLERANCE_PX)
+fn direction(angle: f64) -> DVec2 {
+    DVec2::new(libm::cos(angle), libm::sin(angle))
 }
 
-/// How many bits a number has, to within one.
-fn length<T: Integer>(n: &T) -> i64 {
-    let (leading, above) = n.rounded();
-    let (odd, exponent) = split(leading);
-    above + exponent + i64::from(odd.unsigned_abs().checked_ilog2().unwrap_or(0))
-}
-
-/// Bounds on the errors of coordinates.
-struct Errors {
-    /// Of u and v.
-    aside: f64,
-    w: f64,
-}
-
-/// An upper bound on the distance of a point.
-fn end_distance([u, v, w]: [f64; 3], errors: &Errors) -> f64 {
-    if w > errors.w {
-        (libm::hypot(u, v) + 2.0 * errors.aside) / (w - errors.w)
-    } else {
-        f64::INFINITY
+/// Where a function that has one maximum within `middle +- reach` is greatest, by golden sections.
+fn greatest(of: impl Fn(f64) -> f64, middle: f64, reach: f64) -> f64 {
+    const KEPT: f64 = 0.618_033_988_749_894_8;
+    let (mut from, mut to) = (middle - reach, middle + reach);
+    let inner = |from: f64, to: f64| [to - KEPT * (to - from), from + KEPT * (to - from)];
+    let mut at = inner(from, to);
+    let mut values = at.map(&of);
+    for _ in 0..STEPS {
+        if values[0] > values[1] {
+            to = at[1];
+            let next = inner(from, to)[0];
+            (at, values) = ([next, at[0]], [of(next), values[0]]);
+        } else {
+            from = at[0];
+            let next = inner(from, to)[1];
+            (at, values) = ([at[1], next], [values[1], of(next)]);
+        }
     }
-}
-
-/// A lower bound on the distance of each point of an arc.
-fn least_distance(points: &[[f64; 3]; 3], errors: &Errors) -> f64 {
-    let error = errors.aside;
-    let coordinate = |i: usize| points.map(|point| point[i]);
-    let [u, v, w] = [0, 1, 2].map(coordinate);
-    let size = u.iter().chain(&v).fold(error, |size, c| size.max(c.abs()));
-    // Error of the sum of two squares: from the coordinates' errors, and from rounding sums of their products.
-    let slack = 2.0 * error * (2.0 * size + error) + 16.0 * f64::EPSILON * size * size;
-    let (u, v, w) = (
-        square(u),
-        square(v),
-        square(w.map(|w| w.max(0.0) + errors.w)),
-    );
-    let quotients = (0..5).map(|i| (u[i] + v[i] - slack).max(0.0) / w[i]);
-    let least = quotients.fold(f64::INFINITY, f64::min);
-    (1.0 - 8.0 * f64::EPSILON) * least.sqrt()
-}
-
-/// The Bernstein coefficients of a quadratic's square.
-fn square([a, b, c]: [f64; 3]) -> [f64; 5] {
-    [a * a, a * b, (a * c + 2.0 * b * b) / 3.0, b * c, c * c]
-}
-
-/// Both halves of an arc (de Casteljau).
-fn halves<T: Fixed>([a, b, c]: &Controls<T>) -> [Controls<T>; 2] {
-    let midpoint = |p: &[T; 3], q: &[T; 3]| array::from_fn(|i| p[i].midpoint(&q[i]));
-    let (ab, bc) = (midpoint(a, b), midpoint(b, c));
-    let middle = midpoint(&ab, &bc);
-    [[a.clone(), ab, middle.clone()], [middle, bc, c.clone()]]
+    0.5 * (from + to)
 }

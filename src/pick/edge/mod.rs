@@ -6,7 +6,6 @@
 
 mod conic;
 mod picture_space;
-mod section;
 mod sphere_outline;
 
 use crate::{
@@ -27,7 +26,7 @@ pub(super) use picture_space::{PictureSpace, Shown};
 pub(super) fn edge_px(object: &Object, view: &View, px: DVec2, hit: &Hit) -> Option<f64> {
     let placement = &object.placement;
     if matches!(object.shape, Shape::Sphere) {
-        sphere_outline::distance_px(&PictureSpace::new(view, px).ok()?, placement)
+        sphere_outline::distance_px(view, px, placement)
     } else {
         let (origin, corners) = face_of(object, hit)?;
         polygon_px::<Enclosure>(view, px, placement, origin, &corners)

@@ -3,7 +3,6 @@
 use crate::{
     camera::View,
     geometry::{
-        PixelGrid,
         binary::times_power_of_two,
         dyadic::{Decided, InDoubt, Number, Vector, factors},
     },
@@ -18,7 +17,6 @@ use glam::DVec2;
 /// U, F): Q . (U x F) = D s X, Q . (F x R) = D s Y and Q . (R x U) = D t. Multiplied by H and shifted by the position,
 /// the first two are `u` and `v`, and 2 h |D| s is `w`.
 pub(in crate::pick) struct PictureSpace<I> {
-    pub(in crate::pick) grid: PixelGrid,
     u: Row<I>,
     v: Row<I>,
     w: Weight<I>,
@@ -42,8 +40,7 @@ struct Row<I> {
     constant: Number<I>,
 }
 
-/// A point as the picture shows it: `u / w` pixels right and `v / w` pixels down from the position. For a direction:
-/// how much a step along it changes each.
+/// A point as the picture shows it: `u / w` pixels right and `v / w` pixels down from the position.
 pub(in crate::pick) struct Shown<I> {
     pub(in crate::pick) u: Number<I>,
     pub(in crate::pick) v: Number<I>,
@@ -80,7 +77,6 @@ impl<I: Decided> PictureSpace<I> {
         };
         let whole_height = Number::new(2.0).times(&Number::new(grid.half_height));
         Ok(Self {
-            grid,
             u: row(&per_right, &of_right),
             v: row(&per_down, &of_up.negated()),
             w: if grid.is_orthographic {
@@ -108,16 +104,6 @@ impl<I: Decided> PictureSpace<I> {
         Shown { u, v, w, depth }
     }
 
-    /// A direction of world space.
-    pub(in crate::pick) fn direction(&self, world: &Vector<I>) -> Shown<I> {
-        let [u, v, depth] = [&self.u, &self.v, &self.depth].map(|row| row.normal.dot(world));
-        let w = match &self.w {
-            Weight::PerDepth(factor) => factor.times(&depth),
-            Weight::Constant(_) => Number::new(0.0),
-        };
-        Shown { u, v, w, depth }
-    }
-
     /// How far a point lies behind the near plane, in units of its `depth`; below 0 before the plane.
     pub(in crate::pick) fn behind_near(&self, point: &Shown<I>) -> Number<I> {
         point.depth.minus(&self.near)
@@ -131,11 +117,6 @@ impl<I: Decided> PictureSpace<I> {
     /// n . p + c of the section at a world point: below 0 where it is cut away. `None` without a section.
     pub(in crate::pick) fn kept(&self, world: &Vector<I>) -> Option<Number<I>> {
         self.section.as_ref().map(|section| section.at(world))
-    }
-
-    /// How much a step along a direction changes [`PictureSpace::kept`].
-    pub(super) fn kept_along(&self, direction: &Vector<I>) -> Option<Number<I>> {
-        Some(self.section.as_ref()?.normal.dot(direction))
     }
 }
 

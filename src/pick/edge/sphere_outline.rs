@@ -1,221 +1,140 @@
 //! Distance in pixels to a sphere's outline: the curve where rays of the picture touch the sphere.
 
-use super::{
-    conic::Arcs,
-    picture_space::{PictureSpace, Shown},
-    section::{Kept, Part},
+use super::conic::{Conic, HalfPlane};
+use crate::{
+    camera::View,
+    geometry::{
+        Placement,
+        dyadic::{Adjugate, Dyadic, DyadicVector, factors, rounded},
+    },
 };
-use crate::geometry::{
-    Placement,
-    dyadic::{Dyadic, DyadicVector, to_object},
-};
-use num_bigint::BigInt;
-use std::{array, cmp::Ordering};
+use glam::DVec2;
 
-/// The circle in which rays touch the sphere, as the picture shows it; exact, with two square roots not yet taken.
-///
-/// In object space the sphere is |y| = 1/2. The eye is at o / m, m = det L, and a ray touches the sphere where
-/// `y . o = m / 4`. Let g = o . o and k = 4 g - m^2, which is above 0 where the eye is outside. Then the circle has the
-/// centre `o m / (4 g)` and the squared radius `k / (16 g)`. (In orthographic projection o is the rays' direction and m
-/// = 0.) Let n be the gradient of depth. In the circle's plane, b = o x n keeps the depth and a = b x o raises it; a .
-/// a = g b . b. So with q = b . b the circle consists of
-///
-/// (m o + sqrt(k / q) (cos a + sin sqrt(g) b)) / (4 g).
-///
-/// The picture coordinates (u, v, w) are linear and 0 at the eye, so those of the direction o are -m times those of the
-/// sphere's centre. The circle is shown, up to a factor, as
-///
-/// sqrt(k q) centre + cos a + sin sqrt(g) b.
-pub(super) struct Circle {
-    /// Picture coordinates of the sphere's centre.
-    center: Vec3,
-    /// Those of the direction a.
-    a: Vec3,
-    /// Those of the direction b; its `w` is 0.
-    b: Vec3,
-    g: Dyadic,
-    kq: Dyadic,
-    /// A point lies at or behind the near plane where sqrt(k q) cos is at least this.
-    threshold: Dyadic,
-    /// All points have the same depth: 0 takes the place of sqrt(k q) cos.
-    is_level: bool,
-    kept: Option<Kept>,
-}
-
-/// Picture coordinates (u, v, w).
-type Vec3 = [Dyadic; 3];
+/// A function over the picture: the factors of 1, x and y, in pixels right and down from the position.
+type Over<T> = [T; 3];
 
 /// Distance in pixels to the part of a sphere's outline at or behind the near plane that the section keeps; `None` when
 /// there is none.
-pub(super) fn distance_px(space: &PictureSpace<BigInt>, placement: &Placement) -> Option<f64> {
-    let circle = Circle::new(space, placement)?;
-    if !circle.is_visible() {
-        return None;
-    }
-    // 112 bits are enough for all but extreme views. Coordinates need at most three more, and a sign.
-    let narrow = |n: BigInt| i128::try_from(n).unwrap_or_default();
-    let mut distance = circle.arcs(112, narrow)?.distance_px();
-    for bits in [448, 1792, 7168] {
-        if distance.is_err() {
-            distance = circle.arcs(bits, |n| n)?.distance_px();
-        }
-    }
-    Some(distance.unwrap_or_else(|nearest_known| nearest_known))
-}
-
-impl Circle {
-    /// `None` unless the eye is outside.
-    fn new(space: &PictureSpace<BigInt>, placement: &Placement) -> Option<Self> {
-        let grid = &space.grid;
-        let (eye, forward, determinant) = to_object(placement, grid.eye, grid.forward);
-        let (o, m) = if grid.is_orthographic {
-            (forward, Dyadic::new(0.0))
+///
+/// Over the picture, a ray's origin `o` and direction `d` in the sphere's space are linear (one of them is constant). Its
+/// line touches the sphere where `r^2 d . d - m . m` is 0, with the line's moment `m = o x d`: a conic, since m is
+/// linear, too (Plücker coordinates; Pottmann & Wallner, "Computational Line Geometry", 2001, 2.1). The form is above 0
+/// where the line meets the sphere, as at the position. There it touches at t = T / s, of which one is constant and the
+/// other linear: in perspective `(o . o - r^2) / -(o . d)`, in orthographic projection `-(o . d) / (d . d)`. So near
+/// plane and section keep what is on one side of a line.
+///
+/// All factors are exact until they are rounded, at the end. So none loses digits, however small the picture is beside
+/// the outline: they are those of the curve as seen from the position.
+pub(super) fn distance_px(view: &View, px: DVec2, placement: &Placement) -> Option<f64> {
+    let grid = view.camera.pixel_grid(view.viewport);
+    let is_parallel = grid.is_orthographic;
+    let vector = DyadicVector::new;
+    let [of_right, of_up] = factors(&grid, px);
+    let step = Dyadic::new(2.0).times(&Dyadic::new(grid.half_height));
+    let height = Dyadic::new(grid.size_px[1].into());
+    let (right, up) = (vector(grid.right), vector(grid.up));
+    // In world space, times the picture's height.
+    let aside = [
+        right.times(&of_right).plus(&up.times(&of_up)),
+        right.times(&step),
+        up.times(&step.negated()),
+    ];
+    let plus_aside = |v: DyadicVector, is_added: bool| {
+        let [here, right, down] = aside.clone();
+        if is_added {
+            [v.plus(&here), right, down]
         } else {
-            (eye, determinant)
-        };
-        let g = o.dot(&o);
-        let four_g = Dyadic::new(4.0).times(&g);
-        let m_squared = m.squared();
-        let k = four_g.minus(&m_squared);
-        if !k.sign().is_gt() {
+            let zero = || vector(glam::DVec3::ZERO);
+            [v, zero(), zero()]
+        }
+    };
+    let origin_world = plus_aside(vector(grid.eye).times(&height), is_parallel);
+    let direction_world = plus_aside(vector(grid.forward).times(&height), !is_parallel);
+    // In the sphere's space, times this weight.
+    let to_object = Adjugate::new(placement.model().matrix3);
+    let weight = to_object.determinant.times(&height);
+    let center = vector(placement.model().translation).times(&height);
+    let mut origin = origin_world.clone();
+    origin[0] = origin[0].minus(&center);
+    let [origin, direction] =
+        [&origin, &direction_world].map(|over| over.each_ref().map(|v| to_object.times(v)));
+
+    let radius_squared = weight.times(&weight).times(&Dyadic::new(0.25));
+    let [o, d] = [&origin[0], &direction[0]];
+    let moment: Over<_> = [0, 1, 2].map(|i| match i {
+        0 => o.cross(d),
+        _ => origin[i].cross(d).plus(&o.cross(&direction[i])),
+    });
+    let form = |i: usize, j: usize| {
+        let of_directions = direction[i].dot(&direction[j]);
+        (of_directions.times(&radius_squared)).minus(&moment[i].dot(&moment[j]))
+    };
+    let twice = |n: Dyadic| n.plus(&n);
+    let conic = in_f64([
+        form(0, 0),
+        twice(form(0, 1)),
+        twice(form(0, 2)),
+        form(1, 1),
+        twice(form(1, 2)),
+        form(2, 2),
+    ]);
+
+    let zero = || Dyadic::new(0.0);
+    let constant = |n: Dyadic| [n, zero(), zero()];
+    let towards: Over<_> = [0, 1, 2].map(|i| match is_parallel {
+        true => origin[i].dot(d).negated(),
+        false => o.dot(&direction[i]).negated(),
+    });
+    let (t, s) = if is_parallel {
+        (towards, constant(d.dot(d)))
+    } else {
+        let outside = o.dot(o).minus(&radius_squared);
+        if !outside.sign().is_gt() {
             return None;
         }
-        let model = placement.model();
-        let linear = model.matrix3;
-        let axes = [linear.x_axis, linear.y_axis, linear.z_axis]
-            .map(|axis| space.direction(&DyadicVector::new(axis)));
-        let row = |of: fn(&Shown<BigInt>) -> &Dyadic| {
-            DyadicVector::of(&axes.each_ref().map(|axis| of(axis).clone()))
-        };
-        let [u, v, w] = [row(|p| &p.u), row(|p| &p.v), row(|p| &p.w)];
-        let shown = |step: &DyadicVector| [&u, &v, &w].map(|row| row.dot(step));
-        let steepest = o.cross(&row(|p| &p.depth));
-        let is_level = steepest.is_zero();
-        let b = if is_level { across(&o) } else { steepest };
-        let center = space.point(&DyadicVector::new(model.translation));
-        let (a, q) = (b.cross(&o), b.dot(&b));
-        let kept = Kept::new(space, placement, [&o, &a, &b], [&m, &four_g, &q]);
-        Some(Self {
-            a: shown(&a),
-            kq: k.times(&q),
-            b: shown(&b),
-            threshold: (m_squared.times(&center.depth))
-                .minus(&four_g.times(&space.behind_near(&center))),
-            center: [center.u, center.v, center.w],
-            g,
-            is_level,
-            kept,
+        (constant(outside), towards)
+    };
+    let near = Dyadic::new(view.camera.lens().near);
+    let behind_near = [0, 1, 2].map(|i| t[i].minus(&s[i].times(&near)));
+    let kept = view.section.map(|section| {
+        let normal = vector(section.normal());
+        let [at_origin, along] =
+            [&origin_world, &direction_world].map(|over| over.each_ref().map(|v| normal.dot(v)));
+        let offset = Dyadic::new(section.offset()).times(&height);
+        let at_origin = plus(&at_origin, &constant(offset));
+        plus(&product(&at_origin, &s), &product(&t, &along))
+    });
+    let half_planes: Vec<HalfPlane> = [Some(s), Some(behind_near), kept]
+        .into_iter()
+        .flatten()
+        .map(|over| {
+            let [constant, x, y] = in_f64(over);
+            let linear = DVec2::new(x, y);
+            HalfPlane { constant, linear }
         })
-    }
-
-    /// Whether some of it lies at or behind the near plane.
-    fn is_visible(&self) -> bool {
-        match self.threshold.sign() {
-            Ordering::Greater => !self.is_level && !self.beyond_threshold().is_negative(),
-            _ => true,
-        }
-    }
-
-    /// k q times the squared sine at the threshold; negative where no point lies on the near plane.
-    fn beyond_threshold(&self) -> Dyadic {
-        self.kq.minus(&self.threshold.squared())
-    }
-
-    /// The parts at or behind the near plane that the section keeps; tangents of half angles have `bits` bits.
-    fn visible_parts(&self, [root, root_g]: [&Dyadic; 2], bits: i64) -> Vec<Part> {
-        let [zero, one] = [0.0, 1.0].map(Dyadic::new);
-        let sine = self.beyond_threshold();
-        // tan(angle / 2) = sin / (1 + cos), with the angle counted from the end on the same side.
-        let tangent = || {
-            let sine = sine.sqrt(bits);
-            sine.quotient(&root.plus(&self.threshold.abs()), bits)
-        };
-        let ends = if self.is_level || (self.threshold.is_negative() && sine.is_negative()) {
-            vec![(false, zero.clone(), one.clone()), (true, zero, one)]
-        } else if self.threshold.is_negative() {
-            vec![(false, zero, one.clone()), (true, tangent(), one)]
-        } else {
-            vec![(false, zero, tangent())]
-        };
-        let parts = ends.into_iter().flat_map(|(turned, from, to)| {
-            [false, true].map(|left| Part {
-                turned,
-                left,
-                from: from.clone(),
-                to: to.clone(),
-            })
-        });
-        match &self.kept {
-            None => parts.collect(),
-            Some(kept) => {
-                let squares = [&self.kq, &self.g];
-                let of_part = |part| kept.of_part(&part, squares, [root, root_g], bits);
-                parts.flat_map(of_part).collect()
-            }
-        }
-    }
-
-    /// The visible parts in fixed point of `bits` bits; `None` where there are none.
-    fn arcs<T>(&self, bits: i64, fixed: impl Fn(BigInt) -> T) -> Option<Arcs<T>> {
-        // Guard bits: what is cut off before the last step adds up to less than one unit.
-        let longer = bits + 8;
-        let root = self.kq.sqrt(longer);
-        let root_g = self.g.sqrt(longer);
-        let center = self.center.each_ref().map(|c| root.times(c));
-        let right = self.b.each_ref().map(|c| root_g.times(c));
-        let magnitude = |i: usize| {
-            let all = [&center[i], &self.a[i], &right[i]].map(Dyadic::magnitude);
-            all.into_iter().max().flatten()
-        };
-        let size_uv = magnitude(0).max(magnitude(1)).unwrap_or(0);
-        let size_w = magnitude(2).unwrap_or(0);
-        let sizes = [size_uv, size_uv, size_w];
-        let short = |v: &Vec3| -> Vec3 { array::from_fn(|i| v[i].cut_off(sizes[i] - longer)) };
-        let [center, a, right] = [&center, &self.a, &right].map(short);
-        let deepest: Vec3 = array::from_fn(|i| center[i].plus(&a[i]));
-        let opposite: Vec3 = array::from_fn(|i| center[i].minus(&a[i]));
-        let left = right.each_ref().map(Dyadic::negated);
-        let mut controls = Vec::new();
-        for part in self.visible_parts([&root, &root_g], longer) {
-            let (from, to) = (part.from, part.to);
-            let (first, last) = if part.turned {
-                (&opposite, &deepest)
-            } else {
-                (&deepest, &opposite)
-            };
-            let side = if part.left { &left } else { &right };
-            // The polar form of first + 2 p side + p^2 last.
-            let control = |p: &Dyadic, q: &Dyadic| -> [T; 3] {
-                let (sum, product) = (p.plus(q), p.times(q));
-                array::from_fn(|i| {
-                    let c = first[i].plus(&side[i].times(&sum));
-                    fixed(c.plus(&last[i].times(&product)).in_units(sizes[i] - bits))
-                })
-            };
-            let ends = [(&from, &from), (&from, &to), (&to, &to)];
-            controls.push(ends.map(|(p, q)| control(p, q)));
-        }
-        (!controls.is_empty()).then(|| Arcs {
-            controls,
-            bits,
-            // One unit for what fixed point cuts off, one for all that was cut off before.
-            error: 2.0,
-            exponent: size_uv - size_w,
-        })
-    }
+        .collect();
+    let [constant, x, y, xx, xy, yy] = conic;
+    let conic = Conic {
+        constant,
+        linear: DVec2::new(x, y),
+        square: [xx, xy, yy],
+    };
+    conic.distance(&half_planes)
 }
 
-/// A vector perpendicular to one that is not 0.
-fn across(v: &DyadicVector) -> DyadicVector {
-    let [x, y, z] = &v.integers;
-    let zero = BigInt::ZERO;
-    let integers = if *x == zero && *y == zero {
-        [z.clone(), zero.clone(), zero]
-    } else {
-        [-y, x.clone(), zero]
-    };
-    DyadicVector {
-        integers,
-        exponent: v.exponent,
-    }
+fn plus(a: &Over<Dyadic>, b: &Over<Dyadic>) -> Over<Dyadic> {
+    [0, 1, 2].map(|i| a[i].plus(&b[i]))
+}
+
+/// The product of two functions over the picture, one of which is constant.
+fn product(a: &Over<Dyadic>, b: &Over<Dyadic>) -> Over<Dyadic> {
+    let across = |i: usize| a[i].times(&b[0]).plus(&a[0].times(&b[i]));
+    [a[0].times(&b[0]), across(1), across(2)]
+}
+
+/// Numbers, over the least power of two above them all.
+fn in_f64<const N: usize>(numbers: [Dyadic; N]) -> [f64; N] {
+    let sizes = numbers.iter().filter_map(Dyadic::magnitude);
+    let unit = sizes.max().unwrap_or(0);
+    numbers.map(|n| rounded(&n.integer, n.exponent - unit))
 }
