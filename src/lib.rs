@@ -142,7 +142,8 @@
 //! a file:   path -> scene::load -> Scene -> render::SceneBuffers -> picture
 //! a save:   State -> viewer::jobs::save -> scene::save -> scene file, meshes beside it
 //! a click:  event -> viewer::ui -> Action -> viewer::model::State -> pick::pick_all -> Pick -> panel, JSON;
-//!           in the view of the picture that is shown: viewer/model/seeing.rs
+//!           in the view of the picture that is shown: viewer/model/seeing.rs; in one of the four views, on the
+//!           camera's ray through the point there: viewer/model/pane_mouse.rs
 //! a frame:  viewer::app -> State -> View -> render::Renderer -> colour, ids, selection -> window, picture
 //! a pixel:  View::ray -> WorldRay -> Scene::visit_batches -> Placement::local_ray -> PlacedRay, LocalRay -> shape or Mesh (Bvh)
 //!           -> Hit -> Pick; what f64 leaves open: WorldRay, Placement -> geometry::exact -> Hit

@@ -100,6 +100,28 @@ fn a_point_that_the_camera_does_not_see_is_followed_all_the_same() {
     assert_eq!(state.followed(), None);
 }
 
+/// With back faces hidden, the camera does not see the far side of a ball, which an observer behind it clicks. The near
+/// side is another point, and is not picked in its place.
+#[test]
+fn a_back_that_the_camera_hides_is_followed_all_the_same() {
+    let mut state = four(CameraChoice::default());
+    let ball = (state.scene().objects().iter()).position(|object| object.name == "Ball");
+    let ball = ball.expect("the demo's");
+    let (centre, camera) = (state.scene().bounds_of(ball).center(), state.view().camera);
+    within(&mut state, Stage::World, Action::LookFrom(camera.forward()));
+    for (is_hidden, found) in [(false, Some(false)), (true, None)] {
+        let px = px_in(&state, Stage::World, ball, centre).expect("in front");
+        within(&mut state, Stage::World, Action::Click(px, 0.0));
+        assert_eq!(state.picked().map(|pick| pick.front), found, "{is_hidden}");
+        let followed = state.followed().expect("a point");
+        assert!(followed.is_picked && followed.object == ball);
+        let world = state.followed_world().expect("a point");
+        assert!((world - centre).dot(camera.forward()) > 0.0, "its far side");
+        state.apply(Action::Select(None));
+        state.apply(Action::ToggleSides);
+    }
+}
+
 #[test]
 fn what_the_mouse_does_in_a_view_moves_that_view_alone() {
     for (i, stage) in STAGES.into_iter().enumerate() {

@@ -43,10 +43,7 @@ impl State {
             let is_tiny = self.is_within(2.0);
             return is_tiny.then(|| (EmptiedBy::Distance, vec![Action::FrameAll]));
         }
-        let uncut = View {
-            section: None,
-            ..view
-        };
+        let uncut = view.uncut();
         let fits = |view: View| {
             let camera = self.camera_with(&self.controls.fitted());
             camera.is_ok_and(|camera| self.may_show(&View { camera, ..view }))

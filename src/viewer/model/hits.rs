@@ -10,13 +10,15 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// Every surface on the ray of a click, and which of them is picked. The view is that of the click, whatever is on
-/// screen by now. The surfaces follow the scene: they are those that a ray at `px` of `view` hits now.
+/// Every surface on a ray of the scene's camera, and which of them is picked. The view is the camera's when the click was
+/// made, whatever is on screen by now: a click in one of the four views means the camera's ray through the point there.
+/// The surfaces follow the scene: they are those that a ray at `px` of `view` hits now.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RayHits {
-    /// The view that the click was in.
+    /// The camera's view.
     pub view: View,
-    /// The position that the ray goes through. For a click in the camera's picture, it is the centre of the pixel.
+    /// The position that the ray goes through: the centre of a pixel, unless a click in one of the four views meant a
+    /// point that no such ray meets.
     pub px: DVec2,
     /// The surfaces, from front to back.
     pub picks: Vec<Pick>,

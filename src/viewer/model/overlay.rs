@@ -28,8 +28,9 @@ impl Overlay {
         Self::Boxes,
     ];
 
-    /// Whether it is drawn with the scene, for what is selected. The panels draw the pick's over the picture.
-    fn is_of_selection(self) -> bool {
+    /// Whether its lines in the scene are those of what is selected, or else of all. The grid has lines of its own, and
+    /// the panels draw what belongs to the pick.
+    fn depends_on_selection(self) -> bool {
         !matches!(self, Self::Grid | Self::Triangle | Self::Distance)
     }
 }
@@ -75,10 +76,10 @@ impl Overlays {
         Self { tree_level, ..self }
     }
 
-    /// Whether any that shows is drawn with the scene, for what is selected.
-    pub(in crate::viewer) fn are_of_selection(self) -> bool {
+    /// Whether the lines in the scene depend on what is selected.
+    pub(in crate::viewer) fn depend_on_selection(self) -> bool {
         let mut all = Overlay::ALL.into_iter();
-        let shows = all.any(|overlay| self.shows(overlay) && overlay.is_of_selection());
+        let shows = all.any(|overlay| self.shows(overlay) && overlay.depends_on_selection());
         shows || self.tree_level.is_some()
     }
 }

@@ -65,14 +65,13 @@ impl State {
         if let Some(seen) = self.in_picture(world) {
             let px_wide =
                 view.half_extent().y * lens.w(seen.depth) * 2.0 / f64::from(view.viewport.height());
-            for (px, most) in [
-                (pixel_centre(seen.px), SAME_DEPTH_PX * px_wide),
-                (seen.px, f64::INFINITY),
-            ] {
+            for px in [pixel_centre(seen.px), seen.px] {
                 let hits = RayHits::cast(&self.scene, view, px, 0);
                 let off = |pick: &Pick| (pick.depth - seen.depth).abs();
                 let there = (hits.picks.iter().enumerate())
-                    .filter(|(_, pick)| pick.id == object + 1 && off(pick) <= most)
+                    .filter(|(_, pick)| {
+                        pick.id == object + 1 && off(pick) <= SAME_DEPTH_PX * px_wide
+                    })
                     .min_by(|(_, a), (_, b)| off(a).total_cmp(&off(b)));
                 if let Some((at, _)) = there {
                     let at = Some(at);

@@ -8,7 +8,7 @@ use super::{
     viewing::with_frustum,
 };
 use crate::{
-    camera::{NdcSpace, UpAxis, View},
+    camera::{NdcSpace, Orbit, UpAxis, View},
     geometry::{Aabb, Placement},
     scene::{Object, Scene},
 };
@@ -198,7 +198,7 @@ impl State {
         let points = points.map(|point| to_drawn.transform_point3(point));
         let up = self.rig.up_axis;
         let (up_axis, from, points) = match stage {
-            Stage::Object => (up, DVec3::new(1.0, 0.8, 1.6), corners_of(object)),
+            Stage::Object => (up, Orbit::FROM, corners_of(object)),
             Stage::World => {
                 let frame = up.frame();
                 // Beside the camera, above and behind: all of its frustum shows.

@@ -279,10 +279,7 @@ impl State {
     /// are fitted to the scene again. What a section cuts away counts as in view.
     pub(super) fn free_planes_for(&mut self, bounds_world: &Aabb) {
         let is_set = self.controls.near.is_some() || self.controls.far.is_some();
-        let uncut = View {
-            section: None,
-            ..self.view
-        };
+        let uncut = self.view.uncut();
         let sees = || uncut.may_see(bounds_world) && self.may_show(&uncut);
         if is_set && !bounds_world.is_empty() && !sees() {
             (self.controls.near, self.controls.far) = (None, None);

@@ -3,7 +3,7 @@
 use crate::{colour::Srgb, geometry::Aabb, render::Line};
 
 /// The edges of a box; none of an empty one.
-pub(super) fn edges(bounds: &Aabb, colour: Srgb) -> impl Iterator<Item = Line> {
+pub(super) fn edges(bounds: &Aabb, colour: Srgb) -> impl Iterator<Item = Line> + use<> {
     let corners = bounds.corners();
     // Pairs of corners that differ in one coordinate, each pair once.
     let pairs = (0..8_usize).flat_map(|from| [1, 2, 4].map(move |bit| (from, from | bit)));

@@ -41,29 +41,33 @@ pub(in crate::viewer) fn shown_trees(
     })
 }
 
+/// The lines of an object, by its index.
+type LinesOf = for<'a> fn(&'a Scene, usize) -> Box<dyn Iterator<Item = Line> + 'a>;
+
 /// Normals, boxes and trees of the selection, or of all that is visible if nothing is selected: the first [`MOST`]
 /// lines.
 pub(in crate::viewer) fn lines(subject: &Subject) -> Vec<Line> {
     let (scene, overlays, selected) = (subject.scene, subject.overlays, subject.selection);
-    let shows_lines = [Overlay::Normals, Overlay::Boxes].map(|overlay| overlays.shows(overlay));
-    let asked = match selected {
-        _ if !shows_lines.contains(&true) => 0..0,
-        Some(selected) => selected..selected + 1,
-        None => 0..scene.objects().len(),
+    let of_objects: [(Overlay, LinesOf); 2] = [
+        (Overlay::Normals, |scene, index| {
+            normals(&scene.objects()[index])
+        }),
+        (Overlay::Boxes, |scene, index| {
+            Box::new(edges(&scene.bounds_of(index), look::BOXES))
+        }),
+    ];
+    let is_asked = |index: &usize| {
+        let object = scene.objects().get(*index);
+        object.is_some_and(|object| object.visible)
     };
-    let objects = asked.filter_map(|index| Some((index, scene.objects().get(index)?)));
     let mut lines = Vec::new();
-    for (index, object) in objects.filter(|(_, object)| object.visible) {
-        if overlays.shows(Overlay::Normals) {
-            lines.extend(normals(object).take(MOST));
-        }
-        if overlays.shows(Overlay::Boxes) {
-            lines.extend(edges(&scene.bounds_of(index), look::BOXES));
-        }
-        if lines.len() >= MOST {
-            lines.truncate(MOST);
-            break;
-        }
+    for (_, of) in of_objects
+        .iter()
+        .filter(|(overlay, _)| overlays.shows(*overlay))
+    {
+        let objects = selected.map_or(0..scene.objects().len(), |at| at..at + 1);
+        let all = objects.filter(is_asked).flat_map(|index| of(scene, index));
+        lines.extend(all.take(MOST - lines.len()));
     }
     if let Some(level) = overlays.tree_level {
         for (mesh, placement) in shown_trees(scene, selected) {

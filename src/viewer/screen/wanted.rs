@@ -17,7 +17,7 @@ pub(super) struct Drawn {
     visibility: u64,
     grid: Option<UpAxis>,
     frozen: Option<Frozen>,
-    /// Overlays that are drawn for the selection, the selection that they are for, and whether trees are built, which they may show.
+    /// Overlays that depend on the selection, the selection that they are for, and whether trees are built, which they may show.
     overlays: Option<(Overlays, Option<usize>, bool)>,
     lesson: Option<Lesson>,
 }
@@ -27,7 +27,7 @@ impl Drawn {
     pub fn wanted(subject: &Subject, background: Background) -> Self {
         let (overlays, selection) = (subject.overlays, subject.selection);
         Self {
-            overlays: (overlays.are_of_selection())
+            overlays: (overlays.depend_on_selection())
                 .then(|| (overlays, selection, subject.scene.trees_are_built())),
             view: subject.view,
             background,

@@ -30,7 +30,10 @@ const MOUSE: &[(&str, &str)] = &[
         "zoom at the cursor; so does a pinch on a touch screen, or on a Mac",
     ),
     ("Shift+wheel", "pan, on a trackpad in any direction"),
-    ("click", "pick; the same pixel again: the surface behind"),
+    (
+        "click",
+        "pick; the same pixel again: the next surface on the camera's ray",
+    ),
     (
         "Ctrl+click, Shift+click",
         "add to what is selected, or take out; in the list, Shift: all rows between",
