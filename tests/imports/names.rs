@@ -20,7 +20,6 @@ const SHARED: [(&str, &[&str]); 14] = [
             "geometry",
             "geometry/exact",
             "scene",
-            "pick/edge",
             "render",
             "verify",
             "viewer/ui/panels/inspector",

@@ -134,7 +134,10 @@ fn one_driver_orders_the_steps_of_a_frame() {
 const OF_ALL_OBJECTS: [(&str, &str); 4] = [
     ("objects.rs", "letobjects=state.scene().objects().iter()"),
     ("objects.rs", "letobjects=state.scene().objects();"),
-    ("overlay_lines.rs", "None=>0..scene.objects().len(),"),
+    (
+        "overlay_lines.rs",
+        "selected.map_or(0..scene.objects().len(),",
+    ),
     ("overlay_lines.rs", "None=>scene.batches(),"),
 ];
 

@@ -4,132 +4,152 @@ use super::conic::{Conic, HalfPlane};
 use crate::{
     camera::View,
     geometry::{
-        Placement,
+        PixelGrid, Placement,
         dyadic::{Adjugate, Dyadic, DyadicVector, factors, rounded},
     },
 };
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
-/// A function over the picture: the factors of 1, x and y, in pixels right and down from the position.
+/// A function over the picture: its value at the position, and how much it changes for a pixel to the right and for one
+/// down. All such functions here are linear.
 type Over<T> = [T; 3];
 
-/// Distance in pixels to the part of a sphere's outline at or behind the near plane that the section keeps; `None` when
-/// there is none.
+/// Distance in pixels from a position where a sphere is hit to the part of its outline at or behind the near plane that
+/// the section keeps; `None` when there is none.
 ///
-/// Over the picture, a ray's origin `o` and direction `d` in the sphere's space are linear (one of them is constant). Its
-/// line touches the sphere where `r^2 d . d - m . m` is 0, with the line's moment `m = o x d`: a conic, since m is
-/// linear, too (Plücker coordinates; Pottmann & Wallner, "Computational Line Geometry", 2001, 2.1). The form is above 0
-/// where the line meets the sphere, as at the position. There it touches at t = T / s, of which one is constant and the
-/// other linear: in perspective `(o . o - r^2) / -(o . d)`, in orthographic projection `-(o . d) / (d . d)`. So near
-/// plane and section keep what is on one side of a line.
-///
-/// All factors are exact until they are rounded, at the end. So none loses digits, however small the picture is beside
-/// the outline: they are those of the curve as seen from the position.
+/// All factors are exact until they are rounded, at the end, and those of the curve as seen from the position. So no
+/// digits are lost, however small the picture is beside the outline.
 pub(super) fn distance_px(view: &View, px: DVec2, placement: &Placement) -> Option<f64> {
     let grid = view.camera.pixel_grid(view.viewport);
-    let is_parallel = grid.is_orthographic;
-    let vector = DyadicVector::new;
-    let [of_right, of_up] = factors(&grid, px);
-    let step = Dyadic::new(2.0).times(&Dyadic::new(grid.half_height));
-    let height = Dyadic::new(grid.size_px[1].into());
-    let (right, up) = (vector(grid.right), vector(grid.up));
-    // In world space, times the picture's height.
-    let aside = [
-        right.times(&of_right).plus(&up.times(&of_up)),
-        right.times(&step),
-        up.times(&step.negated()),
-    ];
-    let plus_aside = |v: DyadicVector, is_added: bool| {
-        let [here, right, down] = aside.clone();
-        if is_added {
-            [v.plus(&here), right, down]
-        } else {
-            let zero = || vector(glam::DVec3::ZERO);
-            [v, zero(), zero()]
-        }
-    };
-    let origin_world = plus_aside(vector(grid.eye).times(&height), is_parallel);
-    let direction_world = plus_aside(vector(grid.forward).times(&height), !is_parallel);
-    // In the sphere's space, times this weight.
-    let to_object = Adjugate::new(placement.model().matrix3);
-    let weight = to_object.determinant.times(&height);
-    let center = vector(placement.model().translation).times(&height);
-    let mut origin = origin_world.clone();
-    origin[0] = origin[0].minus(&center);
-    let [origin, direction] =
-        [&origin, &direction_world].map(|over| over.each_ref().map(|v| to_object.times(v)));
-
-    let radius_squared = weight.times(&weight).times(&Dyadic::new(0.25));
-    let [o, d] = [&origin[0], &direction[0]];
-    let moment: Over<_> = [0, 1, 2].map(|i| match i {
-        0 => o.cross(d),
-        _ => origin[i].cross(d).plus(&o.cross(&direction[i])),
-    });
-    let form = |i: usize, j: usize| {
-        let of_directions = direction[i].dot(&direction[j]);
-        (of_directions.times(&radius_squared)).minus(&moment[i].dot(&moment[j]))
-    };
-    let twice = |n: Dyadic| n.plus(&n);
-    let conic = in_f64([
-        form(0, 0),
-        twice(form(0, 1)),
-        twice(form(0, 2)),
-        form(1, 1),
-        twice(form(1, 2)),
-        form(2, 2),
-    ]);
-
-    let zero = || Dyadic::new(0.0);
-    let constant = |n: Dyadic| [n, zero(), zero()];
-    let towards: Over<_> = [0, 1, 2].map(|i| match is_parallel {
-        true => origin[i].dot(d).negated(),
-        false => o.dot(&direction[i]).negated(),
-    });
-    let (t, s) = if is_parallel {
-        (towards, constant(d.dot(d)))
-    } else {
-        let outside = o.dot(o).minus(&radius_squared);
-        if !outside.sign().is_gt() {
-            return None;
-        }
-        (constant(outside), towards)
-    };
+    let world = Rays::new(&grid, px);
+    let local = world.to_object(placement);
+    let (t, s) = touching(&grid, &local)?;
     let near = Dyadic::new(view.camera.lens().near);
     let behind_near = [0, 1, 2].map(|i| t[i].minus(&s[i].times(&near)));
-    let kept = view.section.map(|section| {
-        let normal = vector(section.normal());
-        let [at_origin, along] =
-            [&origin_world, &direction_world].map(|over| over.each_ref().map(|v| normal.dot(v)));
-        let offset = Dyadic::new(section.offset()).times(&height);
-        let at_origin = plus(&at_origin, &constant(offset));
-        plus(&product(&at_origin, &s), &product(&t, &along))
+    let section = view.section.map(|section| {
+        let normal = DyadicVector::new(section.normal());
+        let [mut origin, direction] =
+            [&world.origin, &world.direction].map(|over| over.each_ref().map(|v| normal.dot(v)));
+        origin[0] = origin[0].plus(&Dyadic::new(section.offset()).times(&world.weight));
+        let (of_s, of_t) = (product(&origin, &s), product(&direction, &t));
+        [0, 1, 2].map(|i| of_s[i].plus(&of_t[i]))
     });
-    let half_planes: Vec<HalfPlane> = [Some(s), Some(behind_near), kept]
-        .into_iter()
-        .flatten()
-        .map(|over| {
-            let [constant, x, y] = in_f64(over);
-            let linear = DVec2::new(x, y);
-            HalfPlane { constant, linear }
-        })
-        .collect();
-    let [constant, x, y, xx, xy, yy] = conic;
-    let conic = Conic {
+    let kept = [Some(s), Some(behind_near), section].into_iter().flatten();
+    let kept: Vec<HalfPlane> = kept.map(half_plane).collect();
+    outline(&local).distance(&kept)
+}
+
+/// The rays of a picture about a position: origin and direction, both times a weight. One of them is the same for all
+/// rays.
+struct Rays {
+    origin: Over<DyadicVector>,
+    direction: Over<DyadicVector>,
+    weight: Dyadic,
+}
+
+impl Rays {
+    /// In world space. The weight is the picture's height.
+    fn new(grid: &PixelGrid, px: DVec2) -> Self {
+        let vector = DyadicVector::new;
+        let [of_right, of_up] = factors(grid, px);
+        let per_px = Dyadic::new(2.0).times(&Dyadic::new(grid.half_height));
+        let weight = Dyadic::new(grid.size_px[1].into());
+        let (right, up) = (vector(grid.right), vector(grid.up));
+        let [eye, forward] = [grid.eye, grid.forward].map(|v| vector(v).times(&weight));
+        let aside = right.times(&of_right).plus(&up.times(&of_up));
+        let steps = [right.times(&per_px), up.times(&per_px.negated())];
+        let still = [vector(DVec3::ZERO), vector(DVec3::ZERO)];
+        let over = |here, [right, down]: [DyadicVector; 2]| [here, right, down];
+        let (origin, direction) = if grid.is_orthographic {
+            (over(eye.plus(&aside), steps), over(forward, still))
+        } else {
+            (over(eye, still), over(forward.plus(&aside), steps))
+        };
+        Self {
+            origin,
+            direction,
+            weight,
+        }
+    }
+
+    /// In the object space of a placement. The weight is that in the world times the determinant of the model matrix.
+    fn to_object(&self, placement: &Placement) -> Self {
+        let model = placement.model();
+        let to_object = Adjugate::new(model.matrix3);
+        let mut origin = self.origin.clone();
+        let center = DyadicVector::new(model.translation);
+        origin[0] = origin[0].minus(&center.times(&self.weight));
+        Self {
+            origin: origin.map(|v| to_object.times(&v)),
+            direction: self.direction.each_ref().map(|v| to_object.times(v)),
+            weight: to_object.determinant.times(&self.weight),
+        }
+    }
+
+    /// The square of the sphere's radius, times that of the weight.
+    fn radius_squared(&self) -> Dyadic {
+        self.weight.squared().times(&Dyadic::new(0.25))
+    }
+}
+
+/// The outline as a conic. A line with origin `o`, direction `d` and moment `m = o x d` touches the sphere where `r^2 d .
+/// d - m . m` is 0, and meets it where that is above 0. `d` and `m` are linear over the picture (Plücker coordinates;
+/// Pottmann & Wallner, "Computational Line Geometry", 2001, 2.1).
+fn outline(rays: &Rays) -> Conic {
+    let (o, d) = (&rays.origin, &rays.direction);
+    let moment: Over<_> = [0, 1, 2].map(|i| match i {
+        0 => o[0].cross(&d[0]),
+        _ => o[i].cross(&d[0]).plus(&o[0].cross(&d[i])),
+    });
+    let radius_squared = rays.radius_squared();
+    let form = |i: usize, j: usize| {
+        let of_directions = radius_squared.times(&d[i].dot(&d[j]));
+        of_directions.minus(&moment[i].dot(&moment[j]))
+    };
+    let twice = |n: Dyadic| n.plus(&n);
+    let [xx, yy] = [form(1, 1), form(2, 2)];
+    let [x, y, xy] = [(0, 1), (0, 2), (1, 2)].map(|(i, j)| twice(form(i, j)));
+    let [constant, x, y, xx, xy, yy] = in_f64([form(0, 0), x, y, xx, xy, yy]);
+    Conic {
         constant,
         linear: DVec2::new(x, y),
         square: [xx, xy, yy],
-    };
-    conic.distance(&half_planes)
+    }
 }
 
-fn plus(a: &Over<Dyadic>, b: &Over<Dyadic>) -> Over<Dyadic> {
-    [0, 1, 2].map(|i| a[i].plus(&b[i]))
+/// Numerator and denominator of the parameter at which the rays of the outline touch the sphere; the denominator is
+/// above 0 there. `None` when the eye is not outside.
+///
+/// In perspective the points of touch lie in the plane `y . o = r^2` of object space, so the parameter is `(o . o - r^2)
+/// / -(o . d)`. In orthographic projection they lie in `y . d = 0`, so it is `-(o . d) / (d . d)`. Of numerator and
+/// denominator one is constant and one linear over the picture: near plane and section keep what is on one side of a
+/// line.
+fn touching(grid: &PixelGrid, rays: &Rays) -> Option<(Over<Dyadic>, Over<Dyadic>)> {
+    let (o, d) = (&rays.origin, &rays.direction);
+    let constant = |n: Dyadic| [n, Dyadic::new(0.0), Dyadic::new(0.0)];
+    if grid.is_orthographic {
+        let along = [0, 1, 2].map(|i| o[i].dot(&d[0]).negated());
+        return Some((along, constant(d[0].dot(&d[0]))));
+    }
+    let outside = o[0].dot(&o[0]).minus(&rays.radius_squared());
+    let towards = [0, 1, 2].map(|i| o[0].dot(&d[i]).negated());
+    let is_outside = outside.sign().is_gt();
+    is_outside.then(|| (constant(outside), towards))
 }
 
-/// The product of two functions over the picture, one of which is constant.
+/// The product of two functions, of which one is constant.
 fn product(a: &Over<Dyadic>, b: &Over<Dyadic>) -> Over<Dyadic> {
-    let across = |i: usize| a[i].times(&b[0]).plus(&a[0].times(&b[i]));
-    [a[0].times(&b[0]), across(1), across(2)]
+    [0, 1, 2].map(|i| match i {
+        0 => a[0].times(&b[0]),
+        _ => a[i].times(&b[0]).plus(&a[0].times(&b[i])),
+    })
+}
+
+/// Where a function is not negative.
+fn half_plane(over: Over<Dyadic>) -> HalfPlane {
+    let [constant, x, y] = in_f64(over);
+    let linear = DVec2::new(x, y);
+    HalfPlane { constant, linear }
 }
 
 /// Numbers, over the least power of two above them all.
