@@ -22,7 +22,16 @@ fn is_mark(pixel: Rgb) -> bool {
         .all(|(a, b)| a.abs_diff(b) < 40)
 }
 
-/// A hit is marked on any shape, here a cube and a sphere. A hit on a back face has another mark.
+/// Whether a pixel has a faint mark: grey.
+fn is_faint(pixel: Rgb) -> bool {
+    let (least, most) = pixel.iter().fold((255, 0), |(a, b), c| {
+        (c.min(&a).to_owned(), c.max(&b).to_owned())
+    });
+    (100..215).contains(&least) && most - least < 40
+}
+
+/// A hit is marked on any shape, here a cube and a sphere. A hit on a back face has another mark, which is faint while
+/// the front hides it.
 #[test]
 fn a_hit_has_a_mark_and_a_back_face_another() {
     hits_are_marked(Key::Num1, "front");
@@ -50,12 +59,14 @@ fn hits_are_marked(view: Key, object: &str) {
     for ring in ring {
         assert!(!is_mark(beside(&bare, ring)));
         assert!(
-            is_mark(beside(&front, ring)) && is_mark(beside(&back, ring)),
-            "{ring:?}"
+            is_mark(beside(&front, ring)) && is_faint(beside(&back, ring)),
+            "{ring:?}: {:?} {:?}",
+            beside(&front, ring),
+            beside(&back, ring)
         );
     }
-    assert!(is_mark(beside(&front, [0, 0])) && is_mark(beside(&back, [0, 0])));
-    assert!(!is_mark(beside(&front, [3, 3])) && is_mark(beside(&back, [3, 3])));
+    assert!(is_mark(beside(&front, [0, 0])) && is_faint(beside(&back, [0, 0])));
+    assert!(!is_mark(beside(&front, [3, 3])) && is_faint(beside(&back, [3, 3])));
     // Without a selection there is no mark.
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     let without = window.picture().expect("a picture");

@@ -21,6 +21,7 @@ impl App {
         }
         let clicks = matches!(action, Action::Click(..)) && !self.state.awaits_scene();
         let was_measuring = self.state.measuring().is_on;
+        let was_cut = self.state.view().section.is_some();
         let start = Instant::now();
         let (method, scene) = (self.state.method(), self.state.scene_revision());
         let picked = self.state.apply(action);
@@ -38,6 +39,9 @@ impl App {
         }
         if self.state.measuring().is_on && !was_measuring {
             self.memory.panels.show(Topic::Measure);
+        }
+        if action == Action::ToggleSection && !was_cut && self.state.view().section.is_some() {
+            self.memory.panels.show(Topic::Section);
         }
         if clicks {
             if self.host == Host::Window {

@@ -64,6 +64,19 @@ impl State {
         self.pick_ray()?.seen_in(&self.view)
     }
 
+    /// Whether another surface is in front of the picked point in the view on screen; `false` while rays are slow.
+    pub fn pick_is_hidden(&self) -> bool {
+        /// A surface whose depth is this near to the point's is the point's own: it lies in its pixel's middle.
+        const SAME: f64 = 1e-6;
+        let seen = self
+            .picked()
+            .and_then(|pick| self.view.project(pick.point_world));
+        seen.is_some_and(|seen| {
+            let hit = self.quick_hit(&self.view.ray(seen.px));
+            hit.is_some_and(|hit| seen.depth - hit.hit.t > SAME * seen.depth.abs())
+        })
+    }
+
     pub(super) fn cursor_at(&self, px: DVec2) -> Cursor {
         let px = pixel_centre(px);
         let ray = self.view.ray(px);

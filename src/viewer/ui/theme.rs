@@ -30,10 +30,16 @@ pub(super) fn backing(context: &egui::Context, opacity: u8) -> Color32 {
     }
 }
 
-/// A colour of the picture, as words on a [`backing`] have it: darker on a light one.
+/// A colour of the picture, as words on a [`backing`] have it: as dark as it must be on a light one.
 pub(super) fn of_words(context: &egui::Context, colour: Color32) -> Color32 {
-    let colour = Srgb([colour.r(), colour.g(), colour.b()]);
-    color32(Srgb::from_linear(background(context).over(colour)))
+    /// On white, words of this luminance have a contrast of 5.5 (WCAG 2.2, which asks for 4.5).
+    const DARK: f32 = 0.14;
+    if context.theme() == Theme::Dark {
+        return colour;
+    }
+    let linear = Srgb([colour.r(), colour.g(), colour.b()]).to_linear();
+    let share = (DARK / look::luminance(linear)).min(1.0);
+    color32(Srgb::from_linear(linear.map(|channel| channel * share)))
 }
 
 /// Whether panels are dark or light.

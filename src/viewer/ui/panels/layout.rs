@@ -46,10 +46,11 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         Panel::top("menus").show(ui, |ui| menu_bar::show(ui, shown, &mut of_bar));
         Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
     }
+    // The sides are as wide during the tour as without.
+    let room = room(window, ui.available_size());
     if let Some(tour) = shown.tour.filter(|_| !shown.is_bare) {
         tour_card::strip(ui, tour, shown.state, &mut commands);
     }
-    let room = room(window, ui.available_size());
     let showed = shown.arrangement.showing;
     let in_gallery = shown.state.showing().is_some();
     let widths = shown.arrangement.lay_out(in_gallery, room);

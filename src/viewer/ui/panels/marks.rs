@@ -15,6 +15,8 @@ use crate::{
 use egui::{Painter, Pos2, Shape};
 use glam::DVec2;
 
+/// How opaque the marks of a pick are that another surface hides.
+const HIDDEN: f32 = 0.45;
 /// Radius of the mark at a hit, in points.
 const MARK: f32 = 6.0;
 /// A triangle that is smaller than this in the picture, in points, has no names at its corners: they would hide it.
@@ -36,10 +38,18 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
         labels: Vec::new(),
     };
     let pick = state.picked();
+    let of_measures = page.colour;
+    let of_pick = if state.pick_is_hidden() {
+        of_measures.gamma_multiply(HIDDEN)
+    } else {
+        of_measures
+    };
+    page.colour = of_pick;
     let is_in = state.pick_view() != Some(PickView::LeftOut);
     if let Some(pick) = pick.filter(|_| is_in && state.overlays().shows(Overlay::Triangle)) {
         page.triangle(state, pick);
     }
+    page.colour = of_measures;
     let measuring = state.measuring();
     if let (Some([from, to]), true) = (
         measuring.last_two(),
@@ -48,7 +58,9 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
         page.distance(from.point_world, to.point_world);
     }
     if let Some(pick) = pick {
+        page.colour = of_pick;
         page.hit(pick);
+        page.colour = of_measures;
     }
     for point in measuring.points.iter().filter(|_| measuring.is_on) {
         page.diamond(point.point_world);

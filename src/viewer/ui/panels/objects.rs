@@ -72,13 +72,17 @@ pub(super) fn show(
     reveal_selection: bool,
     commands: &mut Vec<Command>,
 ) {
+    let mut is_entered = false;
     ui.scope(|ui| {
         ui.set_max_width(ui.available_width() - GUTTER);
         above(ui, state, filter, commands);
-        search(ui, &mut filter.text);
+        is_entered = search(ui, &mut filter.text);
         ui.separator();
     });
     let is_another = filter.apply(state);
+    if is_entered && filter.rows.as_ref().is_some_and(|found| !found.is_empty()) {
+        commands.push(Action::Select(Some(filter.object(0))).into());
+    }
     let objects = state.scene().objects();
     let height = (ui.text_style_height(&TextStyle::Body)).max(ui.spacing().interact_size.y);
     let mut area = ScrollArea::vertical().id_salt("list").auto_shrink(false);
@@ -121,16 +125,20 @@ fn selecting(state: &State, filter: &Filter, index: usize, how: Modifiers) -> Co
     Action::Select((!is_alone).then_some(index)).into()
 }
 
-/// The field for what is searched. Esc clears it, or leaves it if it is empty.
-fn search(ui: &mut Ui, text: &mut String) {
+/// The field for what is searched. Esc clears it, or leaves it if it is empty. Returns whether Enter left it.
+fn search(ui: &mut Ui, text: &mut String) -> bool {
     let field = egui::TextEdit::singleline(text).hint_text("search");
     let field = ui.add(field.desired_width(f32::INFINITY)).named("search");
-    // egui takes the focus from a field at Esc.
-    if field.lost_focus() && !text.is_empty() && ui.input(|input| input.key_pressed(Key::Escape)) {
+    // egui takes the focus from a field at Esc and at Enter.
+    let left_by = |key| field.lost_focus() && ui.input(|input| input.key_pressed(key));
+    if left_by(Key::Escape) && !text.is_empty() {
         text.clear();
         field.request_focus();
     }
-    field.hint("list only objects whose name contains this; Esc clears it");
+    let is_entered = left_by(Key::Enter);
+    let hint = "list only objects whose name contains this; Enter selects the first, Esc clears it";
+    field.hint(hint);
+    is_entered
 }
 
 /// How many objects the search finds, or else how many objects and triangles there are; and buttons that hide and show.

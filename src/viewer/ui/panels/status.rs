@@ -75,10 +75,11 @@ fn frame(ui: &mut Ui, statistics: &Statistics) {
 
 /// What draws, and how.
 fn drawing(ui: &mut Ui, state: &State, statistics: &Statistics) {
-    ui.weak(statistics.adapter.as_str())
+    let adapter = RichText::new(&statistics.adapter).weak();
+    ui.add(Label::new(adapter).truncate())
         .hint("what draws: the graphics card, or the processor in its place");
     if statistics.software {
-        ui.label("software")
+        ui.add(Label::new("software").truncate())
             .hint("no graphics card is used: the processor draws");
     }
     ui.separator();
@@ -92,6 +93,7 @@ fn drawing(ui: &mut Ui, state: &State, statistics: &Statistics) {
         Sides::Front => ", back faces culled",
         Sides::Both => "",
     };
-    ui.weak(format!("{projection}, {} depth{culls}", lens.depth))
+    let drawn = RichText::new(format!("{projection}, {} depth{culls}", lens.depth)).weak();
+    ui.add(Label::new(drawn).truncate())
         .hint("how the view is flattened, and how the depth buffer stores depth; the Camera panel changes both");
 }

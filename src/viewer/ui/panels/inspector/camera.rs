@@ -58,8 +58,7 @@ pub(super) fn copy(ui: &mut Ui, commands: &mut Vec<Command>) {
 
 fn projection(ui: &mut Ui, next: &mut LensControls) {
     ui.horizontal(|ui| {
-        ui.label("projection")
-            .hint("how the view is flattened into a picture");
+        name(ui, "projection", "how the view is flattened into a picture");
         ui.selectable_value(&mut next.orthographic, false, "perspective")
             .hint("what is farther away looks smaller, as the eye sees it (5)");
         ui.selectable_value(&mut next.orthographic, true, "orthographic")
@@ -67,10 +66,18 @@ fn projection(ui: &mut Ui, next: &mut LensControls) {
     });
 }
 
+/// The name of a row, with as much room as each has: nothing moves where one row takes the place of another.
+fn name(ui: &mut Ui, name: &str, hint: &str) {
+    ui.scope(|ui| {
+        ui.set_min_width(NAME);
+        ui.label(name).hint(hint);
+    });
+}
+
 const FOV: &str = "field of view: the angle that the picture spans from bottom to top, in degrees";
 
 fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, slide: &mut Slide) {
-    ui.label("fov").hint(FOV);
+    name(ui, "fov", FOV);
     let typed = |fov_deg| {
         let lens = LensControls {
             fov_deg,
@@ -98,7 +105,7 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, slide: &mut Slide) {
 fn picture_height(ui: &mut Ui, state: &State, height: f64, commands: &mut Vec<Command>) {
     const HINT: &str = "how much of the world the picture spans from bottom to top, in world units";
     let mut slide = Slide::default();
-    ui.label("height").hint(HINT);
+    name(ui, "height", HINT);
     let field = Field::new("height", HINT, state.scene_revision(), WIDTH, height);
     let typed = |height| state.check(&Action::PictureHeight(height));
     let number = (field.by_factors(true)).show(ui, 0.01 * height, &mut slide, typed);
@@ -111,7 +118,7 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, slide: &mut Slide
     let lens = state.view().camera.lens();
     let (least, most) = state.depth_range();
     let step = 0.01 * (most - least);
-    for (name, hint, value, which) in [
+    for (plane, hint, value, which) in [
         (
             "near",
             "the near plane's depth along the direction of view, in world units: whatever is nearer is cut away",
@@ -125,19 +132,19 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, slide: &mut Slide
             |controls| &mut controls.far,
         ),
     ] {
-        ui.label(name).hint(hint);
+        name(ui, plane, hint);
         let typed = |number| {
             let mut lens = state.controls();
             *which(&mut lens) = Some(number);
             state.check(&Action::Lens(lens))
         };
         ui.horizontal(|ui| {
-            let named = format!("{name}, slid");
+            let named = format!("{plane}, slid");
             let slid = lens_slider::plane(ui, state, &named, hint, value, slide);
             if let Some(slid) = slid.filter(|slid| typed(*slid).is_ok()) {
                 *which(next) = Some(slid);
             }
-            let field = Field::new(name, hint, state.scene_revision(), WIDTH, value);
+            let field = Field::new(plane, hint, state.scene_revision(), WIDTH, value);
             let field = field.by_factors(lens_slider::by_factors(least, most));
             if let Some(number) = field.show(ui, step, slide, typed) {
                 *which(next) = Some(number);
@@ -145,7 +152,7 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, slide: &mut Slide
         });
         let mut fitted = which(next).is_none();
         let fit = ui.checkbox(&mut fitted, "fit");
-        let fit = fit.named(&format!("fit {name}"));
+        let fit = fit.named(&format!("fit {plane}"));
         let hint = "fit this plane to the scene, with little room to spare";
         if fit.hint(hint).changed() {
             *which(next) = (!fitted).then_some(value);
@@ -154,7 +161,7 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, slide: &mut Slide
     }
 }
 
-/// Room in points for the longest name in [`POSE`].
+/// Room in points for the longest name of a row.
 const NAME: f32 = 40.0;
 const POSE: [(&str, &str); 3] = [
     ("eye", "where the camera stands, in the world"),

@@ -103,24 +103,24 @@ fn copying(ui: &mut Ui, measuring: &Measuring, commands: &mut Vec<Command>) {
 
 /// One of the last points, or a dash if there is none. Numbers that are too long for one line go on in the next.
 fn point(ui: &mut Ui, name: &str, point: Option<&MeasuredPoint>) {
-    let (label, at) = match point {
+    let (label, at, whole) = match point {
         Some(point) => {
             let DVec3 { x, y, z } = point.point_world;
             let snap = point.snap.as_ref();
             let at = match snap.and_then(|snap| snap.vertices.as_deref()) {
                 Some([vertex]) => vertex.written.clone(),
-                _ => format!("{x} {y} {z}"),
+                _ => [x, y, z].map(short).join(" "),
             };
-            (point.label(), at)
+            let whole =
+                format!("{x} {y} {z}: in world coordinates; a vertex shows as its file writes it");
+            (point.label(), at, whole)
         }
-        None => ("\u{2013}".to_owned(), String::new()),
+        None => ("\u{2013}".to_owned(), String::new(), String::new()),
     };
     ui.add(Label::new(format!("{name}: {label}")).truncate())
         .hint("the points that were clicked last, the oldest first");
     if !at.is_empty() {
-        let hint =
-            "a vertex as the file writes it; any other point in world coordinates, with all digits";
-        ui.add(Label::new(value_text(at)).wrap()).hint(hint);
+        ui.add(Label::new(value_text(at)).wrap()).hint(whole);
     }
 }
 

@@ -238,6 +238,12 @@ fn said(state: &State) -> (String, String) {
         );
     }
     let Some(selection) = state.selection() else {
+        if state.pick_ray().is_some() {
+            return own(
+                "Nothing is there.",
+                "the clicked pixel shows the background: its ray hits no surface between near and far",
+            );
+        }
         return own(
             "Click a surface.",
             "a ray from the eye through the clicked pixel finds what that pixel shows",
@@ -267,6 +273,12 @@ fn said(state: &State) -> (String, String) {
             return own(
                 "Picked at an earlier size.",
                 "the window's size has changed since; copies repeat the pick in its own view",
+            );
+        }
+        Some(PickView::Earlier) if state.pick_is_hidden() => {
+            return own(
+                "Picked in an earlier view, and hidden here.",
+                "the camera or the lens has changed since, and another surface is in front of the point; copies repeat the pick in its own view",
             );
         }
         Some(PickView::Earlier) => {
