@@ -24,9 +24,7 @@ fn is_mark(pixel: Rgb) -> bool {
 
 /// Whether a pixel has a faint mark: grey.
 fn is_faint(pixel: Rgb) -> bool {
-    let (least, most) = pixel.iter().fold((255, 0), |(a, b), c| {
-        (c.min(&a).to_owned(), c.max(&b).to_owned())
-    });
+    let [least, most] = [u8::min, u8::max].map(|end| pixel.into_iter().reduce(end).expect("three"));
     (100..215).contains(&least) && most - least < 40
 }
 

@@ -5,7 +5,7 @@ pub(crate) use super::{
     super::interval::InDoubt,
     big_number::{Dyadic, DyadicVector, rounded},
     enclosure::Enclosure,
-    exact_line::factors,
+    exact_line::{ExactLine, factors},
     integer::{Decided, Ring},
     matrix::Adjugate,
     number::{Number, Vector},

@@ -12,40 +12,42 @@ use glam::{DVec2, DVec3};
 use num_bigint::BigInt;
 
 /// A ray: `(origin + t direction) / weight`, which avoids dividing by the picture's height.
-pub(super) struct ExactLine<I> {
+pub(crate) struct ExactLine<I> {
     pub origin: Vector<I>,
     pub direction: Vector<I>,
     pub weight: Number<I>,
 }
 
 impl<I: Ring> ExactLine<I> {
-    pub fn new(line: &Line) -> Self {
+    pub(super) fn new(line: &Line) -> Self {
         match line {
             Line::Given { origin, direction } => Self {
                 origin: Vector::new(*origin),
                 direction: Vector::new(*direction),
                 weight: Number::new(1.0),
             },
-            Line::Pixel { grid, px } => {
-                let height = Number::new(grid.size_px[1].into());
-                let [of_right, of_up] = factors(grid, *px);
-                let right = Vector::new(grid.right).times(&of_right);
-                let up = Vector::new(grid.up).times(&of_up);
-                let aside = right.plus(&up);
-                let [eye, forward] =
-                    [grid.eye, grid.forward].map(|v| Vector::new(v).times(&height));
-                let (origin, direction) = if grid.is_orthographic {
-                    (eye.plus(&aside), forward)
-                } else {
-                    (eye, forward.plus(&aside))
-                };
-                Self {
-                    origin,
-                    direction,
-                    weight: height,
-                }
-            }
+            Line::Pixel { grid, px } => Self::of_pixel(grid, *px),
             Line::Through(through) => Self::through(through),
+        }
+    }
+
+    /// The ray of a grid through a position; see [`PixelGrid::ray`]. The weight is the picture's height.
+    pub fn of_pixel(grid: &PixelGrid, px: DVec2) -> Self {
+        let height = Number::new(grid.size_px[1].into());
+        let [of_right, of_up] = factors(grid, px);
+        let right = Vector::new(grid.right).times(&of_right);
+        let up = Vector::new(grid.up).times(&of_up);
+        let aside = right.plus(&up);
+        let [eye, forward] = [grid.eye, grid.forward].map(|v| Vector::new(v).times(&height));
+        let (origin, direction) = if grid.is_orthographic {
+            (eye.plus(&aside), forward)
+        } else {
+            (eye, forward.plus(&aside))
+        };
+        Self {
+            origin,
+            direction,
+            weight: height,
         }
     }
 
@@ -72,7 +74,7 @@ impl<I: Ring> ExactLine<I> {
     }
 
     /// From the ray's origin to a point, times the weight.
-    pub fn to(&self, point: &Vector<I>) -> Vector<I> {
+    pub(super) fn to(&self, point: &Vector<I>) -> Vector<I> {
         point.times(&self.weight).minus(&self.origin)
     }
 }

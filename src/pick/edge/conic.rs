@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 /// Directions in which the conic is looked for, before the nearest ones are refined.
 const DIRECTIONS: u32 = 256;
 /// Each step of a golden section keeps 0.618 of a range: as many steps as turn one direction's share of a turn into
-/// less than 1e-10. Distances near the least one differ by the square of that.
+/// less than 1e-9. Distances near the least one differ by the square of that.
 const STEPS: u32 = 40;
 
 /// Where `constant + linear . p + p . (square p)` is 0. The origin lies inside: `constant` is not negative, and each ray

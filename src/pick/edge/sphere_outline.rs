@@ -5,7 +5,7 @@ use crate::{
     camera::View,
     geometry::{
         PixelGrid, Placement,
-        dyadic::{Adjugate, Dyadic, DyadicVector, factors, rounded},
+        dyadic::{Adjugate, Dyadic, DyadicVector, ExactLine, rounded},
     },
 };
 use glam::{DVec2, DVec3};
@@ -51,19 +51,22 @@ impl Rays {
     /// In world space. The weight is the picture's height.
     fn new(grid: &PixelGrid, px: DVec2) -> Self {
         let vector = DyadicVector::new;
-        let [of_right, of_up] = factors(grid, px);
+        let ExactLine {
+            origin,
+            direction,
+            weight,
+        } = ExactLine::of_pixel(grid, px);
         let per_px = Dyadic::new(2.0).times(&Dyadic::new(grid.half_height));
-        let weight = Dyadic::new(grid.size_px[1].into());
-        let (right, up) = (vector(grid.right), vector(grid.up));
-        let [eye, forward] = [grid.eye, grid.forward].map(|v| vector(v).times(&weight));
-        let aside = right.times(&of_right).plus(&up.times(&of_up));
-        let steps = [right.times(&per_px), up.times(&per_px.negated())];
+        let steps = [
+            vector(grid.right).times(&per_px),
+            vector(grid.up).times(&per_px.negated()),
+        ];
         let still = [vector(DVec3::ZERO), vector(DVec3::ZERO)];
         let over = |here, [right, down]: [DyadicVector; 2]| [here, right, down];
         let (origin, direction) = if grid.is_orthographic {
-            (over(eye.plus(&aside), steps), over(forward, still))
+            (over(origin, steps), over(direction, still))
         } else {
-            (over(eye, still), over(forward.plus(&aside), steps))
+            (over(origin, still), over(direction, steps))
         };
         Self {
             origin,

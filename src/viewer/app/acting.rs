@@ -5,7 +5,7 @@ use crate::{
     json,
     viewer::{
         jobs::Checking,
-        model::{Action, Overlay, Views, pick_command},
+        model::{Action, MeasureAction, Overlay, Views, pick_command},
         screen::shown_trees,
         ui::Topic,
     },
@@ -20,8 +20,6 @@ impl App {
             return;
         }
         let clicks = matches!(action, Action::Click(..)) && !self.state.awaits_scene();
-        let was_measuring = self.state.measuring().is_on;
-        let was_cut = self.state.view().section.is_some();
         let start = Instant::now();
         let (method, scene) = (self.state.method(), self.state.scene_revision());
         let picked = self.state.apply(action);
@@ -37,11 +35,8 @@ impl App {
                 None => Checking::Off,
             };
         }
-        if self.state.measuring().is_on && !was_measuring {
-            self.memory.panels.show(Topic::Measure);
-        }
-        if action == Action::ToggleSection && !was_cut && self.state.view().section.is_some() {
-            self.memory.panels.show(Topic::Section);
+        if let Some(topic) = self.turned_on(action) {
+            self.memory.panels.show(topic);
         }
         if clicks {
             if self.host == Host::Window {
@@ -54,6 +49,18 @@ impl App {
             log::info!("{}", pick_command(&self.state, ray));
             log::info!("{}", json::text(&line).unwrap_or_default());
         }
+    }
+
+    /// The panel of what an action has turned on.
+    fn turned_on(&self, action: Action) -> Option<Topic> {
+        let (is_on, topic) = match action {
+            Action::Measure(MeasureAction::Toggle) => {
+                (self.state.measuring().is_on, Topic::Measure)
+            }
+            Action::ToggleSection => (self.state.view().section.is_some(), Topic::Section),
+            _ => return None,
+        };
+        is_on.then_some(topic)
     }
 
     /// Why what an action has made show cannot be seen, or not all of it; `None` if it can, or if the action has made

@@ -51,22 +51,23 @@ impl Observer {
 
     /// Does what the mouse does in this view. `hit` is what the cursor is on.
     pub fn act(&mut self, action: Action, hit: Option<DVec3>) {
-        let Some(camera) = self.camera() else { return };
-        let point = |px| {
+        let point = |camera: &Camera, px| {
             let ray = camera.ray(self.viewport, px);
-            self.rig.point(hit, &camera, &ray)
+            self.rig.point(hit, camera, &ray)
         };
         match action {
             Action::BeginTurn(_) => return self.rig.begin_turn(hit),
             Action::BeginPan(px) => {
-                let point = point(px);
+                let Some(camera) = self.camera() else { return };
+                let point = point(&camera, px);
                 return self.rig.begin_pan(point, &camera);
             }
             Action::Resize(viewport) => return self.resize(viewport),
             Action::Turn(by_px) => self.rig.turn(by_px),
             Action::Pan(by_px) => self.rig.pan(by_px, &LENS, self.viewport),
             Action::Zoom(px, factor) => {
-                let point = point(pixel_centre(px));
+                let Some(camera) = self.camera() else { return };
+                let point = point(&camera, pixel_centre(px));
                 self.rig.orbit.zoom(point, factor);
             }
             // The direction is in the stage's own space.

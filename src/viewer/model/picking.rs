@@ -68,9 +68,11 @@ impl State {
     pub fn pick_is_hidden(&self) -> bool {
         /// A surface whose depth is this near to the point's is the point's own: it lies in its pixel's middle.
         const SAME: f64 = 1e-6;
-        let seen = self
-            .picked()
-            .and_then(|pick| self.view.project(pick.point_world));
+        // In its own view the nearest surface on its ray is hidden by none.
+        let is_nearest = |ray: &&RayHits| ray.at == Some(0) && ray.view == self.view;
+        let asked = self.hits().filter(|ray| !is_nearest(ray));
+        let pick = asked.and_then(RayHits::pick);
+        let seen = pick.and_then(|pick| self.view.project(pick.point_world));
         seen.is_some_and(|seen| {
             let hit = self.quick_hit(&self.view.ray(seen.px));
             hit.is_some_and(|hit| seen.depth - hit.hit.t > SAME * seen.depth.abs())
@@ -125,12 +127,8 @@ impl State {
     pub(super) fn step(&mut self, forward: bool) -> Option<PickLine> {
         let hits = self.hits().filter(|hits| !hits.picks.is_empty())?;
         let last = hits.picks.len() - 1;
-        self.step_to(match (hits.at, forward) {
-            (Some(at), true) if at < last => at + 1,
-            (_, true) => 0,
-            (None | Some(0), false) => last,
-            (Some(at), false) => at - 1,
-        })
+        let (from, by) = if forward { (last, 1) } else { (0, last) };
+        self.step_to((hits.at.unwrap_or(from) + by) % (last + 1))
     }
 
     /// A view with near and far fitted to the scene as it is now.

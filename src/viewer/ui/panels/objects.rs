@@ -72,15 +72,15 @@ pub(super) fn show(
     reveal_selection: bool,
     commands: &mut Vec<Command>,
 ) {
-    let mut is_entered = false;
-    ui.scope(|ui| {
+    let is_entered = ui.scope(|ui| {
         ui.set_max_width(ui.available_width() - GUTTER);
         above(ui, state, filter, commands);
-        is_entered = search(ui, &mut filter.text);
+        let is_entered = search(ui, &mut filter.text);
         ui.separator();
+        is_entered
     });
     let is_another = filter.apply(state);
-    if is_entered && filter.rows.as_ref().is_some_and(|found| !found.is_empty()) {
+    if is_entered.inner && filter.rows.as_ref().is_some_and(|found| !found.is_empty()) {
         commands.push(Action::Select(Some(filter.object(0))).into());
     }
     let objects = state.scene().objects();
