@@ -22,7 +22,7 @@ struct Frame {
     inside: vec3<f32>,
     shows_inside: u32,
     background_top: vec3<f32>,
-    padding_top: u32,
+    line_half_px: f32,
     background_bottom: vec3<f32>,
     padding_bottom: u32,
     section_per_px: vec2<f32>,

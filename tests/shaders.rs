@@ -92,6 +92,7 @@ fn structs_have_one_layout_on_both_sides() {
             inside,
             shows_inside,
             background_top,
+            line_half_px,
             background_bottom,
             section_per_px,
             near_per_px,

@@ -5,11 +5,12 @@ use super::{
     batches::Draw,
     bindings,
     gpu::{Gpu, GpuError},
-    lines::{self, Line},
+    lines::{Line, LineBuffer},
     mesh_buffers::SOFTWARE_CALL,
     pipelines::{BATCHES, Drawn, Pass, World},
     resolve::Resolve,
     scene_buffers::SceneBuffers,
+    shader_structs,
     targets::Targets,
     transform,
 };
@@ -17,10 +18,7 @@ use crate::{
     camera::{DepthMapping, View},
     geometry::Sides,
 };
-use wgpu::{
-    BufferUsages,
-    StoreOp::{Discard, Store},
-};
+use wgpu::StoreOp::{Discard, Store};
 
 /// The objects whose triangles' edges are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,9 +84,7 @@ impl Renderer {
         };
         self.write_frame(scene, view);
         let bindings = self.bind(scene, &scene.tables.spheres);
-        let vertices = lines::vertices(view, lines, self.background);
-        let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
-        let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
+        let lines = LineBuffer::new(gpu, view, lines, self.background)?;
         for &pass in passes {
             let edges = edged.iter().filter(|draw| draw.buffers.is_some());
             let edges = edges.map(|draw| (Drawn::Edges, draw));
@@ -113,10 +109,9 @@ impl Renderer {
                     // After all surfaces, where none is.
                     render_pass.set_pipeline(&pipeline(Drawn::Background));
                     render_pass.draw(0..3, 0..1);
-                    if !line_ends.is_empty() {
+                    if lines.count > 0 {
                         render_pass.set_pipeline(&pipeline(Drawn::Lines));
-                        render_pass.set_vertex_buffer(0, line_buffer.slice(..));
-                        render_pass.draw(line_ends.clone(), 0..1);
+                        lines.record(&mut render_pass);
                     }
                     drop(render_pass);
                     if pass == Pass::Colour && !gpu.resolves() {
@@ -143,6 +138,10 @@ impl Renderer {
         let bytes = match &scene.ndc {
             Some(ndc) => transform::frame_in_ndc(ndc, view, self.background),
             None => transform::frame(view, self.background),
+        };
+        let bytes = shader_structs::Frame {
+            line_half_px: 0.5 * self.scale_factor.max(1.0),
+            ..bytes
         };
         let bytes = bytemuck::bytes_of(&bytes);
         self.gpu.queue.write_buffer(&self.frame, 0, bytes);

@@ -1,7 +1,8 @@
 //! Lines in the world. They are in the picture, hidden by what is in front of them, but not in the ids.
 
 use super::{
-    shader_structs::LineVertex,
+    gpu::{Gpu, GpuError},
+    shader_structs::LineEnd,
     view_units::{depth_origin, view_unit},
 };
 use crate::{
@@ -11,7 +12,7 @@ use crate::{
 };
 use glam::DVec3;
 
-/// A line one pixel wide.
+/// A line, as wide as [`Renderer::scale_factor`](super::Renderer::scale_factor) says.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     /// One end, in world space.
@@ -40,15 +41,42 @@ impl Line {
     }
 }
 
+/// The lines of a picture on the GPU.
+pub(super) struct LineBuffer {
+    pub count: u32,
+    buffer: wgpu::Buffer,
+}
+
+impl LineBuffer {
+    pub fn new(
+        gpu: &Gpu,
+        view: &View,
+        lines: &[Line],
+        background: Background,
+    ) -> Result<Self, GpuError> {
+        let ends = ends(view, lines, background);
+        Ok(Self {
+            count: u32::try_from(ends.len()).unwrap_or(u32::MAX),
+            buffer: gpu.buffer("lines", wgpu::BufferUsages::VERTEX, &ends)?,
+        })
+    }
+
+    /// Draws each as a strip of two triangles.
+    pub fn record(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_vertex_buffer(0, self.buffer.slice(..));
+        pass.draw(0..4, 0..self.count);
+    }
+}
+
 /// The ends of all lines in view space, computed relative to the eye in `f64`. A line that is not clipped is in up to
 /// three parts: the one between near and far has depths of its own, and those outside lie just before the background.
-pub(super) fn vertices(view: &View, lines: &[Line], background: Background) -> Vec<LineVertex> {
+fn ends(view: &View, lines: &[Line], background: Background) -> Vec<[LineEnd; 2]> {
     let (origin, unit, lens) = (depth_origin(view), view_unit(view), view.camera.lens());
-    let mut vertices = Vec::with_capacity(2 * lines.len());
+    let mut all = Vec::with_capacity(lines.len());
     for line in lines {
         let [from, to] = [line.from, line.to].map(|end_world| view.camera.to_view(end_world));
         let colour = background.over(line.colour);
-        let vertex = |share: f64, is_between: bool| {
+        let end = |share: f64, is_between: bool| {
             let at = from.lerp(to, share);
             let [at_from, at_to] = line.opacity.map(f64::from);
             #[expect(clippy::cast_possible_truncation, reason = "of a colour")]
@@ -59,7 +87,7 @@ pub(super) fn vertices(view: &View, lines: &[Line], background: Background) -> V
                 before_background(lens.depth) * lens.w(at.z) / lens.depth_row().0
             };
             let position = at.truncate().extend(buffer_depth).extend(at.z);
-            LineVertex {
+            LineEnd {
                 position: (unit * position).as_vec4().to_array(),
                 colour: colour.map(|channel| channel * opacity),
                 opacity,
@@ -76,17 +104,17 @@ pub(super) fn vertices(view: &View, lines: &[Line], background: Background) -> V
             between.sort_by(f64::total_cmp);
         }
         let [first, second] = between;
-        for (ends, is_between) in [
+        for (shares, is_between) in [
             ([0.0, first], false),
             ([first, second], true),
             ([second, 1.0], false),
         ] {
-            if ends[0] < ends[1] {
-                vertices.extend(ends.map(|share| vertex(share, is_between)));
+            if shares[0] < shares[1] {
+                all.push(shares.map(|share| end(share, is_between)));
             }
         }
     }
-    vertices
+    all
 }
 
 /// The depth in NDC of what only the background is behind. It must not round to the background's own.

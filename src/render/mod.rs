@@ -86,7 +86,7 @@ pub const SMOOTH_SAMPLES: u32 = 4;
 /// The pipelines of one device, for one number of colour samples.
 #[derive(Debug)]
 pub struct Renderer {
-    /// Pixels per logical pixel of the screen: how wide outlines are. 1 at first.
+    /// Pixels to a point of the screen: how wide lines and outlines are, at least one pixel. 1 at first.
     pub scale_factor: f32,
     /// What is behind scenes; [`Background::DARK`] at first.
     pub background: Background,

@@ -6,7 +6,7 @@ use super::{
     bindings,
     formats::{COLOUR, DEPTH, IDS},
     gpu::Gpu,
-    shader_structs::{Batch, LineVertex, Vertex},
+    shader_structs::{Batch, LineEnd, Vertex},
     shaders::shader_module,
 };
 use crate::{
@@ -124,15 +124,28 @@ const BATCH: wgpu::VertexBufferLayout = wgpu::VertexBufferLayout {
     ],
 };
 
-const LINE_VERTEX: wgpu::VertexBufferLayout = wgpu::VertexBufferLayout {
-    array_stride: size_of::<LineVertex>() as u64,
-    step_mode: wgpu::VertexStepMode::Vertex,
+/// A line is an instance: both its ends.
+const LINE: wgpu::VertexBufferLayout = wgpu::VertexBufferLayout {
+    array_stride: size_of::<[LineEnd; 2]>() as u64,
+    step_mode: wgpu::VertexStepMode::Instance,
     attributes: &[
-        attribute(0, VertexFormat::Float32x4, offset_of!(LineVertex, position)),
+        attribute(0, VertexFormat::Float32x4, POSITION_OF_END),
         // With the opacity.
-        attribute(1, VertexFormat::Float32x4, offset_of!(LineVertex, colour)),
+        attribute(1, VertexFormat::Float32x4, COLOUR_OF_END),
+        attribute(
+            2,
+            VertexFormat::Float32x4,
+            size_of::<LineEnd>() + POSITION_OF_END,
+        ),
+        attribute(
+            3,
+            VertexFormat::Float32x4,
+            size_of::<LineEnd>() + COLOUR_OF_END,
+        ),
     ],
 };
+const POSITION_OF_END: usize = offset_of!(LineEnd, position);
+const COLOUR_OF_END: usize = offset_of!(LineEnd, colour);
 
 const fn attribute(shader_location: u32, format: VertexFormat, offset: usize) -> VertexAttribute {
     VertexAttribute {
@@ -254,7 +267,7 @@ impl Pipelines {
         let module = &*module.or_insert_with_key(|name| shader_module(gpu, name));
         let buffers: &[Option<wgpu::VertexBufferLayout>] = match drawn {
             Drawn::Triangles { .. } | Drawn::Edges => &[Some(VERTEX), Some(BATCH)],
-            Drawn::Lines => &[Some(LINE_VERTEX)],
+            Drawn::Lines => &[Some(LINE)],
             Drawn::Spheres | Drawn::Background | Drawn::Depths => &[],
         };
         let on_surfaces = matches!(drawn, Drawn::Triangles { .. } | Drawn::Spheres);
@@ -326,8 +339,7 @@ fn primitive(drawn: Drawn) -> wgpu::PrimitiveState {
         Drawn::Triangles { culled_mirrored } => {
             (PrimitiveTopology::TriangleList, culled_mirrored.map(culled))
         }
-        Drawn::Spheres => (PrimitiveTopology::TriangleStrip, None),
-        Drawn::Lines => (PrimitiveTopology::LineList, None),
+        Drawn::Spheres | Drawn::Lines => (PrimitiveTopology::TriangleStrip, None),
         Drawn::Edges | Drawn::Background | Drawn::Depths => (PrimitiveTopology::TriangleList, None),
     };
     wgpu::PrimitiveState {

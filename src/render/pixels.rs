@@ -4,7 +4,7 @@ use super::{
     Onto, Renderer,
     drawing::begin,
     gpu::{Gpu, GpuError},
-    lines::{self, Line},
+    lines::{Line, LineBuffer},
     pipelines::{Drawn, Pass, World},
 };
 use crate::image::{Image, Pixel};
@@ -53,22 +53,19 @@ impl Renderer {
         let gpu = &self.gpu;
         let depths: Vec<f32> = pixels.pixels().iter().map(|pixel| pixel.depth).collect();
         let depths = gpu.buffer("depths", BufferUsages::STORAGE, &depths)?;
-        let vertices = lines::vertices(view, lines, self.background);
-        let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
-        let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
+        let lines = LineBuffer::new(gpu, view, lines, self.background)?;
         self.write_frame(scene, view);
         let bind_group = self.bind(scene, &depths);
         let pass = Pass::ColourAndIds;
-        let [depths, lines] = [Drawn::Depths, Drawn::Lines]
+        let [of_depths, of_lines] = [Drawn::Depths, Drawn::Lines]
             .map(|drawn| self.pipelines.get(gpu, pass, drawn, view, World::Whole));
         gpu.submit(|encoder| {
             let mut pass = begin(gpu, encoder, targets, view, pass, [false, true]);
             pass.set_bind_group(0, &bind_group, &[]);
-            pass.set_pipeline(&depths);
+            pass.set_pipeline(&of_depths);
             pass.draw(0..3, 0..1);
-            pass.set_pipeline(&lines);
-            pass.set_vertex_buffer(0, line_buffer.slice(..));
-            pass.draw(line_ends, 0..1);
+            pass.set_pipeline(&of_lines);
+            lines.record(&mut pass);
         });
         Ok(())
     }

@@ -54,8 +54,8 @@ pub struct Frame {
     pub shows_inside: u32,
     /// Linear colour of the background at the top edge.
     pub background_top: [f32; 3],
-    /// Padding.
-    pub padding_top: u32,
+    /// Half the width of lines in pixels.
+    pub line_half_px: f32,
     /// Linear colour of the background at the bottom edge.
     pub background_bottom: [f32; 3],
     /// Padding.
@@ -135,7 +135,7 @@ pub struct Vertex {
 /// An end of a line.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct LineVertex {
+pub struct LineEnd {
     /// x, y, buffer depth and view depth, in view units.
     pub position: [f32; 4],
     /// Linear colour, times the opacity.

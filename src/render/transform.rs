@@ -63,7 +63,7 @@ pub fn frame(view: &View, background: Background) -> shader_structs::Frame {
         ndc_normal: [[0.0; 4]; 4],
         q_is_depth: u32::from(!perspective),
         shows_inside: 1,
-        padding_top: 0,
+        line_half_px: 0.5,
         padding_bottom: 0,
     }
 }

@@ -14,8 +14,8 @@ use sightline::{
     colour::Srgb,
     geometry::Placement,
     image::{Image, Rgb},
-    look,
-    render::{Gpu, Line, Marks, Renderer, SceneBuffers, Targets, Wireframe},
+    look::{self, Background},
+    render::{Gpu, Line, Marks, Renderer, SMOOTH_SAMPLES, SceneBuffers, Targets, Wireframe},
     scene::{Object, Scene, Shape},
 };
 
@@ -173,6 +173,64 @@ fn lines_are_in_the_picture_and_not_in_the_ids() {
         }
         assert!(!plain.pixels().contains(&colour.0));
     }
+}
+
+/// A line is as many pixels wide as a point of the screen has, whatever its slope, also where it begins behind the eye.
+#[test]
+fn a_line_is_a_point_wide() {
+    let gpu = gpu();
+    let view = view(
+        [0.0, 0.0, 5.0],
+        [0.0; 3],
+        perspective(40.0, 0.1, 100.0),
+        [320, 240],
+    );
+    let scene = Scene::from_iter([]);
+    let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+    let targets = Targets::new(&gpu, view.viewport, SMOOTH_SAMPLES).expect("fits");
+    let white = |scale_factor, ends: [DVec3; 2]| {
+        let mut renderer = Renderer::new(&gpu, SMOOTH_SAMPLES);
+        renderer.background = Background::BLACK;
+        renderer.scale_factor = scale_factor;
+        let lines = [Line::new(ends[0], ends[1], Srgb([255; 3]))];
+        renderer
+            .draw((&buffers, &targets, &view), &lines)
+            .expect("draws");
+        let colours = targets.read_colours(&gpu).expect("colours");
+        let light = |colour: &Rgb| f64::from(Srgb(*colour).to_linear()[0]);
+        colours.pixels().iter().map(light).sum::<f64>()
+    };
+    let a = dvec3(-0.9, -0.4, 0.0);
+    for b in [
+        dvec3(0.9, -0.4, 0.0),
+        dvec3(-0.9, 0.5, 0.0),
+        dvec3(0.7, 0.8, 0.0),
+    ] {
+        let px = [a, b].map(|end| view.project(end).expect("it is in view").px);
+        let length_px = px[0].distance(px[1]);
+        for scale in [1.0, 2.0, 3.5] {
+            let width_px = white(scale, [a, b]) / length_px;
+            assert!(
+                (width_px / f64::from(scale) - 1.0).abs() < 0.06,
+                "{b}: {width_px} of {scale}"
+            );
+        }
+        assert_eq!(
+            white(0.5, [a, b]),
+            white(1.0, [a, b]),
+            "it is at least a pixel wide"
+        );
+    }
+    // From below the eye into the distance: it is cut at the picture's lower edge.
+    let distant = dvec3(0.0, -1.0, -20.0);
+    let from_below = |behind| white(4.0, [dvec3(0.0, -1.0, behind), distant]);
+    let before_eye = from_below(4.0);
+    assert!(before_eye > 300.0, "{before_eye}");
+    assert!(
+        (from_below(30.0) / before_eye - 1.0).abs() < 0.02,
+        "{}",
+        from_below(30.0)
+    );
 }
 
 /// Lines that near and far do not clip look as if these were far apart, and no object is covered by what lies before

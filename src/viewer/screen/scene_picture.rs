@@ -52,8 +52,6 @@ pub(super) struct ScenePicture {
     held: Option<Held>,
     /// What is marked on the picture.
     marked: Option<Marked>,
-    /// Pixels for a point, as the marks were drawn.
-    scale: Option<f32>,
     /// The scene that was drawn with one sample last, and how long that took. The first picture of a scene says nothing:
     /// it waits for uploads and shaders.
     took: Option<(u64, Option<Duration>)>,
@@ -104,7 +102,7 @@ impl ScenePicture {
         subject: &Subject,
         moves: bool,
     ) -> Result<Updated, GpuError> {
-        let wanted = Drawn::wanted(subject, brush.renderer.background);
+        let wanted = Drawn::wanted(subject, &brush.renderer);
         let finish = self.finish(brush, subject, &wanted, moves);
         let held = self.held.as_ref().filter(|held| held.of == wanted);
         let anew = held.is_none_or(|held| held.finish < finish);
@@ -140,7 +138,7 @@ impl ScenePicture {
         brush: &mut Brush,
         subject: &Subject,
     ) -> Result<Option<Image<Id>>, GpuError> {
-        let wanted = Drawn::wanted(subject, brush.renderer.background);
+        let wanted = Drawn::wanted(subject, &brush.renderer);
         let is_drawn = |held: &Held| held.of == wanted && !held.is_by_rays;
         if !self.held.as_ref().is_some_and(is_drawn) {
             self.to_draw = self.to_draw.max(1);
@@ -271,11 +269,6 @@ impl ScenePicture {
             others: subject.others.cloned(),
             hover: subject.hover,
         };
-        // An outline is as wide on screens with more pixels to a point.
-        let scale = brush.renderer.scale_factor;
-        if self.scale.replace(scale) != Some(scale) {
-            self.marked = None;
-        }
         let marked = self.marked.as_ref();
         let is_outlined = marked.is_some_and(|marked| marked.selects_as(&wanted));
         if is_outlined && marked.is_some_and(|marked| marked.hover == wanted.hover) {

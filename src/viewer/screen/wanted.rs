@@ -4,33 +4,37 @@ use super::{frozen, grid, overlay_lines};
 use crate::{
     camera::{UpAxis, View},
     look::Background,
-    render::{Line, Wireframe},
+    render::{Line, Renderer, Wireframe},
     viewer::model::{Frozen, Lesson, OnScreen, Overlay, Overlays, Subject},
 };
 
-/// All that colours and ids depend on.
+/// All that colours and ids depend on, and how wide an outline is.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Drawn {
     pub view: View,
     pub background: Background,
+    /// Pixels to a point: how wide lines and outlines are.
+    scale_factor: f32,
     pub revision: u64,
     visibility: u64,
     grid: Option<UpAxis>,
     frozen: Option<Frozen>,
-    /// Overlays that depend on the selection, the selection that they are for, and whether trees are built, which they may show.
+    /// Overlays that depend on the selection, the selection that they are for, and whether trees are built, which they
+    /// may show.
     overlays: Option<(Overlays, Option<usize>, bool)>,
     lesson: Option<Lesson>,
 }
 
 impl Drawn {
     /// The wanted picture.
-    pub fn wanted(subject: &Subject, background: Background) -> Self {
+    pub fn wanted(subject: &Subject, by: &Renderer) -> Self {
         let (overlays, selection) = (subject.overlays, subject.selection);
         Self {
             overlays: (overlays.depend_on_selection())
                 .then(|| (overlays, selection, subject.scene.trees_are_built())),
             view: subject.view,
-            background,
+            background: by.background,
+            scale_factor: by.scale_factor,
             revision: subject.revision,
             visibility: subject.visibility,
             grid: subject.grid,
