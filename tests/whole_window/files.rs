@@ -223,3 +223,57 @@ fn a_camera_by_flags_counts_before_the_file_s() {
     });
     assert_eq!(window.state().view().camera.eye(), eye);
 }
+
+/// Page Down opens the next file of the folder, and Page Up the one before. One that cannot be read is passed by.
+#[test]
+fn page_down_turns_to_the_next_file_of_the_folder() {
+    let (path, folder) = row_file();
+    std::fs::write(folder.path().join("row2.obj"), "v 0 0 0\nf 1 1 9\n")
+        .expect("a writable folder");
+    std::fs::write(folder.path().join("row10.toml"), ROW).expect("a writable folder");
+    let mut window = opened(Options {
+        paths: vec![path],
+        ..Options::default()
+    });
+    key(&mut window, Key::PageUp);
+    assert_eq!(window.state().name(), "row10.toml");
+    key(&mut window, Key::PageUp);
+    assert_eq!(window.state().name(), "row10.toml");
+    assert!(told(&window)[0].contains("row2.obj"), "{:?}", told(&window));
+    key(&mut window, Key::PageUp);
+    assert_eq!(window.state().name(), "row.toml");
+    assert!(told(&window).is_empty(), "{:?}", told(&window));
+    key(&mut window, Key::PageDown);
+    key(&mut window, Key::PageDown);
+    assert_eq!(window.state().name(), "row10.toml");
+
+    // In the gallery the next file is its next scene.
+    key(&mut window, Key::E);
+    let first = window.state().name().to_owned();
+    key(&mut window, Key::PageDown);
+    assert_ne!(window.state().name(), first);
+    assert!(window.state().is_in_gallery());
+    key(&mut window, Key::PageUp);
+    assert_eq!(window.state().name(), first);
+}
+
+/// Edits are asked about first. Where nothing is open, or nothing else, a message says so.
+#[test]
+fn no_file_is_turned_to_over_edits_or_where_there_is_none() {
+    let (path, folder) = row_file();
+    let mut window = opened(Options {
+        paths: vec![path],
+        ..Options::default()
+    });
+    key(&mut window, Key::PageDown);
+    assert!(told(&window)[0].contains("no other"), "{:?}", told(&window));
+    std::fs::write(folder.path().join("row2.toml"), ROW).expect("a writable folder");
+    click(&mut window, MIDDLE);
+    press_key(&mut window, Modifiers::SHIFT, Key::H);
+    key(&mut window, Key::PageDown);
+    assert_eq!(window.state().name(), "row.toml");
+    key(&mut window, Key::Escape);
+    press_key(&mut window, Modifiers::COMMAND, Key::Z);
+    key(&mut window, Key::PageDown);
+    assert_eq!(window.state().name(), "row2.toml");
+}

@@ -103,6 +103,7 @@ impl App {
             }
             Command::Escape => self.escape(),
             Command::NextExhibit { forward } => self.open_next_exhibit(forward),
+            Command::NextFile { forward } => self.open_next_file(forward),
             Command::LeaveGallery if self.state.outside().is_some() => {
                 self.intend(Intent::LeaveGallery);
             }

@@ -97,6 +97,9 @@ impl App {
                 // Where a file changed again while it was read, the watch tells once it is written.
                 if load.purpose != Purpose::Follow || !error.is_of_change() {
                     self.forget_gone();
+                    if load.purpose == Purpose::Open {
+                        self.not_opened = load.paths.into_iter().next();
+                    }
                     self.failed(Attempt::Open, error.to_string());
                 }
             }
@@ -148,6 +151,7 @@ impl App {
             self.show_views(self.options.views);
         }
         self.first = false;
+        self.not_opened = None;
         self.remember_opened(&load.paths);
         self.filter = Filter::default();
         self.tell_anew(warnings);

@@ -10,6 +10,7 @@ mod intents;
 mod looking_up;
 mod memory;
 mod modal;
+mod next_file;
 mod numbers;
 mod program;
 mod remembering;

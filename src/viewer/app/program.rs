@@ -78,6 +78,8 @@ pub(in crate::viewer) struct App {
     pub(super) dialogs: u64,
     /// Commands that wait for the next pass: first the number that is being typed is entered.
     pub(super) late: Vec<Command>,
+    /// The file that could not be opened last, until another is on show.
+    pub(super) not_opened: Option<PathBuf>,
     /// The build of trees for the scene on screen. Dropping it stops it.
     pub trees: Option<Job<()>>,
     /// Whether nothing was shown yet: the first scene takes the command line's camera.
@@ -143,6 +145,7 @@ impl App {
             modal: Modal::None,
             dialogs: 0,
             late: Vec::new(),
+            not_opened: None,
             trees: None,
             first: true,
             notices: Notices::new(),

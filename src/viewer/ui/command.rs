@@ -30,6 +30,11 @@ pub(in crate::viewer) enum Command {
     Add(Vec<PathBuf>),
     /// Load the files on screen again.
     Reload,
+    /// Open the file after the one on show in its folder, or before it.
+    NextFile {
+        /// After it.
+        forward: bool,
+    },
     /// Put the pick, or the view where nothing is picked, on the clipboard as a command line.
     CopyCommandLine,
     /// Put the camera on the clipboard, as a scene file writes it.
@@ -93,10 +98,10 @@ impl From<Action> for Command {
 impl Command {
     /// Whether it opens, adds, reloads, saves or closes. A number that is still being typed is to count before that.
     pub fn ends_typing(&self) -> bool {
-        use Command::{Add, Open, OpenDialog, Quit, Reload, SaveDialog};
+        use Command::{Add, NextFile, Open, OpenDialog, Quit, Reload, SaveDialog};
         matches!(
             self,
-            OpenDialog | SaveDialog | Open(_) | Add(_) | Reload | Quit
+            OpenDialog | SaveDialog | Open(_) | Add(_) | NextFile { .. } | Reload | Quit
         )
     }
 }

@@ -220,6 +220,20 @@ fn file() -> Menu {
             "read the files again",
         )
         .icon(icons::RELOAD),
+        item(
+            "Next file",
+            [(NONE, Key::PageDown)],
+            Command::NextFile { forward: true },
+            "open the OBJ or scene file after this one in its folder",
+        )
+        .of_use_if(has_file),
+        item(
+            "Previous file",
+            [(NONE, Key::PageUp)],
+            Command::NextFile { forward: false },
+            "open the one before it",
+        )
+        .of_use_if(has_file),
     ];
     let pictures = vec![
         item(
@@ -243,6 +257,10 @@ fn file() -> Menu {
         groups: vec![files.into(), pictures.into(), vec![quit].into()],
         more: Some(More::Recent),
     }
+}
+
+fn has_file(shown: &Shown) -> bool {
+    !shown.state.source().paths.is_empty()
 }
 
 fn edit() -> Menu {
