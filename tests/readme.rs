@@ -1,13 +1,14 @@
-//! What README shows and names is what this build does: commands, flags, a pick, a scene file, tests and pictures.
+//! What README shows and names is what this build does: commands, flags, a pick, a scene file, tests and pictures. Keys
+//! are held by `tests/whole_window`, figures of the study by `tests/study`.
 #![cfg(feature = "window")]
 
 #[path = "common/images.rs"]
 mod images;
 
-use clap::CommandFactory;
+use clap::{CommandFactory, Parser};
 use images::{apart, read};
 use serde_json::Value;
-use sightline::{cli::Cli, image::Rgb, render::Gpu};
+use sightline::{cli::Cli, image::Rgb, render::Gpu, scene::gallery::GALLERY};
 use std::{
     fs,
     io::{self, Write},
@@ -104,69 +105,157 @@ fn the_rust_that_is_asked_for_is_the_one_that_builds() {
     assert!(readme().contains(asked), "{asked}");
 }
 
+/// README is read in one sitting: what explains a module stands on its page of `cargo doc`.
 #[test]
-fn every_command_and_camera_flag_is_named() {
+fn it_is_no_longer_than_this() {
+    let count = readme().lines().count();
+    assert!(count <= 260, "{count} lines");
+}
+
+#[test]
+fn every_command_is_in_the_table() {
     let text = readme();
-    let cli = Cli::command();
-    for command in cli.get_subcommands() {
-        let name = command.get_name();
-        let rows = [" [SCENE...]", "`"].map(|end| format!("| `sightline {name}{end}"));
-        assert!(rows.iter().any(|row| text.contains(row)), "{name}");
-    }
-    let flags = cli
-        .get_arguments()
-        .filter_map(|argument| argument.get_long());
-    for flag in flags.filter(|flag| !["help", "version", "verbose"].contains(flag)) {
-        assert!(text.contains(&format!("--{flag}")), "--{flag}");
+    for command in Cli::command().get_subcommands() {
+        let row = format!("| `sightline {}` |", command.get_name());
+        assert!(text.contains(&row), "{row}");
     }
 }
 
-/// The flags that a text names.
-fn flags_in(text: &str) -> impl Iterator<Item = &str> {
-    let named = text.split('`').skip(1).step_by(2);
-    named.filter_map(|code| {
-        let (_, flag) = code.split_once("--")?;
-        flag.split(|c: char| !(c.is_ascii_lowercase() || c == '-'))
-            .next()
-    })
+/// What a line of a block gives to `sightline`, or to `cargo run` for it; without a comment.
+fn arguments(line: &str) -> Option<&str> {
+    let line = line.split(" # ").next()?;
+    let by_cargo = line.split_once("cargo run --release -- ");
+    let (_, arguments) = by_cargo.or_else(|| line.split_once("sightline "))?;
+    Some(arguments)
 }
 
-/// A row's flags are its command's, and the camera's flags are those of the commands that the sentence about them
-/// names.
+/// The program takes every command line in a block, its flags and their values.
 #[test]
-fn each_command_takes_the_flags_that_are_named_for_it() {
-    let text = readme();
-    let cli = Cli::command();
-    let takes = |command: &clap::Command, flag: &str| {
-        let mut flags = command.get_arguments().filter_map(clap::Arg::get_long);
-        flags.any(|long| long == flag)
-    };
-    let sentence = text
-        .split(". ")
-        .find(|sentence| sentence.contains("take `--size WxH`"));
-    let sentence = sentence.expect("the sentence about the camera's flags");
-    let (who, camera) = sentence.split_once(" take ").expect("who takes them");
-    let camera: Vec<&str> = flags_in(camera).collect();
-    assert!(camera.len() > 12, "{camera:?}");
+fn the_commands_that_are_shown_are_taken() {
+    let text = blocks("sh").concat();
+    let mut lines = text.lines();
+    let view = lines.find_map(|line| line.strip_prefix("view=\"")?.strip_suffix('"'));
+    let shown = text.replace("$view", view.expect("the view"));
     let mut seen = 0;
-    let window = std::iter::once((&cli, "The window".to_owned(), "[SCENE...]"));
-    let commands = cli.get_subcommands().map(|command| {
-        let name = command.get_name();
-        (command, format!("`{name}`"), name)
-    });
-    for (command, named, start) in window.chain(commands) {
-        let is_named = who.contains(&named);
-        for flag in &camera {
-            assert_eq!(takes(command, flag), is_named, "{named} --{flag}");
+    for line in shown.lines() {
+        let Some(arguments) = arguments(line) else {
+            continue;
+        };
+        let words = std::iter::once("sightline").chain(arguments.split_whitespace());
+        if let Err(error) = Cli::try_parse_from(words) {
+            panic!("{line}: {error}");
         }
-        let start = format!("| `sightline {start}");
-        let row = text.lines().find(|line| line.starts_with(&start));
-        for flag in flags_in(row.expect("a row")) {
-            assert!(takes(command, flag), "{named} takes no --{flag}");
+        seen += 1;
+    }
+    assert!(seen > 8, "{seen}: the search finds commands");
+}
+
+/// The code in the prose, outside of blocks: what stands between two backticks.
+fn spans() -> Vec<String> {
+    let text = readme();
+    let prose = text.split("```").step_by(2);
+    let spans = prose.flat_map(|part| part.split('`').skip(1).step_by(2));
+    spans.map(str::to_owned).collect()
+}
+
+/// The long flags in a text.
+fn flags_in(text: &str) -> impl Iterator<Item = &str> {
+    let words = text.split_whitespace();
+    words.filter_map(|word| word.strip_prefix("--")?.split('=').next())
+}
+
+/// Whether this is a file or folder of the repository. Rust's files may be named without their end.
+fn is_path(name: &str) -> bool {
+    here(name).exists() || here(&format!("{name}.rs")).exists()
+}
+
+/// Fails unless there is what `cargo` is told to run, or to build with.
+fn cargo_finds(words: &[&str]) {
+    let manifest = fs::read_to_string(here("Cargo.toml")).expect("Cargo.toml");
+    for pair in words.windows(2) {
+        let name = pair[1];
+        let is_there = match pair[0] {
+            "--test" => is_path(&format!("tests/{name}")),
+            "--bench" => is_path(&format!("tests/bench/{name}")),
+            "--example" => is_path(&format!("tests/examples/{name}")),
+            "--features" => manifest.contains(&format!("\n{name} = [")),
+            "--profile" => manifest.contains(&format!("\n[profile.{name}")),
+            _ => true,
+        };
+        assert!(is_there, "{words:?}: no {name}");
+    }
+}
+
+/// Every command and flag in the prose is in the program's help. A flag by itself is some command's.
+#[test]
+fn the_commands_and_flags_that_are_named_are_there() {
+    let cli = Cli::command();
+    let mut seen = 0;
+    for span in spans() {
+        let mut words: Vec<&str> = span.split_whitespace().collect();
+        if words.first() == Some(&"cargo") {
+            cargo_finds(&words);
+            let Some(at) = words.iter().position(|word| *word == "--") else {
+                continue;
+            };
+            // What `cargo run` gives to the program.
+            words = words.split_off(at);
+            words[0] = "sightline";
+        }
+        let is_name = |word: &str| word.starts_with(|c: char| c.is_ascii_lowercase());
+        let commands: Vec<&clap::Command> = match words.as_slice() {
+            ["sightline", name, ..] if is_name(name) => {
+                vec![cli.find_subcommand(name).expect(&span)]
+            }
+            ["sightline", ..] => vec![&cli],
+            _ => std::iter::once(&cli).chain(cli.get_subcommands()).collect(),
+        };
+        for flag in flags_in(&words.join(" ")) {
+            let flags = commands.iter().flat_map(|command| command.get_arguments());
+            let mut flags = flags.filter_map(clap::Arg::get_long).chain(["help"]);
+            assert!(flags.any(|long| long == flag), "{span}: no --{flag}");
             seen += 1;
         }
     }
-    assert!(seen > 15, "{seen}: the search finds flags");
+    assert!(seen > 5, "{seen}: the search finds flags");
+}
+
+/// Every file, folder, picture, heading and scene of the gallery that README names is there.
+#[test]
+fn every_place_that_is_named_is_there() {
+    let text = readme();
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "_./-".contains(c);
+    let mut seen = 0;
+    for span in spans() {
+        if span.contains('/') && span.chars().all(is_plain) {
+            assert!(is_path(&span), "{span}");
+            seen += 1;
+        }
+    }
+    let headings = text.lines().filter(|line| line.starts_with('#'));
+    let anchor = |line: &str| {
+        line.trim_matches(['#', ' '])
+            .to_lowercase()
+            .replace(' ', "-")
+    };
+    let headings: Vec<String> = headings.map(anchor).collect();
+    for link in text.split("](").skip(1) {
+        let target = link.split(')').next().unwrap_or_default();
+        let is_there = match target.strip_prefix('#') {
+            Some(heading) => headings.iter().any(|known| known == heading),
+            None => here(target).exists(),
+        };
+        assert!(is_there, "{target}");
+        seen += 1;
+    }
+    for scene in text.split("gallery:").skip(1) {
+        let mut words = scene.split(|c: char| !(c.is_ascii_lowercase() || c == '_'));
+        // No name is in small letters in `gallery:NAME`.
+        let name = words.next().unwrap_or_default();
+        let is_there = name.is_empty() || GALLERY.iter().any(|exhibit| exhibit.name == name);
+        assert!(is_there, "gallery:{name}");
+    }
+    assert!(seen > 30, "{seen}: the search finds places");
 }
 
 /// A test file is `tests/NAME.rs` or `tests/NAME/main.rs`.

@@ -18,8 +18,9 @@
 //! * **f32 limit**: an edge, but `f32` may move the outline by more than the grid does;
 //! * **beyond f32**: one of these, but by a bound above the ceiling ([`OUTLINE_CEILING_PX`], [`DEPTH_CEILING`]);
 //!   or a bound that does not exist or exceeds the picture; or a surface well between near and far that the buffer
-//!   cannot tell from nothing. Drawing in `f32` cannot render the view faithfully; casting rays can. No such pixel
-//!   occurs where all bounds lie below the ceiling and the buffer can tell every surface from nothing;
+//!   cannot tell from nothing. Drawing in `f32` cannot render the view faithfully; casting rays can. An example is the
+//!   cut of a section through a lens of 0.02 degrees. No such pixel occurs where all bounds lie below the ceiling and
+//!   the buffer can tell every surface from nothing;
 //! * **unexplained**: anything else: a defect.
 //!
 //! An edge across which the surface continues is no outline: a neighbour may show there, but not what lies behind.
@@ -49,7 +50,8 @@
 //!   triangle that leaves the picture, it is the plane through the corners of its clipped part, or as accurate.
 //!   `SwiftShader` does not keep to this: its plane goes through the whole triangle's corners as projected, rounded to
 //!   its grid and to `f32`, however far outside or behind the eye they lie. It may therefore show triangles far larger
-//!   than the picture at wrong depths. Those pixels are called unexplained, since nothing bounds them.
+//!   than the picture at wrong depths, and leave out those with a corner exactly beside the eye. Those pixels are
+//!   called unexplained, since nothing bounds them.
 //! * The same numbers drawn twice give the same pixels and depths, to the bit; of equal depths, the first drawn stays.
 //! * The geometry here is in `f64`, whose own roundings are small beside those of `f32`.
 //!

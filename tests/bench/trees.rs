@@ -3,7 +3,10 @@
 //! ratios, which vary less than times on a busy machine.
 //!
 //! `cargo bench --features rivals --bench trees [-- FILE.obj ...]`: files take the place of the small generated meshes.
-//! Embree is measured where its library is installed, tinybvh where everything is compiled for AVX2; see README.
+//! Embree 3 is measured where its library is installed (Debian's `libembree3-3`), Embree 4 where the loader finds
+//! `libembree4.so.4` (Debian 13: `libembree4-4`) or the variable `EMBREE4` names it (the Python package `embreex` has
+//! one in `embreex.libs`). `--features tinybvh` adds tinybvh's tree of eight, where everything is compiled for AVX2
+//! (`RUSTFLAGS="-C target-cpu=native"`). It needs a C++ compiler; version 0.1.0-beta.3 crashes on some processors.
 //!
 //! The last line of each mesh is the cost of a hover: rays through one pixel after the other, each timed alone.
 

@@ -11,10 +11,19 @@ use sightline::{
 };
 
 /// Whether README has these words, across line breaks.
-pub fn says(words: &str) -> bool {
-    let text = include_str!("../../README.md");
-    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    text.contains(words)
+fn says(words: &str) -> bool {
+    one_line(include_str!("../../README.md").lines()).contains(words)
+}
+
+/// Whether the page of module `study` has them.
+pub fn page_says(words: &str) -> bool {
+    let lines = include_str!("../../src/study/mod.rs").lines();
+    one_line(lines.filter_map(|line| line.strip_prefix("//!"))).contains(words)
+}
+
+fn one_line<'a>(lines: impl Iterator<Item = &'a str>) -> String {
+    let words = lines.flat_map(str::split_whitespace);
+    words.collect::<Vec<_>>().join(" ")
 }
 
 fn word(count: usize) -> &'static str {

@@ -1,7 +1,7 @@
-//! The recorded run that README shows fits the registry, and where methods are useful follows from its figures. The tests read that
-//! run from `assets`, because times measured while other tests run would prove nothing.
+//! The recorded run whose charts README shows fits the registry, and where methods are useful follows from its figures.
+//! The tests read that run from `assets`, because times measured while other tests run would prove nothing.
 
-use super::{cells, readme::says, report};
+use super::{cells, readme::page_says, report};
 use num_traits::ToPrimitive;
 use sightline::study::{self, Report, Row, SUMMARY_COLUMNS, Time, methods::registry};
 
@@ -41,9 +41,9 @@ fn recorded() -> Vec<Line> {
     lines.map(line).collect()
 }
 
-/// README says of each step where Sightline's method is useful.
+/// The page of module `study` says of each step where Sightline's method is useful.
 #[test]
-fn readme_says_where_each_star_is_useful() {
+fn the_page_says_where_each_star_is_useful() {
     let ours: Vec<Line> = recorded().into_iter().filter(|line| line.ours).collect();
     assert_eq!(ours.len(), report().steps().len());
     let (mut always, mut never) = (Vec::new(), Vec::new());
@@ -53,7 +53,7 @@ fn readme_says_where_each_star_is_useful() {
             Some(below) if below <= 1.1 * line.own_error => never.push(&*line.step),
             Some(below) => {
                 let words = format!("below {below:.0e}");
-                assert!(says(&words), "{}: {words}", line.step);
+                assert!(page_says(&words), "{}: {words}", line.step);
             }
             None => assert_eq!(line.step, "depth", "all others are timed"),
         }
@@ -63,7 +63,7 @@ fn readme_says_where_each_star_is_useful() {
         (never, "At no error"),
     ] {
         let words = format!("{words}: {}.", steps.join(", "));
-        assert!(says(&words), "{words}");
+        assert!(page_says(&words), "{words}");
     }
 }
 

@@ -18,8 +18,8 @@ use sightline::{
 use std::f64::consts::FRAC_PI_8;
 
 /// Asserts that verify says that `f32` cannot hold the view, and excuses as *depth* no pixel whose two surfaces lie
-/// farther apart there than the ceilings that README states. How many pixels a driver gets wrong is up to its last bits.
-/// Returns how many were excused so, with faces of both surfaces at their centres.
+/// farther apart there than the ceilings ([`DEPTH_CEILING`]). How many pixels a driver gets wrong is up to its last
+/// bits. Returns how many were excused so, with faces of both surfaces at their centres.
 #[track_caller]
 fn cannot_be_held(toml: Option<&str>, view: &str) -> usize {
     let file = toml.map(scene);

@@ -4,7 +4,7 @@ use super::*;
 use egui::vec2;
 use glam::DVec3;
 use sightline::scene::{self, Progress};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 const NONE: Modifiers = Modifiers::NONE;
 
@@ -361,6 +361,24 @@ fn an_up_vector_is_what_was_typed() {
     assert_ne!(texts(&window), ["1", "1", "0"]);
     press_key(&mut window, NONE, Key::Num1);
     assert_eq!(texts(&window), ["0", "1", "0"]);
+}
+
+/// README names a key as `<kbd>F</kbd>`.
+#[test]
+fn readme_names_keys_that_the_help_has() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, NONE, Key::H);
+    let texts = window.controls().iter();
+    let texts = texts.filter(|control| control.role == Role::Label);
+    let keys: HashSet<&str> = texts.flat_map(|text| text.name.split(", ")).collect();
+    let named = include_str!("../../README.md").split("<kbd>").skip(1);
+    let mut count = 0;
+    for rest in named {
+        let (key, _) = rest.split_once("</kbd>").expect("an end");
+        assert!(keys.contains(key), "{key}");
+        count += 1;
+    }
+    assert!(count > 10, "{count}");
 }
 
 /// The help shows what has the words that are typed, and each row says what a key does.

@@ -1,7 +1,7 @@
 //! Doing what the words of a tour's step ask for completes the step, and doing other things does not.
 
 use super::*;
-use sightline::{camera::Projection, pick, study::swap::Found, viewer::tour_text};
+use sightline::{camera::Projection, pick, study::swap::Found};
 
 /// A step's first words, and what they ask for.
 type Deed = (&'static str, fn(&mut Window));
@@ -365,13 +365,6 @@ fn somebody_new_is_offered_it_until_they_answer() {
     window.close();
     let window = open();
     assert!(!has_control(&window, "Take the tour"), "it is remembered");
-}
-
-#[test]
-fn readme_has_its_very_words() {
-    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let readme = words(include_str!("../../README.md"));
-    assert!(readme.contains(&words(&tour_text())), "{}", tour_text());
 }
 
 /// In the four views a drag does not do what the step asks for in the picture, and the step's card says so.

@@ -79,7 +79,7 @@ const EGG: &str = "Egg";
 /// The object in the background.
 const TOWER: &str = "Tower";
 
-/// The tour. README has the same text.
+/// The tour.
 const CHAPTERS: [Chapter; 8] = [
     Chapter {
         title: "Axes and the view matrix",
@@ -281,17 +281,6 @@ const CHAPTERS: [Chapter; 8] = [
         ],
     },
 ];
-
-/// The tour as README has it: a numbered list in Markdown, with an entry for each chapter.
-pub fn tour_text() -> String {
-    let entry = |(at, chapter): (usize, &Chapter)| {
-        let steps = chapter.steps.iter();
-        let steps = steps.map(|step| format!(" {} {}", step.task, step.why));
-        let (number, steps): (_, String) = (at + 1, steps.collect());
-        format!("{number}. **{}.**{steps}\n", chapter.title)
-    };
-    CHAPTERS.iter().enumerate().map(entry).collect()
-}
 
 impl Tour {
     /// All steps.
