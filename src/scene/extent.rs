@@ -17,6 +17,11 @@ pub(super) fn bounds_world(object: &Object) -> Aabb {
     bounds_at(&object.shape, &object.placement)
 }
 
+/// The same in the object's own space.
+pub(super) fn bounds_object(object: &Object) -> Aabb {
+    bounds_at(&object.shape, &Placement::IDENTITY)
+}
+
 /// The same for a shape that a placement puts somewhere.
 fn bounds_at(shape: &Shape, placement: &Placement) -> Aabb {
     match (shape, shape.triangles()) {

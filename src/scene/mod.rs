@@ -25,6 +25,7 @@ pub use object_list::ObjectList;
 pub use section::{FlatFaces, NoSection};
 
 use crate::geometry::{Aabb, Mesh, Placement, Pyramid, WorldRay};
+use glam::DVec3;
 use object_list::ListKey;
 use std::{
     collections::{BTreeSet, HashSet},
@@ -106,6 +107,15 @@ impl Scene {
     /// When there is no object of this index.
     pub fn bounds_of(&self, object: usize) -> Aabb {
         self.objects.bounds_of(object)
+    }
+
+    /// The centre of the box about an object, along the object's own axes and in its own space: a point that stays the
+    /// same wherever the object stands.
+    ///
+    /// # Panics
+    /// When there is no object of this index.
+    pub fn centre_of(&self, object: usize) -> DVec3 {
+        extent::bounds_object(&self.objects()[object]).center()
     }
 
     /// The world-space box about a run of objects.

@@ -25,6 +25,7 @@ mod looks;
 mod measures;
 mod menus;
 mod motion;
+mod moving;
 mod narrow;
 mod nothing_lost;
 mod numbers;

@@ -172,6 +172,8 @@ fn the_grid_stays_when_an_object_is_hidden_or_moved() {
     click_on(&mut window, "Placement");
     type_into(&mut window, "position x", "61");
     press_key(&mut window, Modifiers::NONE, Key::Enter);
+    // The arrows that move the object go with its numbers.
+    click_on(&mut window, "Placement");
     objects.push(place_of(&window, 3));
     let moved = differing_beside(&before, &seen(&mut window), &objects);
     assert!(20 * moved < of_grid, "moved: {moved} of {of_grid}");

@@ -71,8 +71,8 @@ fn shown(name: &str, keys: &[Key]) -> (Window, Part, TempDir) {
             ] {
                 click_on(&mut window, topic);
             }
-            // Three points, for all measures.
-            for at in [MIDDLE, MIDDLE + vec2(30.0, 10.0), MIDDLE + vec2(5.0, 40.0)] {
+            // Three points beside the arrows, for all measures.
+            for at in [MIDDLE, MIDDLE + vec2(30.0, 30.0), MIDDLE + vec2(5.0, 40.0)] {
                 click(&mut window, at + vec2(0.0, 390.0));
             }
             window.send([Event::PointerGone]);

@@ -131,6 +131,7 @@ fn what_is_refused_moves_nothing() {
     let (mut window, _folder) = row(1.0);
     click(&mut window, MIDDLE);
     click_on(&mut window, "Placement");
+    window.send([Event::PointerGone]);
     window.wait_s(1.0);
     let places = |window: &Window| {
         let controls = window.controls().iter();

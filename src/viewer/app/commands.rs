@@ -13,7 +13,7 @@ use crate::{
     viewer::{
         jobs::{self, Answer, Checking},
         model::{Action, MeasureAction, RayHits, Views, view_command},
-        ui::{Attempt, Command, Intent, Reply},
+        ui::{Attempt, Command, Intent, Reply, Topic},
     },
 };
 use egui::OutputCommand;
@@ -116,6 +116,7 @@ impl App {
             }
             Command::ToggleHelp => self.helps ^= true,
             Command::ToggleFour => self.toggle_views(),
+            Command::ToggleMoving => self.memory.panels.toggle(Topic::Placement),
             Command::TogglePipeline => self.memory.panels.toggle_matrices(),
             Command::ShowsDepthSteps => {}
             Command::Tour(to) => self.go_on_tour(to),

@@ -10,8 +10,14 @@ use crate::{
     pick::snap::Snap,
     scene::Loaded,
 };
-use glam::DAffine3;
+use glam::{DAffine3, DMat3, DVec3};
 use std::{collections::BTreeSet, mem, ops::Range, path::PathBuf};
+
+/// A model matrix with another linear part, about a point of the object that stays where it is.
+pub fn with_linear(model: DAffine3, linear: DMat3, still_object: DVec3) -> DAffine3 {
+    let translation = model.transform_point3(still_object) - linear * still_object;
+    DAffine3::from_mat3_translation(linear, translation)
+}
 
 impl State {
     /// Moves an object; its pick follows.

@@ -40,6 +40,7 @@ pub use action::{Action, LensControls};
 pub use chosen::Selection;
 pub(crate) use command_line::degrees;
 pub(super) use command_line::{pick_command, verify_command, view_command};
+pub use editing::with_linear;
 pub use emptied::EmptiedBy;
 pub(super) use filed::{Snapshot, Version, shown_in};
 pub use hits::{DepthSteps, PickView, RayHits, triangle};

@@ -75,6 +75,8 @@ pub(in crate::viewer) enum Command {
     Escape,
     /// Show or hide the help.
     ToggleHelp,
+    /// Show or hide where the selected object stands, and the arrows that move it.
+    ToggleMoving,
     /// Show or hide the matrices.
     TogglePipeline,
     /// Show the four views with the matrices beside them, or the camera's picture again.

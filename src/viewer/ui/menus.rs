@@ -478,6 +478,13 @@ fn tools() -> Menu {
         .of_use_if(|shown| !is_in_gallery(shown))
         .on_if(|shown| shown.state.view().section.is_some()),
         item(
+            "Move",
+            [(NONE, Key::O)],
+            Command::ToggleMoving,
+            "the selected object, by arrows in the picture or by numbers",
+        )
+        .on_if(|shown| shown.arrangement.shows(Topic::Placement)),
+        item(
             "Freeze",
             [(NONE, Key::T)],
             Action::ToggleFreeze,
@@ -498,7 +505,7 @@ fn tools() -> Menu {
     ];
     Menu {
         name: "Tools",
-        hint: "cut the scene open, leave the camera in it, measure",
+        hint: "cut the scene open, move what is selected, leave the camera in it, measure",
         groups: vec![tools.into()],
         more: None,
     }

@@ -170,6 +170,15 @@ impl Arrangement {
         self.revealed = Some(topic);
     }
 
+    /// Folds a topic if it shows, and else shows it.
+    pub fn toggle(&mut self, topic: Topic) {
+        if self.shows(topic) {
+            self.fold(topic);
+        } else {
+            self.show(topic);
+        }
+    }
+
     /// Folds the matrices if they show, and else shows them. As they are folded, the sides are as they were before,
     /// unless the user has opened or closed one since.
     pub fn toggle_matrices(&mut self) {

@@ -51,6 +51,10 @@ const MOUSE: &[(&str, &str)] = &[
         "drag the section's arrow",
         "move the plane along its normal",
     ),
+    (
+        "drag an arrow of the selection",
+        "move it along that axis; with Shift: turn it about the axis",
+    ),
 ];
 
 /// Rows about one subject: what is pressed, and what that does.

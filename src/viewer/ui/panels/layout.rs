@@ -2,8 +2,8 @@
 //! their own: their layout, the typed search, and which messages still show.
 
 use super::{
-    arrangement::{Side, room},
-    axis_cross, banner, differences, help, marks, menu, menu_bar, messages, panes,
+    arrangement::{Side, Topic, room},
+    axis_cross, banner, differences, help, marks, menu, menu_bar, messages, move_arrows, panes,
     prelude::*,
     question, section_handle, shot_card,
     shown::Shown,
@@ -74,6 +74,9 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
             differences::show(ui, rect, place, shown.checking, shown.marks);
             marks::show(ui, rect, place, shown.state);
             section_handle::show(ui, rect, place, shown.state, &mut commands);
+            if shown.arrangement.shows(Topic::Placement) {
+                move_arrows::show(ui, rect, place, shown.state, &mut commands);
+            }
             axis_cross::show(ui, rect, shown.state, &mut commands);
             let banner = banner::show(ui, rect, place, shown.state, &mut commands);
             (Vec::new(), banner)

@@ -1,6 +1,7 @@
 //! The window's panels, one a file.
 
 mod arrangement;
+mod arrow;
 mod axis_cross;
 mod banner;
 mod differences;
@@ -15,6 +16,7 @@ mod marks;
 mod menu;
 mod menu_bar;
 mod messages;
+mod move_arrows;
 mod objects;
 mod pane_labels;
 mod pane_page;

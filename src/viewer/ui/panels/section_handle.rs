@@ -1,23 +1,18 @@
 //! The section in the picture: its rim around what is visible, and an arrow along n that drags it.
 
-use super::{prelude::*, slide::Slide};
+use super::{arrow::Arrow, prelude::*, slide::Slide};
 use crate::{
     camera::View,
     geometry::{Aabb, Section, clip_points},
     look,
-    viewer::ui::theme::rimmed,
 };
-use egui::{CursorIcon, Painter, Pos2, Role, WidgetInfo};
+use egui::Painter;
 
 /// Length of the arrow, as a share of the radius of what is visible.
 const LENGTH: f64 = 0.25;
 /// The arrow is at least this long in the picture, in points, so that it can be grabbed.
 const SHORTEST: f32 = 28.0;
 const INSIDE: Color32 = color32(look::INSIDE);
-/// The arrow can be grabbed this far from its head and from its shaft, in points.
-const REACH: f32 = 11.0;
-/// Near its foot, for this share of its length, clicks pick.
-const FREE: f32 = 0.3;
 
 /// Shown over the scene's rectangle; nothing if there is no section.
 pub(super) fn show(
@@ -34,87 +29,43 @@ pub(super) fn show(
     };
     let painter = ui.painter().with_clip_rect(rect);
     draw_rim(&painter, place, view, &section, &bounds);
-    let Some(arrow) = Arrow::new(place, view, &section, &bounds) else {
+    let Some((arrow, per_world)) = arrow(place, view, &section, &bounds) else {
         return;
     };
-    let at = arrow.nearest_to(ui.ctx().pointer_latest_pos());
-    let taken = Rect::from_center_size(at, vec2(2.0, 2.0) * REACH);
-    let id = ui.scope_id().with("section handle");
-    let response = ui.interact(taken.intersect(rect), id, Sense::DRAG);
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "drag the section"));
-    let is_lit = response.hovered() || response.dragged();
-    arrow.draw(&painter, is_lit);
+    let (name, hint) = (
+        "drag the section",
+        "drag: moves the section along its normal, which points to what is kept",
+    );
+    let response = arrow.show(ui, rect, name, INSIDE, hint);
     let mut slide = Slide::default();
     slide.note(&response);
     let moved = response.dragged().then(|| {
         let by = response.drag_delta();
-        let along = f64::from(by.dot(arrow.per_world)) / f64::from(arrow.per_world.length_sq());
+        let along = f64::from(by.dot(per_world)) / f64::from(per_world.length_sq());
         let normal = section.normal();
         Section::new(normal, section.offset() - along * normal.length())
     });
     let moved = moved.and_then(Result::ok).filter(|moved| *moved != section);
     slide.push(moved.map(|moved| Action::Section(Some(moved))), commands);
-    if is_lit {
-        ui.set_cursor_icon(CursorIcon::Grab);
-    }
-    if !response.dragged() {
-        let hint = "drag: moves the section along its normal, which points to what is kept";
-        response.on_hover_text(hint);
-    }
 }
 
-/// The arrow from the plane along n, in the picture.
-struct Arrow {
-    foot: Pos2,
-    head: Pos2,
-    /// Points in the picture for one world unit along n.
-    per_world: Vec2,
-}
-
-impl Arrow {
-    /// `None` where the picture does not show it, or shows it end-on.
-    fn new(place: SceneRect, view: &View, section: &Section, bounds: &Aabb) -> Option<Self> {
-        let unit = section.normal().normalize_or_zero();
-        let foot = foot(section, bounds);
-        let length = LENGTH * bounds.radius();
-        let ends = view.project_segment(foot, foot + length * unit)?;
-        let [foot, head] = ends.map(|px| place.to_position(px));
-        let along = head - foot;
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "points of a picture need no more"
-        )]
-        let per_world = along / length as f32;
-        let is_seen = per_world.length_sq() > 0.0 && along.length().is_finite();
-        is_seen.then(|| Self {
-            foot,
-            head: foot + along * (SHORTEST / along.length()).max(1.0),
-            per_world,
-        })
-    }
-
-    /// The point of the arrow where the cursor can grab it.
-    fn nearest_to(&self, cursor: Option<Pos2>) -> Pos2 {
-        let along = self.head - self.foot;
-        let share = cursor.map(|at| (at - self.foot).dot(along) / along.length_sq());
-        self.foot + share.unwrap_or(1.0).clamp(FREE, 1.0) * along
-    }
-
-    fn draw(&self, painter: &Painter, is_lit: bool) {
-        let colour = if is_lit { Color32::WHITE } else { INSIDE };
-        let along = (self.head - self.foot).normalized();
-        let aside = vec2(-along.y, along.x);
-        for (colour, more) in rimmed(colour) {
-            let stroke = Stroke::new(2.5 + more, colour);
-            painter.line_segment([self.foot, self.head], stroke);
-            let tip = self.head + 6.0 * along;
-            let wing = |side: f32| self.head - 6.0 * along + side * 6.0 * aside;
-            let head = vec![tip, wing(1.0), wing(-1.0)];
-            let edge = Stroke::new(more, colour);
-            painter.add(egui::Shape::convex_polygon(head, colour, edge));
-            painter.circle_filled(self.foot, 3.0 + 0.5 * more, colour);
-        }
-    }
+/// The arrow from the plane along n, and the points in the picture for one world unit along n. `None` where the picture
+/// does not show it, or shows it end-on.
+fn arrow(place: SceneRect, view: &View, section: &Section, bounds: &Aabb) -> Option<(Arrow, Vec2)> {
+    let unit = section.normal().normalize_or_zero();
+    let foot = foot(section, bounds);
+    let length = LENGTH * bounds.radius();
+    let ends = view.project_segment(foot, foot + length * unit)?;
+    let [foot, head] = ends.map(|px| place.to_position(px));
+    let along = head - foot;
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "points of a picture need no more"
+    )]
+    let per_world = along / length as f32;
+    let is_seen = per_world.length_sq() > 0.0 && along.length().is_finite();
+    let head = foot + along * (SHORTEST / along.length()).max(1.0);
+    is_seen.then_some((Arrow { foot, head }, per_world))
 }
 
 /// The point of the plane that is nearest to the middle of a box.

@@ -6,7 +6,7 @@ use super::{
     prelude::*,
     slide::Slide,
 };
-use crate::geometry::Trs;
+use crate::{geometry::Trs, viewer::model::with_linear};
 use glam::DAffine3;
 
 /// The parts of the matrix, each with what it is.
@@ -14,11 +14,11 @@ const PARTS: [[&str; 2]; 3] = [
     ["position", "of the object's origin, in world units"],
     [
         "rotation",
-        "degrees about the world's x, then y, then z axis",
+        "degrees about the world's x, then y, then z axis; the object's centre stays where it is",
     ],
     [
         "scale",
-        "along the object's own axes; negative mirrors, zero is impossible",
+        "along the object's own axes, its centre staying where it is; negative mirrors, zero is impossible",
     ],
 ];
 /// The place of the position in [`PARTS`].
@@ -59,7 +59,8 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
             // The rest of the matrix stays the same to the bit.
             DAffine3::from_mat3_translation(model.matrix3, next.translation)
         } else {
-            next.to_model()
+            let centre = state.scene().centre_of(object);
+            with_linear(model, next.to_model().matrix3, centre)
         };
         Action::Place(object, model)
     };
