@@ -4,11 +4,12 @@
 use super::{arrow::Arrow, field::AXES, prelude::*, slide::Slide};
 use crate::{
     camera::{Projection, View},
+    geometry::Trs,
     look,
     viewer::model::with_linear,
 };
 use egui::Pos2;
-use glam::{DAffine3, DMat3, DVec2};
+use glam::{DAffine3, DVec2};
 
 /// How long an arrow is that is seen from the side, in points.
 const LENGTH: f64 = 72.0;
@@ -78,7 +79,7 @@ pub(super) fn show(
 struct Handle<'a> {
     model: DAffine3,
     centre_object: DVec3,
-    /// A unit vector in world space.
+    /// One of the world's axes.
     axis: DVec3,
     view: &'a View,
     /// The arrow's length in world units.
@@ -146,7 +147,11 @@ impl<'a> Handle<'a> {
             (self.view.uncut()).project_segment(centre, centre + self.length * rightwards)?;
         let along = to - from;
         let angle = by_px.dot(along) / along.length_squared();
-        let linear = DMat3::from_axis_angle(self.axis, angle) * self.model.matrix3;
+        let turn = Trs {
+            rotation_deg: angle.to_degrees() * self.axis,
+            ..Trs::default()
+        };
+        let linear = turn.to_model().matrix3 * self.model.matrix3;
         let model = with_linear(self.model, linear, self.centre_object);
         angle.is_finite().then_some(model)
     }
