@@ -1,4 +1,4 @@
-//! The only module with `unsafe`: eight `f32` at once, a stack that is not cleared first, and large pages.
+//! The only module of the core with `unsafe`: eight `f32` at once, a stack that is not cleared first, and large pages.
 //!
 //! These eight lanes make the tree about three times as fast. Clearing the stack for each ray would slow that down. In
 //! pages of 4 kB, a tree over a million triangles is a tenth slower. Three rules keep the code sound:
