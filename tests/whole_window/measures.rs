@@ -4,6 +4,7 @@ use super::{
     nothing_lost::{is_asked, is_marked},
     *,
 };
+use sightline::pick::snap::SnapTo;
 
 /// An OBJ file of a wall: one quad, 4 wide and 2 high.
 const WALL: &str = "v -2 -1 0\nv 2 -1 0\nv 2 1 0\nv -2 1.0 0\nf 1 2 3 4\n";
@@ -34,6 +35,12 @@ fn wall() -> (Window, TempDir) {
 
 /// Clicks at this offset in pixels from where a world point shows.
 fn click_near(window: &mut Window, point: [f64; 3], aside: [f32; 2]) {
+    let at = near(window, point, aside);
+    click(window, at);
+}
+
+/// The position at this offset in pixels from where a world point shows.
+fn near(window: &Window, point: [f64; 3], aside: [f32; 2]) -> Pos2 {
     let view = window.state().view();
     let px = view
         .project(glam::DVec3::from_array(point))
@@ -45,7 +52,41 @@ fn click_near(window: &mut Window, point: [f64; 3], aside: [f32; 2]) {
         [from_middle.x, from_middle.y, view.viewport.size_px().x].map(|px| px as f32);
     // The right panels are as wide as usual, and the left panels wider.
     let middle = pos2(970.0 - 0.5 * width, MIDDLE.y);
-    click(window, middle + egui::vec2(x, y) + egui::Vec2::from(aside));
+    middle + egui::vec2(x, y) + egui::Vec2::from(aside)
+}
+
+/// While measuring, what a click would snap to is marked under the cursor. The click then takes just that.
+#[test]
+fn what_a_click_would_take_is_marked_before_it() {
+    let (mut window, _folder) = wall();
+    let [corner, side] = [
+        ([2.0, 1.0, 0.0], [-5.0, 4.0]),
+        ([0.0, 1.0, 0.0], [3.0, 4.0]),
+    ];
+    let ahead = |window: &mut Window, (point, aside)| {
+        let at = near(window, point, aside);
+        window.send([Event::PointerMoved(at)]);
+        window.wait_s(0.1);
+        let snap = window.state().measuring().ahead.as_ref();
+        snap.map(|snap| (snap.to, snap.point_world))
+    };
+    assert_eq!(ahead(&mut window, corner), None, "nothing is measured yet");
+    let bare = window.picture().expect("a picture");
+    press_key(&mut window, Modifiers::NONE, Key::Q);
+    let at_corner = ahead(&mut window, corner).expect("a corner");
+    assert_eq!(at_corner, (SnapTo::Vertex, glam::dvec3(2.0, 1.0, 0.0)));
+    let at = near(&window, corner.0, [0.0; 2]);
+    let around = egui::Rect::from_center_size(at, egui::Vec2::splat(24.0));
+    let marked = window.picture().expect("a picture");
+    assert!(differing_in(&bare, &marked, around) > 20);
+    let (to, on_side) = ahead(&mut window, side).expect("a side");
+    assert_eq!((to, on_side.y), (SnapTo::Edge, 1.0));
+    click_near(&mut window, side.0, side.1);
+    let taken = &window.state().measuring().points;
+    assert_eq!(taken.len(), 1);
+    assert_eq!(taken[0].point_world, on_side);
+    window.send([Event::PointerGone]);
+    assert_eq!(window.state().measuring().ahead, None);
 }
 
 fn is_enabled(window: &Window, name: &str) -> bool {

@@ -202,6 +202,7 @@ impl App {
         for command in commands {
             self.obey(command);
         }
+        self.look_ahead();
         let follows_cursor =
             self.memory.panels.shows(Topic::Matrices) || !self.state.stages().is_empty();
         let is_outdated = acted

@@ -14,6 +14,7 @@ impl App {
     pub(super) fn take_numbers(&mut self) {
         self.look_up_pick();
         self.take_snapped();
+        self.take_ahead();
     }
 
     fn look_up_pick(&mut self) {
@@ -48,7 +49,7 @@ impl App {
         if let Some(ray) = ray {
             let files = self.state.source().meshes.clone();
             let scene = self.state.scene().clone();
-            let snapping = jobs::snap(scene, ray.view, ray.px, files, self.waker());
+            let snapping = jobs::snap(scene, (ray.view, ray.px), files, true, self.waker());
             self.numbers.snapping = Some((scene_now(&self.state), snapping));
         }
     }
@@ -61,6 +62,34 @@ impl App {
         if let Some((snap, area)) = found.filter(|_| of == scene_now(&self.state)) {
             self.state.take_snap(snap, area);
         }
+        self.context.request_repaint();
+    }
+
+    /// Begins to find what a click under the cursor would snap to, while measuring: one position at a time, the latest
+    /// next.
+    pub(super) fn look_ahead(&mut self) {
+        let is_measured = self.state.measuring().is_on && self.state.stages().is_empty();
+        let Some(cursor) = self.state.cursor().filter(|_| is_measured) else {
+            (self.numbers.ahead, self.numbers.aimed) = (None, None);
+            return self.state.aim(None);
+        };
+        let aim = (scene_now(&self.state), *self.state.view(), cursor.px);
+        if self.numbers.ahead.is_none() && self.numbers.aimed != Some(aim) {
+            let (scene, files) = (
+                self.state.scene().clone(),
+                self.state.source().meshes.clone(),
+            );
+            let job = jobs::snap(scene, (aim.1, aim.2), files, false, self.waker());
+            self.numbers.ahead = Some((aim, job));
+        }
+    }
+
+    fn take_ahead(&mut self) {
+        let ahead = self.numbers.ahead.as_ref();
+        let done = ahead.and_then(|(aim, job)| Some((*aim, job.poll()?)));
+        let Some((aim, found)) = done else { return };
+        (self.numbers.ahead, self.numbers.aimed) = (None, Some(aim));
+        self.state.aim(found.map(|(snap, _)| snap));
         self.context.request_repaint();
     }
 }

@@ -9,24 +9,25 @@ use crate::{
 };
 use glam::DVec2;
 
-/// A click that is being snapped: the point, and the area of the object there if it is known; `None` if nothing is
+/// A position that is being snapped: the point, and the area of the object there if it is known; `None` if nothing is
 /// near.
 pub(in crate::viewer) type Snapping = Job<Option<(Snap, Option<f64>)>>;
 
-/// Begins to snap a click at a position of a view; calls `wake` when done.
+/// Begins to snap a position of a view; calls `wake` when done. The area is left out of what is only shown ahead of a
+/// click.
 pub(in crate::viewer) fn snap(
     scene: Scene,
-    view: View,
-    px: DVec2,
+    (view, px): (View, DVec2),
     files: Vec<MeshFile>,
+    is_click: bool,
     wake: impl FnOnce() + Send + 'static,
 ) -> Snapping {
     let find = move |progress: &Progress| {
         let mut files = FilesAgain::new(&scene, &files, progress);
         let mut faces = |object, triangle| files.face_of(object, triangle).map_err(Into::into);
         let snap = Snap::at(&scene, &view, px, Measuring::RADIUS_PX, &mut faces)?;
-        let area = object_area(&scene.objects()[snap.id - 1]);
-        Some((snap, area))
+        let area = is_click.then(|| object_area(&scene.objects()[snap.id - 1]));
+        Some((snap, area.flatten()))
     };
     Job::start(find, wake, || None)
 }

@@ -177,6 +177,11 @@ impl State {
         });
     }
 
+    /// Notes what a click under the cursor would snap to.
+    pub(in crate::viewer) fn aim(&mut self, at: Option<Snap>) {
+        self.measuring.ahead = at;
+    }
+
     /// Drops the points: they may have moved with the scene.
     pub(super) fn forget_points(&mut self) {
         self.measuring.points.clear();

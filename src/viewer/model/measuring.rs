@@ -126,6 +126,8 @@ pub struct Measuring {
     pub is_on: bool,
     /// The last points, at most [`Self::MOST`], the oldest first.
     pub points: Vec<MeasuredPoint>,
+    /// What a click under the cursor would snap to.
+    pub ahead: Option<Snap>,
     /// What was measured, oldest first.
     pub list: Vec<Entry>,
 }

@@ -17,6 +17,8 @@ use glam::DVec2;
 
 /// How opaque the marks of a pick are that another surface hides.
 const HIDDEN: f32 = 0.45;
+/// How opaque the mark is of what a click would snap to.
+const AHEAD: f32 = 0.6;
 /// Radius of the mark at a hit, in points.
 const MARK: f32 = 6.0;
 /// A triangle that is smaller than this in the picture, in points, has no names at its corners: they would hide it.
@@ -64,6 +66,10 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
     }
     for point in measuring.points.iter().filter(|_| measuring.is_on) {
         page.diamond(point.point_world);
+    }
+    if let Some(snap) = &measuring.ahead {
+        page.colour = of_measures.gamma_multiply(AHEAD);
+        page.diamond(snap.point_world);
     }
 }
 
