@@ -76,10 +76,7 @@ fn a_flag_that_cannot_be_is_said_and_not_used() {
 #[test]
 fn the_up_axis_of_one_file_is_not_the_next_one_s() {
     let (path, folder) = row_file();
-    let mut window = opened(Options {
-        paths: vec![path],
-        ..Options::default()
-    });
+    let mut window = open(vec![path], 1.0);
     click_on(&mut window, "z points up");
     assert_eq!(window.state().up_axis(), UpAxis::Z);
     let next = folder.path().join("next.toml");
@@ -231,10 +228,7 @@ fn page_down_turns_to_the_next_file_of_the_folder() {
     std::fs::write(folder.path().join("row2.obj"), "v 0 0 0\nf 1 1 9\n")
         .expect("a writable folder");
     std::fs::write(folder.path().join("row10.toml"), ROW).expect("a writable folder");
-    let mut window = opened(Options {
-        paths: vec![path],
-        ..Options::default()
-    });
+    let mut window = open(vec![path], 1.0);
     key(&mut window, Key::PageUp);
     assert_eq!(window.state().name(), "row10.toml");
     key(&mut window, Key::PageUp);
@@ -261,10 +255,7 @@ fn page_down_turns_to_the_next_file_of_the_folder() {
 #[test]
 fn no_file_is_turned_to_over_edits_or_where_there_is_none() {
     let (path, folder) = row_file();
-    let mut window = opened(Options {
-        paths: vec![path],
-        ..Options::default()
-    });
+    let mut window = open(vec![path], 1.0);
     key(&mut window, Key::PageDown);
     assert!(told(&window)[0].contains("no other"), "{:?}", told(&window));
     std::fs::write(folder.path().join("row2.toml"), ROW).expect("a writable folder");

@@ -4,7 +4,7 @@ use super::{numbers::Triangle, program::App};
 use crate::{
     scene::{MeshFile, obj::InFile},
     viewer::{
-        jobs::{self, Job},
+        jobs::{self, Job, Snapping},
         model::State,
     },
 };
@@ -70,25 +70,30 @@ impl App {
     pub(super) fn look_ahead(&mut self) {
         let is_measured = self.state.measuring().is_on && self.state.stages().is_empty();
         let Some(cursor) = self.state.cursor().filter(|_| is_measured) else {
-            (self.numbers.ahead, self.numbers.aimed) = (None, None);
+            self.numbers.ahead = None;
             return self.state.aim(None);
         };
         let aim = (scene_now(&self.state), *self.state.view(), cursor.px);
-        if self.numbers.ahead.is_none() && self.numbers.aimed != Some(aim) {
-            let (scene, files) = (
-                self.state.scene().clone(),
-                self.state.source().meshes.clone(),
-            );
-            let job = jobs::snap(scene, (aim.1, aim.2), files, false, self.waker());
-            self.numbers.ahead = Some((aim, job));
+        match &self.numbers.ahead {
+            Some((_, Some(_))) => {}
+            Some((last, None)) if *last == aim => {}
+            _ => {
+                let scene = self.state.scene().clone();
+                let files = self.state.source().meshes.clone();
+                let job = jobs::snap(scene, (aim.1, aim.2), files, false, self.waker());
+                self.numbers.ahead = Some((aim, Some(job)));
+            }
         }
     }
 
     fn take_ahead(&mut self) {
-        let ahead = self.numbers.ahead.as_ref();
-        let done = ahead.and_then(|(aim, job)| Some((*aim, job.poll()?)));
-        let Some((aim, found)) = done else { return };
-        (self.numbers.ahead, self.numbers.aimed) = (None, Some(aim));
+        let Some((_, asked)) = &mut self.numbers.ahead else {
+            return;
+        };
+        let Some(found) = asked.as_ref().and_then(Snapping::poll) else {
+            return;
+        };
+        *asked = None;
         self.state.aim(found.map(|(snap, _)| snap));
         self.context.request_repaint();
     }

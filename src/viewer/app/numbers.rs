@@ -20,15 +20,14 @@ pub(in crate::viewer) struct Numbers {
     pub(super) of_pick: Option<(Triangle, Job<InFile>)>,
     /// A click that is being snapped, with the scene's revisions.
     pub(super) snapping: Option<([u64; 2], Snapping)>,
-    /// What a click under the cursor would snap to, while that is being found.
-    pub(super) ahead: Option<(Aim, Snapping)>,
-    /// What it was found for last.
-    pub(super) aimed: Option<Aim>,
+    /// Where it was asked last what a click under the cursor would snap to; the question, until it is answered.
+    pub(super) ahead: Option<(Aim, Option<Snapping>)>,
 }
 
 impl Numbers {
     /// Whether an answer is still to come.
     pub fn is_busy(&self) -> bool {
-        self.of_pick.is_some() || self.snapping.is_some() || self.ahead.is_some()
+        let looks_ahead = matches!(self.ahead, Some((_, Some(_))));
+        self.of_pick.is_some() || self.snapping.is_some() || looks_ahead
     }
 }

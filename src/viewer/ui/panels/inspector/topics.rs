@@ -67,11 +67,7 @@ fn heading(ui: &mut Ui, topic: Topic, arrangement: &mut Arrangement, commands: &
                 let text = RichText::new(format!("{mark} {}", topic.name())).heading();
                 let heading = ui.add(Button::new(text).frame(false).truncate());
                 if heading.named(topic.name()).hint(topic.about()).clicked() {
-                    if is_unfolded {
-                        arrangement.fold(topic);
-                    } else {
-                        arrangement.show(topic);
-                    }
+                    arrangement.toggle(topic);
                 }
             });
         });
