@@ -95,6 +95,7 @@ pub mod swap;
 mod table;
 mod timing;
 pub mod truth;
+pub mod worked;
 
 pub use budget::{Budget, Depths, Growth, NothingHit, Reach, Tried};
 pub use csv::{COLUMNS, SUMMARY_COLUMNS, csv, summary_csv};

@@ -16,6 +16,7 @@ mod readme;
 mod real_files;
 mod summary;
 mod views;
+mod worked;
 
 use sightline::study::{
     self, COLUMNS, Effort, Report, Row,

@@ -86,22 +86,28 @@ fn planes<T: Real>() -> [T; 2] {
     [-Cuboid::HALF_SIDE, Cuboid::HALF_SIDE].map(T::of)
 }
 
+/// The values of t between which a ray is inside one slab, by its start and its direction along the slab's axis. A ray
+/// along the slab is inside at any t, or at none: then the first is above the second.
+pub fn slab<T: Real>(origin: T, direction: T) -> [T; 2] {
+    let [min, max] = planes();
+    if direction == T::zero() {
+        let always = [T::neg_infinity(), T::infinity()];
+        let is_outside = origin < min || origin > max;
+        return if is_outside {
+            [always[1], always[0]]
+        } else {
+            always
+        };
+    }
+    let (near, far) = ((min - origin) / direction, (max - origin) / direction);
+    if near > far { [far, near] } else { [near, far] }
+}
+
 /// Divides nothing for a ray along a slab: such a ray is inside the slab or misses.
 pub fn branch<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let (mut enter, mut leave) = (T::neg_infinity(), T::infinity());
     for axis in 0..3 {
-        let (o, d) = (case.origin[axis], case.direction[axis]);
-        let [min, max] = planes();
-        if d == T::zero() {
-            if o < min || o > max {
-                return None;
-            }
-            continue;
-        }
-        let (mut near, mut far) = ((min - o) / d, (max - o) / d);
-        if near > far {
-            std::mem::swap(&mut near, &mut far);
-        }
+        let [near, far] = slab(case.origin[axis], case.direction[axis]);
         enter = enter.max(near);
         leave = leave.min(far);
     }

@@ -119,7 +119,7 @@ fn placement(linear: M3<f64>, translation: V3<f64>) -> Option<Placement> {
 }
 
 /// The ray with `t` from 0 to infinity, as it is stored.
-fn from_start(origin: V3<f64>, direction: V3<f64>) -> Ray {
+pub(super) fn from_start(origin: V3<f64>, direction: V3<f64>) -> Ray {
     let ray = Ray {
         origin: origin.into(),
         direction: direction.into(),

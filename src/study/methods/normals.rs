@@ -69,7 +69,7 @@ impl Case for NormalCase {
 
     const METHODS: Methods<Self> = &[
         &both!("M n": AS_POINT, by, |case| &case.linear),
-        &both!("inverse transpose": TRANSPOSE, by, |case| &case.inverse_transpose),
+        &both!("inverse transpose": TRANSPOSE, by_inverse_transpose),
         &both!("cofactors": COFACTOR, by, |case| &case.cofactors),
         &[Method::ours(F64, OURS, |c: &Self| {
             c.placement.normal_to_world(c.wide.normal.into()).to_array()
@@ -123,6 +123,11 @@ impl Case for NormalCase {
         let length = case.linear.cofactors().apply(case.normal).length();
         (16.0 * UNIT * magnitudes.length() / length).to_degrees()
     }
+}
+
+/// By the inverse's transpose, as Turkowski has it.
+pub fn by_inverse_transpose<T: Real>(case: &Tilted<T>) -> [f64; 3] {
+    by(case, |case| &case.inverse_transpose)
 }
 
 /// By one of the case's matrices. By the cofactors the normal points inward if the model matrix mirrors.

@@ -99,15 +99,45 @@ fn first<T: Real>(a: T, b: T) -> Option<f64> {
     first_ahead(if a <= b { a } else { b }, if a <= b { b } else { a })
 }
 
+/// `a t^2 + b t + c = 0`, by which a ray meets the sphere, and its roots by the formula of textbooks.
+#[derive(Clone, Copy, Debug)]
+pub struct Quadratic<T> {
+    /// The direction's square.
+    pub a: T,
+    /// Twice the origin times the direction.
+    pub b: T,
+    /// The origin's square less the radius'.
+    pub c: T,
+    /// `b^2 - 4ac`.
+    pub discriminant: T,
+    /// `(-b - root) / 2a` and `(-b + root) / 2a`; `None` where the discriminant is below 0.
+    pub roots: Option<[T; 2]>,
+}
+
+impl<T: Real> Quadratic<T> {
+    /// The quadratic of a ray, whose direction may have any length.
+    pub fn of(case: &ObjectRay<T>) -> Self {
+        let two = T::one() + T::one();
+        let from_center = case.origin;
+        let a = case.direction.dot(case.direction);
+        let b = two * from_center.dot(case.direction);
+        let c = from_center.dot(from_center) - r2();
+        let discriminant = b * b - two * two * a * c;
+        let roots = root(discriminant).map(|root| [-root, root].map(|root| (root - b) / (two * a)));
+        Self {
+            a,
+            b,
+            c,
+            discriminant,
+            roots,
+        }
+    }
+}
+
 /// `b^2 - 4ac` and both roots from the same formula.
 pub fn plain<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
-    let two = T::one() + T::one();
-    let from_center = case.origin;
-    let a = case.direction.dot(case.direction);
-    let b = two * from_center.dot(case.direction);
-    let c = from_center.dot(from_center) - r2();
-    let root = root(b * b - two * two * a * c)?;
-    first((-b - root) / (two * a), (-b + root) / (two * a))
+    let [near, far] = Quadratic::of(case).roots?;
+    first(near, far)
 }
 
 /// [`plain`] with a = 1: wrong for directions that are not 1 long.

@@ -142,25 +142,47 @@ impl Case for SquareCase {
     }
 }
 
+/// Where a ray meets a square's plane.
+#[derive(Clone, Copy, Debug)]
+pub struct OnPlane<T> {
+    /// The ray parameter.
+    pub t: T,
+    /// The point's coordinates along the sides, from the middle: within 1/2 in the square.
+    pub along: [T; 2],
+}
+
+impl<T: Real> OnPlane<T> {
+    fn at(case: &RaySquare<T>, t: T) -> Self {
+        let point = case.origin + case.direction * t - case.middle;
+        let along = case.duals.map(|dual| dual.dot(point));
+        Self { t, along }
+    }
+
+    /// By `N . (S - o) / N . d`.
+    pub fn by_point(case: &RaySquare<T>) -> Self {
+        let (normal, _) = case.plane;
+        let way = normal.dot(case.middle - case.origin);
+        Self::at(case, way / normal.dot(case.direction))
+    }
+
+    /// Its t, where it is in the square and not behind the ray's start.
+    fn hit(&self) -> Option<f64> {
+        let half = T::of(Square::HALF_SIDE);
+        let [x, y] = self.along.map(T::abs);
+        (x <= half && y <= half).then(|| ahead(self.t)).flatten()
+    }
+}
+
 /// Subtracts the ray's origin first.
 pub fn point<T: Real>(case: &RaySquare<T>) -> Option<f64> {
-    let (normal, _) = case.plane;
-    let way = normal.dot(case.middle - case.origin);
-    inside(case, way / normal.dot(case.direction))
+    OnPlane::by_point(case).hit()
 }
 
 /// Uses the plane's distance from the world's origin.
 pub fn constant<T: Real>(case: &RaySquare<T>) -> Option<f64> {
     let (normal, distance) = case.plane;
     let way = distance - normal.dot(case.origin);
-    inside(case, way / normal.dot(case.direction))
-}
-
-fn inside<T: Real>(case: &RaySquare<T>, t: T) -> Option<f64> {
-    let half = T::of(Square::HALF_SIDE);
-    let point = case.origin + case.direction * t - case.middle;
-    let [x, y] = case.duals.map(|dual| dual.dot(point).abs());
-    (x <= half && y <= half).then(|| ahead(t)).flatten()
+    OnPlane::at(case, way / normal.dot(case.direction)).hit()
 }
 
 /// Whole vectors at right angles, each over the power of two that makes it about 1 long.

@@ -11,7 +11,7 @@ use super::{
 use crate::{
     render::GpuError,
     viewer::{
-        model::{Action, Seen},
+        model::{Action, Seen, State},
         screen::{Canvas, Laid, Screen, Updated},
         ui::{self, Command, Notices, Shown, Topic},
     },
@@ -195,7 +195,8 @@ impl App {
         }
         commands.extend(due);
         let acted = !commands.iter().all(is_idle) || !self.late.is_empty();
-        let before = (self.state.hover(), self.state.row());
+        let lit = |state: &State| (state.hover(), state.row(), state.worked_number());
+        let before = lit(&self.state);
         let cursor = self.state.cursor();
         // A row lights its object only while the cursor is on it.
         self.state.apply(Action::Light(None));
@@ -207,7 +208,7 @@ impl App {
             self.memory.panels.shows(Topic::Matrices) || !self.state.stages().is_empty();
         let is_outdated = acted
             || (follows_cursor && cursor != self.state.cursor())
-            || before != (self.state.hover(), self.state.row())
+            || before != lit(&self.state)
             || arrangement != self.memory.panels;
         if is_outdated && context.current_pass_index() == 0 {
             context.request_discard("commands have changed what the panels show");
@@ -288,11 +289,13 @@ fn dropped(context: &egui::Context) -> Option<Command> {
 /// Whether a command alone does not make the panels outdated: it comes with each pass, or only follows the cursor. What
 /// follows the cursor is compared apart, in [`App::ui`].
 fn is_idle(command: &Command) -> bool {
-    use Action::{Enter, Hover, Light, LightRow, Resize};
+    use Action::{Enter, Hover, Light, LightNumber, LightRow, Resize};
     matches!(
         command,
         Command::ShowsDepthSteps
-            | Command::Act(Enter(_) | Hover(_) | Light(_) | LightRow(_) | Resize(_))
+            | Command::Act(
+                Enter(_) | Hover(_) | Light(_) | LightNumber(_) | LightRow(_) | Resize(_)
+            )
     )
 }
 

@@ -6,6 +6,7 @@ use super::{
     overlay::Overlay,
     stages::{Stage, Views},
     timeline::Gesture,
+    worked_numbers::WorkedNumber,
 };
 use crate::{
     camera::{CameraChoice, DepthMapping, UpAxis, Viewport},
@@ -104,6 +105,8 @@ pub enum Action {
     Enter(Option<Stage>),
     /// The cursor rests on a row of a matrix. Sent in each pass while it does, as [`Self::Light`] is.
     LightRow(Row),
+    /// The cursor rests on a number of the worked pick, or on what it is in the picture. Sent in each pass, too.
+    LightNumber(WorkedNumber),
     /// In the gallery: pick by this method; `None` is Sightline's own.
     PickBy(Option<Swap>),
     /// In the gallery: pick by the next method, or the one before.
@@ -224,7 +227,7 @@ impl Action {
                 edits: *action != MeasureAction::Toggle,
                 ..none
             },
-            Self::Light(_) | Self::LightRow(_) | Self::Enter(_) => between,
+            Self::Light(_) | Self::LightRow(_) | Self::LightNumber(_) | Self::Enter(_) => between,
             Self::Steer(_)
             | Self::StepTo(_)
             | Self::Step { .. }

@@ -35,6 +35,7 @@ mod timeline;
 mod undoing;
 mod update;
 mod viewing;
+mod worked_numbers;
 
 pub use action::{Action, LensControls};
 pub use chosen::Selection;
@@ -58,3 +59,4 @@ pub(super) use state::Filed;
 pub use state::{Cursor, Frozen, Source, State};
 pub(super) use subject::{Lesson, Subject};
 pub use viewing::InvalidAction;
+pub use worked_numbers::{WorkedMark, WorkedNumber, WorkedRow, WorkedStep};

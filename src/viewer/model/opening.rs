@@ -73,6 +73,7 @@ impl State {
             frozen: None,
             panes: None,
             row: None,
+            worked_number: None,
             showing: loaded.exhibit.map(Showing::new),
         })
     }

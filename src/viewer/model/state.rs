@@ -14,6 +14,7 @@ use super::{
     overlay::Overlays,
     rig::Rig,
     timeline::Timeline,
+    worked_numbers::WorkedNumber,
 };
 use crate::{
     camera::{Camera, CameraChoice, UpAxis, View},
@@ -149,6 +150,7 @@ pub struct State {
     /// The four views, while they are open.
     pub(super) panes: Option<Box<Panes>>,
     pub(super) row: Option<Row>,
+    pub(super) worked_number: Option<WorkedNumber>,
     pub(super) showing: Option<Showing>,
 }
 

@@ -65,8 +65,11 @@ impl State {
             Action::Click(px, time_s) => return Some(self.click(px, time_s)),
             Action::Recentre(px) => self.recentre(px),
             Action::Hover(px) => self.cursor = px.map(|px| self.cursor_at(px)),
-            Action::Light(object) => (self.lit, self.row) = (object, None),
+            Action::Light(object) => {
+                (self.lit, self.row, self.worked_number) = (object, None, None);
+            }
             Action::LightRow(row) => self.row = Some(row),
+            Action::LightNumber(number) => self.worked_number = Some(number),
             Action::FrameAll => self.frame_all(),
             Action::FrameSelection => self.frame_selection(),
             Action::LookFrom(direction) => {

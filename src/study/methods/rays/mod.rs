@@ -303,11 +303,36 @@ impl<T: Real> Pixel<T> {
     }
 }
 
+/// A pixel's point in the world, on the picture's plane, as courses find it.
+#[derive(Clone, Copy, Debug)]
+pub struct PlanePoint<T> {
+    /// sx and sy: the position in the picture, from -1 to 1, y upwards.
+    pub ndc: [T; 2],
+    /// The picture's middle: the target, or, where rays are parallel, the eye.
+    pub middle: V3<T>,
+    /// H and V: from the middle to the picture's right and its upper edge.
+    pub half: [V3<T>; 2],
+    /// p: `middle + sx H + sy V`.
+    pub point: V3<T>,
+}
+
+impl<T: Real> PlanePoint<T> {
+    /// The point of a pixel.
+    pub fn of(pixel: &Pixel<T>) -> Self {
+        let ndc = pixel.ndc();
+        let [middle, right, up] = pixel.course;
+        Self {
+            ndc,
+            middle,
+            half: [right, up],
+            point: middle + right * ndc[0] + up * ndc[1],
+        }
+    }
+}
+
 /// The ray by the pixel's point on the picture's plane in the world, minus the eye.
 pub fn course<T: Real>(pixel: &Pixel<T>) -> PixelRay {
-    let [sx, sy] = pixel.ndc();
-    let [middle, right, up] = pixel.course;
-    pixel.towards(middle + right * sx + up * sy)
+    pixel.towards(PlanePoint::of(pixel).point)
 }
 
 /// The ray by a sum of directions.

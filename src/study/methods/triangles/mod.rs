@@ -223,19 +223,44 @@ impl Case for TriangleCase {
     }
 }
 
+/// Where a ray meets a triangle's plane, and how the point divides the triangle.
+#[derive(Clone, Copy, Debug)]
+pub struct Areas<T> {
+    /// `(b - a) x (c - a)`: twice as long as the triangle is large.
+    pub normal: V3<T>,
+    /// The ray parameter.
+    pub t: T,
+    /// The areas of the point's triangles with the sides b c, c a and a b, each over the whole area. In the triangle
+    /// they are the weights of a, b and c.
+    pub shares: [T; 3],
+    /// Their sum: 1 in the triangle, more outside.
+    pub sum: T,
+}
+
+impl<T: Real> Areas<T> {
+    /// The areas at the plane's point of a ray.
+    pub fn of(case: &RayTriangle<T>) -> Self {
+        let [a, b, c] = case.corners;
+        let normal = (b - a).cross(c - a);
+        let t = normal.dot(a - case.origin) / normal.dot(case.direction);
+        let point = case.origin + case.direction * t;
+        let part = |p: V3<T>, q: V3<T>| (p - point).cross(q - point).length() / normal.length();
+        let shares = [part(b, c), part(c, a), part(a, b)];
+        let [first, second, third] = shares;
+        Self {
+            normal,
+            t,
+            shares,
+            sum: first + second + third,
+        }
+    }
+}
+
 /// Intersects the plane first. The point is inside if the areas of its three triangles with the corners, divided by the
 /// whole area, add up to 1.
 pub fn areas<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
-    let [a, b, c] = case.corners;
-    let normal = (b - a).cross(c - a);
-    let t = normal.dot(a - case.origin) / normal.dot(case.direction);
-    let point = case.origin + case.direction * t;
-    let part = |p: V3<T>, q: V3<T>| (p - point).cross(q - point).length() / normal.length();
-    let sum = part(b, c) + part(c, a) + part(a, b);
-    if sum != T::one() {
-        return None;
-    }
-    ahead(t)
+    let Areas { t, sum, .. } = Areas::of(case);
+    (sum == T::one()).then(|| ahead(t)).flatten()
 }
 
 /// Cramer's rule on `o + t d = a + u e1 + v e2`. Rays with a determinant smaller than `epsilon` miss. This is an

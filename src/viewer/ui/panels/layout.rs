@@ -7,7 +7,7 @@ use super::{
     prelude::*,
     question, section_handle, shot_card,
     shown::Shown,
-    sides, status, tour_card,
+    sides, status, tour_card, worked_marks,
 };
 use crate::viewer::{
     jobs::Checking,
@@ -62,6 +62,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         let width = widths[side as usize].filter(|_| !shown.is_bare);
         sides::show(ui, side, width, shown, &mut commands)
     });
+    let works = shown.arrangement.shows(Topic::Details);
     let place = CentralPanel::no_frame().show(ui, |ui| {
         let rect = picture_rect(ui, shown);
         let place = SceneRect::new(rect, ui.ctx().pixels_per_point())?;
@@ -73,6 +74,9 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
             commands.extend(actions.into_iter().map(Command::Act));
             differences::show(ui, rect, place, shown.checking, shown.marks);
             marks::show(ui, rect, place, shown.state);
+            if works {
+                worked_marks::in_picture(ui, rect, place, shown.state, &mut commands);
+            }
             section_handle::show(ui, rect, place, shown.state, &mut commands);
             if shown.arrangement.shows(Topic::Placement) {
                 move_arrows::show(ui, rect, place, shown.state, &mut commands);
@@ -83,7 +87,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         } else {
             // The camera, which the views are about, has a picture as large as all of them together.
             commands.push(Command::Act(Action::Resize(place.viewport)));
-            let panes = panes::show(ui, rect, shown.state, drag, &mut commands);
+            let panes = panes::show(ui, rect, (shown.state, works), drag, &mut commands);
             (panes, 0.0)
         };
         messages::show(ui, rect, below, shown, &mut commands);

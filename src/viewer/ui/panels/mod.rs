@@ -32,6 +32,7 @@ mod status;
 #[cfg(test)]
 mod tests;
 mod tour_card;
+mod worked_marks;
 
 /// What most panels name.
 mod prelude {

@@ -23,6 +23,8 @@ pub(super) fn show(
     place: SceneRect,
     state: &State,
     seen: &View,
+    works: bool,
+    commands: &mut Vec<Command>,
 ) {
     let corner =
         |(align, size): (Align2, Vec2)| align.align_size_within_rect(size.min(rect.size()), rect);
@@ -37,6 +39,9 @@ pub(super) fn show(
     };
     page.lit_row();
     page.followed();
+    if works {
+        page.worked(commands);
+    }
     match stage {
         Stage::Object => page.object_axes(),
         Stage::World | Stage::View => page.camera(),

@@ -18,11 +18,12 @@ const HEADING: f32 = 34.0;
 /// Smaller than this, in points, a view has no room for a cross of axes.
 const ROOM_FOR_CROSS: f32 = 190.0;
 
-/// Shows the views within the scene's rectangle. Returns where each is.
+/// Shows the views within the scene's rectangle, with the numbers of the worked pick where these show. Returns where
+/// each is.
 pub(super) fn show(
     ui: &mut Ui,
     rect: Rect,
-    state: &State,
+    (state, works): (&State, bool),
     drag: &mut Option<Drag>,
     commands: &mut Vec<Command>,
 ) -> Vec<(Stage, SceneRect)> {
@@ -43,7 +44,7 @@ pub(super) fn show(
         };
         places.push((stage, place));
         let mut asked = Vec::new();
-        hovers |= pane(ui, stage, rect, place, state, drag, &mut asked);
+        hovers |= pane(ui, stage, rect, place, (state, works), drag, &mut asked);
         // The actions between these two are for this view.
         commands.push(Command::Act(Action::Enter(Some(stage))));
         commands.extend(asked);
@@ -77,7 +78,7 @@ fn pane(
     stage: Stage,
     rect: Rect,
     place: SceneRect,
-    state: &State,
+    (state, works): (&State, bool),
     drag: &mut Option<Drag>,
     commands: &mut Vec<Command>,
 ) -> bool {
@@ -100,7 +101,7 @@ fn pane(
         viewport: place.viewport,
         ..view
     };
-    pane_labels::show(ui, stage, rect, place, state, &seen);
+    pane_labels::show(ui, stage, rect, place, state, &seen, works, commands);
     if rect.size().min_elem() >= ROOM_FOR_CROSS {
         let axes = axes(state, stage);
         ui.push_id(stage.name(), |ui| {

@@ -14,6 +14,7 @@ mod pipeline;
 mod section;
 mod topics;
 mod value_rows;
+mod working;
 
 use super::{arrangement, field, hints, prelude, slide};
 pub(in crate::viewer) use picked::Sums;
