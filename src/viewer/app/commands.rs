@@ -29,10 +29,11 @@ impl App {
     pub fn run_command(&mut self, command: Command) {
         match command {
             Command::Act(Action::ToggleFreeze) if self.state.views() != Views::Picture => {
-                let key = "press 4 for the picture, then T";
-                self.complain(format!(
-                    "nothing is frozen in the four views, which show the camera already: {key}"
-                ));
+                // The four views show the camera as it is: from outside it shows in the picture.
+                self.show_views(Views::Picture);
+                if self.state.frozen().is_none() {
+                    self.act(Action::ToggleFreeze);
+                }
             }
             Command::Act(Action::Views(views)) => self.show_views(views),
             Command::Act(action) => self.act(action),
@@ -120,6 +121,7 @@ impl App {
             Command::TogglePipeline => self.memory.panels.toggle_matrices(),
             Command::ShowsDepthSteps => {}
             Command::Tour(to) => self.go_on_tour(to),
+            Command::ShowOnePick => self.show_one_pick(),
             Command::NextLook => {
                 self.memory.look = self.memory.look.next();
                 self.memory.look.apply(&self.context);

@@ -138,6 +138,9 @@ impl App {
     /// egui lays them out again at once.
     pub fn ui(&mut self, ui: &mut egui::Ui) {
         let context = ui.ctx().clone();
+        self.take_beginning();
+        let example = self.tour.and_then(|tour| tour.step().2.example);
+        self.state.set_example(example.map(Into::into));
         self.notice_step(None);
         let now_s = context.input(|input| input.time);
         self.forget_said(now_s);

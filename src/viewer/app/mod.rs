@@ -1,6 +1,7 @@
 //! The program: executes commands, takes the results of jobs, and drives every frame.
 
 mod acting;
+mod beginning;
 mod checks;
 mod commands;
 mod files;

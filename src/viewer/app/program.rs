@@ -1,6 +1,7 @@
 //! The program behind the window: all that outlives frames, devices and windows, with its messages and its title.
 
 use super::{
+    beginning::Beginning,
     memory::Memory,
     modal::Modal,
     numbers::Numbers,
@@ -91,6 +92,8 @@ pub(in crate::viewer) struct App {
     pub helps: bool,
     /// Where in the tour the user is.
     pub tour: Option<Tour>,
+    /// What begins once the demo is on show.
+    pub(super) beginning: Option<Beginning>,
     /// Whether the matrices showed before the four views did.
     pub(super) matrices_showed: bool,
     /// What is remembered from one run to the next.
@@ -152,6 +155,7 @@ impl App {
             told: Vec::new(),
             helps: false,
             tour: options.tour.then(Tour::default),
+            beginning: None,
             matrices_showed: false,
             memory,
             keeping: None,

@@ -7,19 +7,37 @@ use crate::{
     viewer::{
         jobs::Chart,
         model::Showing,
-        ui::{Command, Intent, JustDone, Topic, TourMove},
+        ui::{Command, Intent, JustDone, Start, Topic, TourMove},
     },
 };
 
 impl App {
-    /// Moves through the tour. The tour begins by opening the demo. What a step is about is unfolded.
+    /// Moves through the tour, in the demo. What a step is about is unfolded.
     pub(super) fn go_on_tour(&mut self, to: TourMove) {
         self.memory.toured = true;
         self.tour = self.tour.unwrap_or_default().after(to);
-        for topic in self.tour.map_or(&[][..], |tour| tour.step().2.topics) {
+        let step = self.tour.map(|tour| tour.step().2);
+        for topic in step.map_or(&[][..], |step| step.topics) {
             self.memory.panels.show(*topic);
         }
-        if to == TourMove::Begin && !self.state.is_demo() {
+        if to == TourMove::Begin {
+            self.want_demo();
+        }
+        self.begin(step.and_then(|step| step.start));
+    }
+
+    /// Shows one pick in four spaces, of the demo.
+    pub(super) fn show_one_pick(&mut self) {
+        self.want_demo();
+        self.memory.panels.show(Topic::Details);
+        self.begin(Some(Start {
+            then: |_| vec![Command::ToggleFour],
+            ..Start::EGG
+        }));
+    }
+
+    fn want_demo(&mut self) {
+        if !self.state.is_demo() {
             self.intend(Intent::Open(Vec::new()));
         }
     }

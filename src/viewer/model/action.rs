@@ -189,6 +189,7 @@ impl Action {
             },
             Self::FrameAll
             | Self::FrameSelection
+            | Self::ToggleFreeze
             | Self::ToggleProjection
             | Self::ToggleSides
             | Self::UpAxis(_) => leaps,
@@ -238,8 +239,7 @@ impl Action {
             | Self::Views(_)
             | Self::PickBy(_)
             | Self::NextMethod { .. }
-            | Self::Release
-            | Self::ToggleFreeze => none,
+            | Self::Release => none,
         }
     }
 }

@@ -6,6 +6,7 @@ mod chosen;
 mod command_line;
 mod editing;
 mod emptied;
+mod example;
 mod filed;
 mod four_views;
 mod hits;

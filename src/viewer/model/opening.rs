@@ -74,6 +74,7 @@ impl State {
             panes: None,
             row: None,
             worked_number: None,
+            example: None,
             showing: loaded.exhibit.map(Showing::new),
         })
     }

@@ -29,6 +29,24 @@ impl State {
         self.take_hits(RayHits::cast(&self.scene, view, px, at))
     }
 
+    /// Selects what lies at the middle of an object in the view as it is, on screen or not. Does nothing where no object
+    /// has this name, or where it is not in view.
+    pub(in crate::viewer) fn pick_middle_of(&mut self, name: &str) {
+        let objects = self.scene.objects();
+        let Some(object) = objects.iter().position(|object| object.name == name) else {
+            return;
+        };
+        let seen = self.view.project(self.scene.bounds_of(object).center());
+        if let Some(seen) = seen.filter(|seen| self.view.viewport.contains(seen.px)) {
+            self.take_hits(RayHits::cast(
+                &self.scene,
+                self.view,
+                pixel_centre(seen.px),
+                0,
+            ));
+        }
+    }
+
     /// Notes a click. Returns whether it is on the same pixel of the same view as the click before, and not the second
     /// of a double click.
     pub(super) fn clicks_again(&mut self, place: &Place, time_s: f64) -> bool {

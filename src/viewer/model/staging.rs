@@ -199,12 +199,7 @@ impl State {
         let up = self.rig.up_axis;
         let (up_axis, from, points) = match stage {
             Stage::Object => (up, Orbit::FROM, corners_of(object)),
-            Stage::World => {
-                let frame = up.frame();
-                // Beside the camera, above and behind: all of its frustum shows.
-                let side = camera.right() + 0.8 * frame.y_axis - 0.9 * camera.forward();
-                (up, frame.transpose() * side, points)
-            }
+            Stage::World => (up, self.beside_camera(), points),
             Stage::View => (UpAxis::Y, DVec3::new(1.2, 0.7, 0.8), points),
             Stage::Ndc => (
                 UpAxis::Y,

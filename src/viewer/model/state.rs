@@ -42,6 +42,8 @@ pub struct Frozen {
     pub view: View,
     /// The position whose ray is shown: the pick's, or the middle of the picture.
     pub px: DVec2,
+    /// Where the view stood, to look through the camera again.
+    pub(super) viewpoint: Viewpoint,
 }
 
 /// Where the view stands, as undo restores it: near and far are then fitted to the scene again.
@@ -151,6 +153,8 @@ pub struct State {
     pub(super) panes: Option<Box<Panes>>,
     pub(super) row: Option<Row>,
     pub(super) worked_number: Option<WorkedNumber>,
+    /// A point of view space that the tour speaks of.
+    pub(super) example: Option<DVec3>,
     pub(super) showing: Option<Showing>,
 }
 

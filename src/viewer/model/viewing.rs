@@ -353,21 +353,38 @@ impl State {
         views.fold(bounds, with_frustum)
     }
 
+    /// Leaves a copy of the camera in the scene, and steps back until its eye and all that shows are in view; or removes
+    /// it, and looks through it again.
     pub(super) fn toggle_freeze(&mut self) {
         // The four views show the camera as it is.
         if self.panes.is_some() {
             return;
         }
+        if let Some(frozen) = self.frozen.take() {
+            let now = self.viewpoint();
+            return self.restore_viewpoint(&Viewpoint {
+                section: now.section,
+                sides: now.sides,
+                ..frozen.viewpoint
+            });
+        }
         let pick = self.pick_ray().filter(|ray| ray.view == self.view);
         let middle = self.view.viewport.size_px() / 2.0;
-        self.frozen = match self.frozen {
-            Some(_) => None,
-            None => Some(Frozen {
-                view: self.view,
-                px: pick.map_or(middle, |pick| pick.px),
-            }),
-        };
-        self.fit();
+        self.frozen = Some(Frozen {
+            view: self.view,
+            px: pick.map_or(middle, |pick| pick.px),
+            viewpoint: self.viewpoint(),
+        });
+        self.rig.look_from(self.beside_camera());
+        self.frame_all();
+    }
+
+    /// From where all of the camera's frustum shows: beside the camera, above and behind. In the up axis's frame: right,
+    /// up, towards the viewer.
+    pub(super) fn beside_camera(&self) -> DVec3 {
+        let (camera, frame) = (&self.view.camera, self.rig.up_axis.frame());
+        let side = camera.right() + 0.8 * frame.y_axis - 0.9 * camera.forward();
+        frame.transpose() * side
     }
 
     /// Back to the view that the scene opened with, including projection and planes.

@@ -85,6 +85,8 @@ pub(in crate::viewer) enum Command {
     ShowsDepthSteps,
     /// Begin the tour, go on in it, or end it.
     Tour(TourMove),
+    /// Show one pick of the demo in the four views, worked out.
+    ShowOnePick,
     /// Give the panels the next look.
     NextLook,
     /// Close the window.

@@ -488,11 +488,10 @@ fn tools() -> Menu {
             "Freeze",
             [(NONE, Key::T)],
             Action::ToggleFreeze,
-            "leave a copy of this camera in the scene, with the pick's ray, and look at it from elsewhere",
+            "leave a copy of this camera in the scene, with the pick's ray, and step back to see it; then look through it again",
         )
         .icon(icons::FREEZE)
-        .on_if(|shown| shown.state.frozen().is_some())
-        .of_use_if(|shown| shown.state.stages().is_empty()),
+        .on_if(|shown| shown.state.frozen().is_some()),
         item(
             "Measure",
             [(NONE, Key::Q)],
@@ -613,6 +612,12 @@ fn learn() -> Menu {
             [],
             Command::Tour(TourMove::Begin),
             "what a pick is, step by step",
+        ),
+        item(
+            "One pick in four spaces",
+            [],
+            Command::ShowOnePick,
+            "the demo's egg, picked: object, world, view and NDC, and the pick worked out",
         ),
         item(
             "Help",

@@ -17,4 +17,4 @@ pub(super) use mouse::{Drag, moves_ahead, set_click};
 pub(super) use notice::{Attempt, Kind, Notice, Notices};
 pub(super) use panels::{Arrangement, Filter, Shown, Statistics, Sums, Topic, Underway, show};
 pub(super) use theme::{Look, background, color32, dress, note_missing, panels_on};
-pub(super) use tour::{JustDone, Tour};
+pub(super) use tour::{JustDone, Start, Tour};

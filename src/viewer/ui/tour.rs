@@ -14,7 +14,7 @@ use crate::{
     scene::{Object, Shape},
     viewer::{
         jobs::Checking,
-        model::{Action, Compared, Overlay, Stage, State, Views},
+        model::{Action, Compared, LensControls, Overlay, Stage, State, Views},
     },
 };
 use glam::DVec3;
@@ -30,12 +30,34 @@ pub(in crate::viewer) struct Step {
     pub task: &'static str,
     pub why: &'static str,
     /// A point of view space. The card says where in NDC the present lens puts it.
-    example: Option<[f64; 3]>,
+    pub example: Option<[f64; 3]>,
     /// The step is done in the camera's picture, not in the four views.
     is_in_picture: bool,
     /// The topics of the inspector that the step is about.
     pub topics: &'static [Topic],
+    /// What the step begins with; `None` for whatever is there.
+    pub start: Option<Start>,
     is_done: fn(&JustDone) -> bool,
+}
+
+/// What a step of the tour begins with: the demo's picture, seen as it opened.
+#[derive(Clone, Copy)]
+pub(in crate::viewer) struct Start {
+    /// The object that is picked.
+    pub picked: Option<&'static str>,
+    /// What is done besides.
+    pub then: Then,
+}
+
+/// Commands for a state.
+type Then = fn(&State) -> Vec<Command>;
+
+impl Start {
+    /// With the pick that the tour speaks of most.
+    pub const EGG: Self = Self {
+        picked: Some(EGG),
+        then: |_| Vec::new(),
+    };
 }
 
 /// How far the user is in the tour.
@@ -53,6 +75,7 @@ const fn step(task: &'static str, why: &'static str, is_done: fn(&JustDone) -> b
         example: None,
         is_in_picture: false,
         topics: &[],
+        start: Some(Start::EGG),
         is_done,
     }
 }
@@ -68,6 +91,20 @@ impl Step {
         self
     }
 
+    const fn from(mut self, picked: Option<&'static str>, then: Then) -> Self {
+        self.start = Some(Start { picked, then });
+        self
+    }
+
+    const fn after(self, then: Then) -> Self {
+        self.from(Some(EGG), then)
+    }
+
+    const fn as_it_is(mut self) -> Self {
+        self.start = None;
+        self
+    }
+
     const fn with_example(mut self, point: [f64; 3]) -> Self {
         self.example = Some(point);
         self
@@ -78,6 +115,8 @@ impl Step {
 const EGG: &str = "Egg";
 /// The object in the background.
 const TOWER: &str = "Tower";
+/// So near that standard depth has long steps at the tower.
+const NEAR: f64 = 0.001;
 
 /// The tour.
 const CHAPTERS: [Chapter; 8] = [
@@ -91,11 +130,12 @@ const CHAPTERS: [Chapter; 8] = [
             )
             .in_picture(),
             step(
-                "Press P for the matrices, drag again and watch V.",
-                "The rows of V are R, U and F, and its last column moves the eye to the origin. In view space x is right, y up and z forward, which makes it left-handed.",
+                "Drag again and watch V, under Matrices.",
+                "V = O T. T moves the eye to the origin. O turns: its rows are R, U and F. In view space x is right, y up and z forward, which makes it left-handed.",
                 |done| done.matrices && turns(done),
             )
-            .in_picture(),
+            .in_picture()
+            .about(&[Topic::Matrices]),
         ],
     },
     Chapter {
@@ -103,7 +143,7 @@ const CHAPTERS: [Chapter; 8] = [
         steps: &[
             step(
                 "Under Camera set fov to 90, near to 1 and far to 10; under Depth buffer set depth to standard.",
-                "Perspective divides by depth, so what is far away is small: the point (-1, 1.5, 2) of view space maps to y = 1.5 / 2 = 3/4, to depth 5/9 and, in a square picture, to x = -1/2.",
+                "Perspective divides by depth, so what is far away is small: the point (-1, 1.5, 2) of view space, drawn in the picture, maps to y = 1.5 / 2 = 3/4, to depth 5/9 and, in a square picture, to x = -1/2.",
                 |done| {
                     let lens = done.state.controls();
                     !lens.orthographic
@@ -115,9 +155,19 @@ const CHAPTERS: [Chapter; 8] = [
             .with_example([-1.0, 1.5, 2.0]),
             step(
                 "Press 5: orthographic.",
-                "Nothing is divided, so size does not depend on depth. In a square picture with a height of 20, which can be typed under Camera, the point (-2, 5, 0.5) maps to (-0.2, 0.5, -1/18): a depth below 0 is in front of the near plane.",
+                "Nothing is divided, so size does not depend on depth. In a square picture with a height of 20, near 1, far 10 and standard depth, which can all be set, the point (-2, 5, 0.5) maps to (-0.2, 0.5, -1/18): a depth below 0 is in front of the near plane.",
                 |done| done.state.controls().orthographic,
             )
+            .about(&[Topic::DepthBuffer, Topic::Camera])
+            .after(|state| {
+                let lens = LensControls {
+                    near: Some(1.0),
+                    far: Some(10.0),
+                    depth: DepthMapping::Standard,
+                    ..state.controls()
+                };
+                vec![Action::Lens(lens).into()]
+            })
             .with_example([-2.0, 5.0, 0.5]),
             step(
                 "Press 5 again, then Enter: the view that the scene opened with.",
@@ -126,7 +176,8 @@ const CHAPTERS: [Chapter; 8] = [
                     done.acts(|action| *action == Action::ResetView)
                         && !done.state.controls().orthographic
                 },
-            ),
+            )
+            .after(|_| vec![Action::ToggleProjection.into()]),
         ],
     },
     Chapter {
@@ -146,7 +197,14 @@ const CHAPTERS: [Chapter; 8] = [
                         && done.state.controls().near.is_none()
                 },
             )
-            .about(&[Topic::Camera]),
+            .about(&[Topic::Camera])
+            .after(|state| {
+                let lens = LensControls {
+                    near: Some(9.5),
+                    ..state.controls()
+                };
+                vec![Action::Lens(lens).into()]
+            }),
         ],
     },
     Chapter {
@@ -154,14 +212,17 @@ const CHAPTERS: [Chapter; 8] = [
         steps: &[
             step(
                 "Click the egg. A ring with a dot marks the point that the ray hit.",
-                "The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. Its ray starts at the eye and runs along F + x aspect tan(fov / 2) R + y tan(fov / 2) U. That direction is not normalised, so that t is depth.",
+                "Worked out, at the end of Details, has the numbers of your pick. The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. The point p = target + x H + y V of the picture's plane lies there, and the ray runs from the eye through p.",
                 |done| done.clicks() && done.has_picked(EGG),
-            ),
+            )
+            .about(&[Topic::Details])
+            .from(None, |_| Vec::new()),
             step(
-                "Press T and drag: this camera stays behind, as lines.",
-                "They show its eye, its frustum, the pixel grid on its near plane and the ray through your pixel, with every surface that it hits. T removes them again.",
+                "Press T: the view steps back, and this camera stays behind, as lines. Drag to walk around it.",
+                "They show its eye, its frustum, the pixel grid on its near plane and the ray through your pixel, with every surface that it hits. Point at a number under Worked out, and what it is lights up. T looks through the camera again.",
                 |done| done.state.frozen().is_some() && turns(done),
             )
+            .about(&[Topic::Details])
             .in_picture(),
         ],
     },
@@ -170,25 +231,28 @@ const CHAPTERS: [Chapter; 8] = [
         steps: &[
             step(
                 "Click the egg, and then the same pixel again.",
-                "The egg is a sphere under a matrix. A ray hits it where a quadratic in t is 0: twice, once or never. The smaller root is the front; the larger one, a back face, gets a ring with a cross.",
+                "The egg is a sphere under a matrix. A ray hits it where a quadratic in t is 0: twice, once or never, as its discriminant D = B^2 - 4AC says. The smaller root is the front; the larger one, a back face, gets a ring with a cross.",
                 |done| {
                     let further = done.state.hits().is_some_and(|hits| hits.at > Some(0));
                     further && done.clicks_on(|shape| matches!(shape, Shape::Sphere))
                 },
-            ),
+            )
+            .about(&[Topic::Details]),
             step(
                 "Click the blue box behind the ring.",
                 "A cube is where three slabs overlap, one along each axis. A ray is inside each slab between two values of t, and inside the cube from the last entry to the first exit.",
                 |done| done.clicks_on(|shape| matches!(shape, Shape::Cube)),
-            ),
+            )
+            .about(&[Topic::Details]),
             step(
                 "Click the ground.",
                 "A square is part of a plane. The plane gives one t, and two coordinates of the point there tell whether it is in the square.",
                 |done| done.clicks_on(|shape| matches!(shape, Shape::Square)),
-            ),
+            )
+            .about(&[Topic::Details]),
             step(
                 "Click the ring and turn the wheel over the point, until the picked triangle shows its three weights.",
-                "A point of a triangle is a weighted mean of its corners. The three weights, its barycentrics, add up to 1. Inside the triangle all are positive; on an edge one is 0.",
+                "A point of a triangle is a weighted mean of its corners. The weights, its barycentrics, are the shares of its area that S1, S2 and S3 have under Worked out. They add up to 1. Inside the triangle all are positive; on an edge one is 0.",
                 |done| {
                     let zooms = done
                         .acts(|action| matches!(action, Action::Zoom(_, factor) if *factor > 1.0));
@@ -196,7 +260,8 @@ const CHAPTERS: [Chapter; 8] = [
                     let is_mesh = |object: &Object| matches!(object.shape, Shape::Mesh { .. });
                     zooms && shows && done.picked().is_some_and(is_mesh)
                 },
-            ),
+            )
+            .about(&[Topic::Details]),
         ],
     },
     Chapter {
@@ -204,14 +269,15 @@ const CHAPTERS: [Chapter; 8] = [
         steps: &[
             step(
                 "Press 4: object, world, view and NDC side by side.",
-                "Object space has one object before any matrix: there, all spheres are the same. The inverse of M takes a ray there, where it meets the simple shape. It is not normalised there either, so t stays the same as in the world.",
+                "Object space has one object before any matrix: there, all spheres are the same. The inverse of M takes a ray there, where it meets the simple shape. Sightline does not normalise it there, so its t stays the same as in the world.",
                 |done| done.state.views() == Views::Four,
             ),
             step(
                 "Double click the heading of NDC.",
                 "After P and the division by w the frustum is a box, and what is far away is small. Normals go from object space to the world by the inverse transpose of M: M itself would tilt them.",
                 |done| done.state.views() == Views::One(Stage::Ndc),
-            ),
+            )
+            .after(|_| vec![Command::ToggleFour]),
             step(
                 "Press 4 again: back to the picture.",
                 "A pick compares the hits on all objects by their t, which is the same in every object's space: the smallest wins.",
@@ -219,18 +285,22 @@ const CHAPTERS: [Chapter; 8] = [
                     let is_asked = matches!(done.command, Some(Command::ToggleFour));
                     is_asked && done.state.views() == Views::Picture
                 },
-            ),
+            )
+            .after(|_| {
+                let ndc = Action::Views(Views::One(Stage::Ndc));
+                vec![Command::ToggleFour, ndc.into()]
+            }),
         ],
     },
     Chapter {
         title: "Near, far and the depth buffer",
         steps: &[
             step(
-                "Press Enter. Set near to 0.001 and, under Depth buffer, depth to standard. Click the tower.",
+                "Set near to 0.001 and, under Depth buffer, depth to standard. Click the tower.",
                 "Standard depth is a + b / z. Nearly all of its f32 values lie just beyond near. At the tower they are far apart, and two surfaces within one step look like one.",
                 |done| {
                     let lens = done.state.controls();
-                    let near = lens.near.is_some_and(|near| near <= 0.001);
+                    let near = lens.near.is_some_and(|near| near <= NEAR);
                     near && lens.depth == DepthMapping::Standard
                         && done.has_picked(TOWER)
                         && done.command == Some(&Command::ShowsDepthSteps)
@@ -245,7 +315,15 @@ const CHAPTERS: [Chapter; 8] = [
                         && done.state.controls().depth == DepthMapping::Reversed
                 },
             )
-            .about(&[Topic::DepthBuffer]),
+            .about(&[Topic::DepthBuffer])
+            .from(Some(TOWER), |state| {
+                let lens = LensControls {
+                    near: Some(NEAR),
+                    depth: DepthMapping::Standard,
+                    ..state.controls()
+                };
+                vec![Action::Lens(lens).into()]
+            }),
         ],
     },
     Chapter {
@@ -267,7 +345,8 @@ const CHAPTERS: [Chapter; 8] = [
                 "Press Escape until the demo is back.",
                 "Sightline computes in f64, with a bound on the rounding error. Where the bound leaves an answer open, exact arithmetic decides.",
                 |done| done.command == Some(&Command::Escape) && done.state.showing().is_none(),
-            ),
+            )
+            .as_it_is(),
             step(
                 "Press V.",
                 "Every pixel as drawn is compared with what a click there picks. That is the promise of this program, checked on your machine.",
@@ -336,19 +415,15 @@ impl Step {
     }
 
     fn example(&self, state: &State) -> Option<String> {
-        let point = self.example?;
-        let view = state.view();
-        let lens = view.camera.lens();
-        let clip = lens.projection(view.viewport.aspect()) * DVec3::from(point).extend(1.0);
-        let [x, y, z] = (clip.truncate() / clip.w).to_array();
-        let height = match lens.projection {
+        let [a, b, c] = self.example?;
+        let DVec3 { x, y, z } = state.example()?.ndc;
+        let height = match state.view().camera.lens().projection {
             Projection::Perspective { .. } => String::new(),
             Projection::Orthographic { height } => format!(" and {height:.4} high"),
         };
-        let [a, b, c] = point;
         Some(format!(
             "Now: ({a}, {b}, {c}) maps to ({x:.4}, {y:.4}, {z:.4}), in a picture {:.4} times as wide as high{height}.",
-            view.viewport.aspect()
+            state.view().viewport.aspect()
         ))
     }
 }

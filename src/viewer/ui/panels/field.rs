@@ -324,6 +324,11 @@ pub(super) fn count_of(count: usize, name: &str) -> String {
     }
 }
 
+/// A point, in few digits.
+pub(super) fn point(DVec3 { x, y, z }: DVec3) -> String {
+    format!("({}, {}, {})", short(x), short(y), short(z))
+}
+
 /// Up to six significant digits, as many as fit in [`DIGITS`] characters: enough to read, and a changing number moves
 /// nothing. The field keeps all digits.
 pub(super) fn short(value: f64) -> String {

@@ -1,7 +1,10 @@
 //! Marks over the picture: the point that the pick's ray hits, the triangle there with its corners and barycentrics,
 //! the distance from the previous pick, and snapped points.
 
-use super::{field::short, prelude::*};
+use super::{
+    field::{point, short},
+    prelude::*,
+};
 use crate::{
     camera::View,
     geometry::clip,
@@ -71,6 +74,10 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
         page.colour = of_measures.gamma_multiply(AHEAD);
         page.diamond(snap.point_world);
     }
+    if let Some(example) = state.example() {
+        page.colour = Color32::WHITE;
+        page.named(example.world, point(example.view));
+    }
 }
 
 struct Page<'a> {
@@ -119,6 +126,18 @@ impl Page<'_> {
                 }
             }
         }
+    }
+
+    /// A point with its name, also in front of the near plane.
+    fn named(&mut self, point_world: DVec3, name: String) {
+        let seen = self.view.project(point_world);
+        let Some(at) = seen.map(|seen| self.place.to_position(seen.px)) else {
+            return;
+        };
+        for (colour, more) in rimmed(self.colour) {
+            self.painter.circle_filled(at, 4.0 + 0.5 * more, colour);
+        }
+        self.text(at + vec2(0.0, -16.0), name);
     }
 
     /// Marks a point that a click snapped to.

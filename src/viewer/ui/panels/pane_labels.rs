@@ -1,7 +1,11 @@
 //! Writes and draws over one of the four views: the followed point with its ray and pixel, the camera's eye and planes,
 //! axes, corners, and what a row of a matrix does.
 
-use super::{field::short, pane_page::Page, prelude::*};
+use super::{
+    field::{point, short},
+    pane_page::Page,
+    prelude::*,
+};
 use crate::{
     camera::{DepthMapping, NdcSpace, View},
     look,
@@ -39,6 +43,7 @@ pub(super) fn show(
     };
     page.lit_row();
     page.followed();
+    page.example();
     if works {
         page.worked(commands);
     }
@@ -101,6 +106,21 @@ impl Page<'_> {
         let [x, y, z] = [x, y, z].map(|value| format!("{value:.3}"));
         let hint = "the followed point in this view's own coordinates: the same point in all four";
         self.name(at, format!("({x}, {y}, {z})"), colour, hint);
+    }
+
+    /// The point that the tour works out.
+    fn example(&mut self) {
+        let example = self.state.example().filter(|_| self.stage != Stage::Object);
+        let Some(example) = example else { return };
+        let numbers = match self.stage {
+            Stage::Ndc => example.ndc,
+            _ => example.view,
+        };
+        if let Some(at) = self.at_stage(example.world) {
+            self.dot(at, 4.5, Color32::WHITE);
+            let hint = "the tour's point, in view space, and in NDC";
+            self.name(at, point(numbers), Color32::WHITE, hint);
+        }
     }
 
     /// The object's own axes. They start at its origin, or at a corner of its box if the origin is far from it.

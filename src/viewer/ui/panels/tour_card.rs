@@ -104,21 +104,31 @@ fn bar(ui: &mut Ui, tour: Tour, state: &State, commands: &mut Vec<Command>) {
     });
 }
 
-/// Offers the tour, in the lower right corner of the picture.
+/// Offers what to begin with, in the lower right corner of the picture.
 pub(super) fn offer(ui: &Ui, rect: Rect, commands: &mut Vec<Command>) {
     let at = rect.right_bottom() - MARGIN;
     plate(ui.ctx(), "tour offer", at, Align2::RIGHT_BOTTOM, |ui| {
-        ui.horizontal(|ui| {
-            let hint = "this is shown until you have answered";
+        ui.set_max_width(rect.width() - 4.0 * MARGIN.x);
+        ui.horizontal_wrapped(|ui| {
+            let hint = "this is shown until you have taken the tour or said no";
             ui.label("New here?").hint(hint);
-            let yes = ui.button("Take the tour");
-            yes.asks(ABOUT, Command::Tour(TourMove::Begin), commands);
-            let (no, hint) = (ui.button("\u{d7}"), "no: Help offers it again");
+            let open = ui.button("Open a file...");
+            open.asks(OPENS, Command::OpenDialog, commands);
+            let tour = ui.button("Take the tour");
+            tour.asks(ABOUT, Command::Tour(TourMove::Begin), commands);
+            let pick = ui.button("One pick in four spaces");
+            pick.asks(ONE_PICK, Command::ShowOnePick, commands);
+            let (no, hint) = (ui.button("\u{d7}"), "no: Learn offers both again");
             (no.named("no tour")).asks(hint, Command::Tour(TourMove::End), commands);
         });
     });
 }
 
+/// What opening does.
+const OPENS: &str = "OBJ files, or a scene (TOML); or drop them on the window";
+/// What the pick in four spaces is.
+const ONE_PICK: &str =
+    "half a minute: how this pixel's pick is computed, in object, world, view and NDC";
 /// What the tour is.
 pub(super) const ABOUT: &str =
     "cameras and raycasting in this window, step by step: about ten minutes";

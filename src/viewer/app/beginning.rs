@@ -1,0 +1,56 @@
+//! What the tour's steps and the pick in four spaces begin with: the demo's picture as it opened, with one pick.
+
+use super::program::App;
+use crate::viewer::{
+    model::{Action, MeasureAction, Views},
+    ui::Start,
+};
+
+/// A start that waits for the demo, and until the panels have their new sizes: these decide the picture's own.
+pub(in crate::viewer) struct Beginning {
+    start: Start,
+    /// The number of the pass in which the panels changed.
+    asked_in: u64,
+}
+
+impl App {
+    /// Begins so as soon as the demo is on show and laid out; `None` begins nothing.
+    pub(super) fn begin(&mut self, start: Option<Start>) {
+        let asked_in = self.context.cumulative_pass_nr();
+        self.beginning = start.map(|start| Beginning { start, asked_in });
+        self.context.request_repaint();
+    }
+
+    /// Begins what waits for it, if it can.
+    pub(super) fn take_beginning(&mut self) {
+        if !self.state.is_demo() {
+            return;
+        }
+        let now = self.context.cumulative_pass_nr();
+        let is_laid_out = |waits: &mut Beginning| now > waits.asked_in + 1;
+        let Some(Beginning { start, .. }) = self.beginning.take_if(is_laid_out) else {
+            if self.beginning.is_some() {
+                self.context.request_repaint();
+            }
+            return;
+        };
+        self.show_views(Views::Picture);
+        if self.state.frozen().is_some() {
+            self.act(Action::ToggleFreeze);
+        }
+        if self.state.measuring().is_on {
+            self.act(Action::Measure(MeasureAction::Toggle));
+        }
+        self.act(Action::PickBy(None));
+        self.act(Action::Section(None));
+        self.act(Action::ResetView);
+        self.act(Action::Select(None));
+        if let Some(name) = start.picked {
+            self.state.pick_middle_of(name);
+        }
+        for command in (start.then)(&self.state) {
+            self.run_command(command);
+        }
+        self.context.request_repaint();
+    }
+}

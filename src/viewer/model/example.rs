@@ -1,0 +1,30 @@
+//! The point of view space that the tour works out. No object needs to have it.
+
+use super::state::State;
+use glam::DVec3;
+
+/// The tour's point in the present view.
+pub(in crate::viewer) struct Example {
+    pub view: DVec3,
+    pub world: DVec3,
+    pub ndc: DVec3,
+}
+
+impl State {
+    /// Sets the point, in view space.
+    pub(in crate::viewer) fn set_example(&mut self, point_view: Option<DVec3>) {
+        self.example = point_view;
+    }
+
+    /// The point; `None` where the tour speaks of none.
+    pub(in crate::viewer) fn example(&self) -> Option<Example> {
+        let view = self.example?;
+        let (camera, aspect) = (&self.view.camera, self.view.viewport.aspect());
+        let clip = camera.lens().projection(aspect) * view.extend(1.0);
+        Some(Example {
+            view,
+            world: camera.eye() + camera.rotation().transpose() * view,
+            ndc: clip.truncate() / clip.w,
+        })
+    }
+}
