@@ -218,9 +218,16 @@ impl Camera {
         DMat3::from_cols(self.right, self.up, self.forward).transpose()
     }
 
-    /// The view matrix: the translation by -eye, then the rotation with rows R, U, F.
+    /// The view matrix V = O T, from world to view space.
     pub fn view(&self) -> DMat4 {
-        DMat4::from_mat3(self.rotation()) * DMat4::from_translation(-self.eye)
+        let [turn, shift] = self.view_factors();
+        turn * shift
+    }
+
+    /// The factors O and T of the view matrix: T moves the eye to the origin, then O, whose rows are R, U and F, turns.
+    pub fn view_factors(&self) -> [DMat4; 2] {
+        let turn = DMat4::from_mat3(self.rotation());
+        [turn, DMat4::from_translation(-self.eye)]
     }
 
     /// Projection for a picture of this shape; see [`Lens::projection`].

@@ -295,15 +295,21 @@ fn the_views_are_saved_alone_with_their_labels() {
 #[test]
 fn the_four_views_need_no_frozen_camera() {
     let (mut window, _folder) = row(1.0);
-    press_key(&mut window, Modifiers::NONE, Key::T);
-    assert!(window.state().frozen().is_some());
+    let view = *window.state().view();
     press_key(&mut window, Modifiers::NONE, Key::Num4);
     assert!(window.state().frozen().is_none());
+    // In the picture it is seen from outside, too: one key leads there.
     press_key(&mut window, Modifiers::NONE, Key::T);
-    let said: String = window.messages().collect();
-    assert!(
-        said.contains("nothing is frozen in the four views"),
-        "{said}"
+    assert_eq!(window.state().views(), Views::Picture);
+    let frozen = window.state().frozen().expect("it stands").view.camera;
+    assert_eq!(frozen, view.camera);
+    // One that stands already shows again.
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    press_key(&mut window, Modifiers::NONE, Key::T);
+    assert_eq!(window.state().views(), Views::Picture);
+    assert_eq!(
+        window.state().frozen().expect("it stands").view.camera,
+        frozen
     );
 }
 

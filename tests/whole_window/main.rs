@@ -46,6 +46,7 @@ mod tour;
 mod typed;
 mod watching;
 mod while_loading;
+mod worked_out;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Role, pos2};
 use glam::DVec2;

@@ -201,7 +201,7 @@ fn a_box_is_about_the_selected_object() {
     assert!(turned(&bare, &boxed, look::BOXES.0), "{boxed:?}");
 }
 
-/// The camera has not moved yet, but its ray and its hits show at once.
+/// The view steps back, and the ray and its hits show at once; then it is as it was.
 #[test]
 fn a_frozen_camera_shows_at_once() {
     let (mut window, _folder) = row(1.0);

@@ -206,7 +206,7 @@ fn freezing_the_camera_leaves_its_planes_and_a_look_about_leaves_near_close() {
     for (eye, ortho) in eyes().flat_map(|eye| [(eye, None), (eye, Some(3.0))]) {
         let [mut state, mut unfrozen] = [from_eye(eye, ortho), from_eye(eye, ortho)];
         let lens = *state.view().camera.lens();
-        state.apply(Action::ToggleFreeze);
+        freeze_here(&mut state);
         let frozen = *state.view().camera.lens();
         assert_eq!(frozen, lens, "{eye}, {ortho:?}");
         for _ in 0..20 {
@@ -226,7 +226,7 @@ fn a_step_back_from_a_frozen_camera_leaves_near_its_floor() {
     for eye in eyes() {
         for zooms in [[1.000_001_f64.recip(), 1.0], [1.499_999, 1.5_f64.recip()]] {
             let mut state = from_eye(eye, None);
-            state.apply(Action::ToggleFreeze);
+            freeze_here(&mut state);
             for zoom in zooms {
                 state.apply(Action::Zoom(MIDDLE, zoom));
             }
@@ -274,7 +274,7 @@ fn a_frozen_camera_beside_a_parallel_one_is_not_clipped() {
 fn a_frozen_eye_beside_a_parallel_camera_is_not_clipped() {
     let eye = DVec3::new(0.0, 0.0, 10.0);
     let mut state = from_eye(eye, Some(8.0));
-    state.apply(Action::ToggleFreeze);
+    freeze_here(&mut state);
     assert!(near(&state) > 1.0);
     state.apply(Action::BeginPan(MIDDLE));
     state.apply(Action::Pan(DVec2::new(30.0, 0.0)));
@@ -309,8 +309,6 @@ fn a_frozen_camera_stays_and_its_frustum_is_not_clipped() {
     state.apply(Action::Click(MIDDLE, 0.0));
     let view = *state.view();
     state.apply(Action::ToggleFreeze);
-    state.apply(Action::Turn(DVec2::new(250.0, 60.0)));
-    state.apply(Action::FrameAll);
     let frozen = *state.frozen().expect("frozen");
     assert_eq!((frozen.view, frozen.px), (view, MIDDLE + 0.5));
     let lens = state.view().camera.lens();
@@ -331,7 +329,57 @@ fn a_frozen_camera_stays_and_its_frustum_is_not_clipped() {
         );
     }
     state.apply(Action::ToggleFreeze);
-    assert_eq!(state.frozen(), None);
+    assert_eq!((state.frozen(), *state.view()), (None, view));
+}
+
+/// Wherever the camera stands, its eye and what it looks at are in view from where the view steps back to.
+#[test]
+fn the_view_steps_back_from_a_frozen_camera_and_into_it_again() {
+    for (eye, ortho) in eyes().flat_map(|eye| [(eye, None), (eye, Some(3.0))]) {
+        let mut state = from_eye(eye, ortho);
+        let by_hand = LensControls {
+            near: Some(0.5 * near(&state)),
+            ..state.controls()
+        };
+        state.apply(Action::Lens(by_hand));
+        state.apply(Action::Click(MIDDLE, 0.0));
+        let view = *state.view();
+        let hit = state.picked().expect("a hit").point_world;
+        state.apply(Action::ToggleFreeze);
+        let outside = *state.view();
+        for point in [view.camera.eye(), hit] {
+            let seen = outside.project(point).expect("in front");
+            let lens = outside.camera.lens();
+            assert!(outside.viewport.contains(seen.px), "{eye}, {ortho:?}");
+            assert!(lens.near < seen.depth && seen.depth < lens.far, "{eye}");
+        }
+        let [from, to] = [view.camera.eye(), hit].map(|point| outside.project(point));
+        let [from, to] = [from, to].map(|seen| seen.expect("in front").px);
+        assert!(
+            from.distance(to) > 40.0,
+            "{eye}: the ray is seen from beside"
+        );
+        // The leap is undone like any other, and the camera stays.
+        state.apply(Action::Undo);
+        assert_eq!(state.view().camera, view.camera, "{eye}, {ortho:?}");
+        assert!(state.frozen().is_some());
+        state.apply(Action::Redo);
+        assert_eq!(*state.view(), outside, "{eye}, {ortho:?}");
+        state.apply(Action::Turn(DVec2::new(30.0, 5.0)));
+        state.apply(Action::ToggleFreeze);
+        assert_eq!(
+            (state.frozen(), *state.view()),
+            (None, view),
+            "{eye}, {ortho:?}"
+        );
+        assert_eq!(state.controls().near, by_hand.near);
+    }
+}
+
+/// Freezes the camera, but does not step back from it.
+fn freeze_here(state: &mut State) {
+    state.apply(Action::ToggleFreeze);
+    state.apply(Action::Undo);
 }
 
 #[test]

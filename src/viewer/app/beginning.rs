@@ -16,9 +16,16 @@ pub(in crate::viewer) struct Beginning {
 impl App {
     /// Begins so as soon as the demo is on show and laid out; `None` begins nothing.
     pub(super) fn begin(&mut self, start: Option<Start>) {
+        self.unfold(start);
         let asked_in = self.context.cumulative_pass_nr();
         self.beginning = start.map(|start| Beginning { start, asked_in });
         self.context.request_repaint();
+    }
+
+    fn unfold(&mut self, start: Option<Start>) {
+        for topic in start.map_or(&[][..], |start| start.topics) {
+            self.memory.panels.show(*topic);
+        }
     }
 
     /// Begins what waits for it, if it can.
@@ -51,6 +58,8 @@ impl App {
         for command in (start.then)(&self.state) {
             self.run_command(command);
         }
+        // The four views have brought the matrices into view.
+        self.unfold(Some(start));
         self.context.request_repaint();
     }
 }

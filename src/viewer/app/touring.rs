@@ -12,14 +12,11 @@ use crate::{
 };
 
 impl App {
-    /// Moves through the tour, in the demo. What a step is about is unfolded.
+    /// Moves through the tour, in the demo.
     pub(super) fn go_on_tour(&mut self, to: TourMove) {
         self.memory.toured = true;
         self.tour = self.tour.unwrap_or_default().after(to);
         let step = self.tour.map(|tour| tour.step().2);
-        for topic in step.map_or(&[][..], |step| step.topics) {
-            self.memory.panels.show(*topic);
-        }
         if to == TourMove::Begin {
             self.want_demo();
         }
@@ -29,9 +26,9 @@ impl App {
     /// Shows one pick in four spaces, of the demo.
     pub(super) fn show_one_pick(&mut self) {
         self.want_demo();
-        self.memory.panels.show(Topic::Details);
         self.begin(Some(Start {
             then: |_| vec![Command::ToggleFour],
+            topics: &[Topic::WorkedOut],
             ..Start::EGG
         }));
     }

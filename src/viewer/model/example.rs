@@ -4,9 +4,12 @@ use super::state::State;
 use glam::DVec3;
 
 /// The tour's point in the present view.
-pub(in crate::viewer) struct Example {
+pub struct Example {
+    /// In view space.
     pub view: DVec3,
+    /// In world space.
     pub world: DVec3,
+    /// In NDC.
     pub ndc: DVec3,
 }
 
@@ -17,7 +20,7 @@ impl State {
     }
 
     /// The point; `None` where the tour speaks of none.
-    pub(in crate::viewer) fn example(&self) -> Option<Example> {
+    pub fn example(&self) -> Option<Example> {
         let view = self.example?;
         let (camera, aspect) = (&self.view.camera, self.view.viewport.aspect());
         let clip = camera.lens().projection(aspect) * view.extend(1.0);

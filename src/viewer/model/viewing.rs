@@ -376,6 +376,8 @@ impl State {
             viewpoint: self.viewpoint(),
         });
         self.rig.look_from(self.beside_camera());
+        // Planes set by hand are the frozen camera's own: they would cut it away.
+        (self.controls.near, self.controls.far) = (None, None);
         self.frame_all();
     }
 

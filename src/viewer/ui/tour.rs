@@ -33,8 +33,6 @@ pub(in crate::viewer) struct Step {
     pub example: Option<[f64; 3]>,
     /// The step is done in the camera's picture, not in the four views.
     is_in_picture: bool,
-    /// The topics of the inspector that the step is about.
-    pub topics: &'static [Topic],
     /// What the step begins with; `None` for whatever is there.
     pub start: Option<Start>,
     is_done: fn(&JustDone) -> bool,
@@ -47,6 +45,8 @@ pub(in crate::viewer) struct Start {
     pub picked: Option<&'static str>,
     /// What is done besides.
     pub then: Then,
+    /// The topics of the inspector that are unfolded: the last one comes into view.
+    pub topics: &'static [Topic],
 }
 
 /// Commands for a state.
@@ -57,6 +57,7 @@ impl Start {
     pub const EGG: Self = Self {
         picked: Some(EGG),
         then: |_| Vec::new(),
+        topics: &[],
     };
 }
 
@@ -74,7 +75,6 @@ const fn step(task: &'static str, why: &'static str, is_done: fn(&JustDone) -> b
         why,
         example: None,
         is_in_picture: false,
-        topics: &[],
         start: Some(Start::EGG),
         is_done,
     }
@@ -87,12 +87,16 @@ impl Step {
     }
 
     const fn about(mut self, topics: &'static [Topic]) -> Self {
-        self.topics = topics;
+        if let Some(start) = &mut self.start {
+            start.topics = topics;
+        }
         self
     }
 
     const fn from(mut self, picked: Option<&'static str>, then: Then) -> Self {
-        self.start = Some(Start { picked, then });
+        if let Some(start) = &mut self.start {
+            (start.picked, start.then) = (picked, then);
+        }
         self
     }
 
@@ -212,17 +216,17 @@ const CHAPTERS: [Chapter; 8] = [
         steps: &[
             step(
                 "Click the egg. A ring with a dot marks the point that the ray hit.",
-                "Worked out, at the end of Details, has the numbers of your pick. The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. The point p = target + x H + y V of the picture's plane lies there, and the ray runs from the eye through p.",
+                "Worked out, at the right, has the numbers of your pick. The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. The point p = target + x H + y V of the picture's plane lies there, and the ray runs from the eye through p.",
                 |done| done.clicks() && done.has_picked(EGG),
             )
-            .about(&[Topic::Details])
+            .about(&[Topic::WorkedOut])
             .from(None, |_| Vec::new()),
             step(
                 "Press T: the view steps back, and this camera stays behind, as lines. Drag to walk around it.",
                 "They show its eye, its frustum, the pixel grid on its near plane and the ray through your pixel, with every surface that it hits. Point at a number under Worked out, and what it is lights up. T looks through the camera again.",
                 |done| done.state.frozen().is_some() && turns(done),
             )
-            .about(&[Topic::Details])
+            .about(&[Topic::WorkedOut])
             .in_picture(),
         ],
     },
@@ -237,19 +241,19 @@ const CHAPTERS: [Chapter; 8] = [
                     further && done.clicks_on(|shape| matches!(shape, Shape::Sphere))
                 },
             )
-            .about(&[Topic::Details]),
+            .about(&[Topic::WorkedOut]),
             step(
                 "Click the blue box behind the ring.",
                 "A cube is where three slabs overlap, one along each axis. A ray is inside each slab between two values of t, and inside the cube from the last entry to the first exit.",
                 |done| done.clicks_on(|shape| matches!(shape, Shape::Cube)),
             )
-            .about(&[Topic::Details]),
+            .about(&[Topic::WorkedOut]),
             step(
                 "Click the ground.",
                 "A square is part of a plane. The plane gives one t, and two coordinates of the point there tell whether it is in the square.",
                 |done| done.clicks_on(|shape| matches!(shape, Shape::Square)),
             )
-            .about(&[Topic::Details]),
+            .about(&[Topic::WorkedOut]),
             step(
                 "Click the ring and turn the wheel over the point, until the picked triangle shows its three weights.",
                 "A point of a triangle is a weighted mean of its corners. The weights, its barycentrics, are the shares of its area that S1, S2 and S3 have under Worked out. They add up to 1. Inside the triangle all are positive; on an edge one is 0.",
@@ -261,7 +265,7 @@ const CHAPTERS: [Chapter; 8] = [
                     zooms && shows && done.picked().is_some_and(is_mesh)
                 },
             )
-            .about(&[Topic::Details]),
+            .about(&[Topic::WorkedOut]),
         ],
     },
     Chapter {

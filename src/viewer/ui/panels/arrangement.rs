@@ -23,6 +23,7 @@ pub(in crate::viewer) enum Topic {
     Camera,
     Placement,
     Details,
+    WorkedOut,
     Matrices,
     Measure,
     Section,
@@ -30,10 +31,11 @@ pub(in crate::viewer) enum Topic {
 }
 
 impl Topic {
-    pub(super) const ALL: [Self; 7] = [
+    pub(super) const ALL: [Self; 8] = [
         Self::Camera,
         Self::Placement,
         Self::Details,
+        Self::WorkedOut,
         Self::Matrices,
         Self::Measure,
         Self::Section,
@@ -45,6 +47,7 @@ impl Topic {
             Self::Camera => "Camera",
             Self::Placement => "Placement",
             Self::Details => "Details",
+            Self::WorkedOut => "Worked out",
             Self::Matrices => "Matrices",
             Self::Measure => "Measure",
             Self::Section => "Section",
@@ -63,6 +66,9 @@ impl Topic {
             }
             Self::Details => {
                 "all that is known about the pick: digits, file, line, face, normal, NDC"
+            }
+            Self::WorkedOut => {
+                "how courses compute this pick, step by step, by the study's methods in f64. Point at a number, and the views show what it is; point at it there, and the number lights up"
             }
             Self::Matrices => "P, V and M, and the pick on its way through them (P)",
             Self::Measure => {

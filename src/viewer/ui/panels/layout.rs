@@ -62,7 +62,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         let width = widths[side as usize].filter(|_| !shown.is_bare);
         sides::show(ui, side, width, shown, &mut commands)
     });
-    let works = shown.arrangement.shows(Topic::Details);
+    let works = shown.arrangement.shows(Topic::WorkedOut);
     let place = CentralPanel::no_frame().show(ui, |ui| {
         let rect = picture_rect(ui, shown);
         let place = SceneRect::new(rect, ui.ctx().pixels_per_point())?;

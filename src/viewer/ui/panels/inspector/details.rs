@@ -1,11 +1,10 @@
-//! All that is known about the pick, with all digits, and how it is computed.
+//! All that is known about the pick, with all digits.
 
 use super::{
     field::value_text,
     in_file, overlay_toggle,
     prelude::*,
     value_rows::{Digits, PLACES, rows},
-    working,
 };
 use crate::{
     pick::Pick,
@@ -42,7 +41,6 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     rows(ui, "record", &all);
     hits(ui, state, digits, commands);
     corners(ui, state, hit, digits, commands);
-    working::show(ui, state, commands);
     in_file::show(ui, hit);
 }
 

@@ -70,6 +70,36 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.strong("P V M")
         .hint("all of it: object to clip, the product of the three");
     rows(ui, "P V M", &matrices.product(), None, commands);
+    ui.separator();
+    factors(ui, view, commands);
+}
+
+/// V as the product of its factors, and what these are made of.
+fn factors(ui: &mut Ui, view: &View, commands: &mut Vec<Command>) {
+    let [turn, shift] = view.camera.view_factors();
+    ui.strong("V = O T")
+        .hint("the view matrix in two steps: T moves the eye to the origin, then O turns");
+    for (name, title, entries) in [
+        ("O", "turns: rows R, U and F", &turn),
+        ("T", "moves by minus the eye", &shift),
+    ] {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 5.0;
+            ui.strong(name);
+            ui.add(Label::new(RichText::new(title).weak()).truncate());
+        });
+        rows(ui, name, entries, None, commands);
+    }
+    for (formula, hint) in [
+        ("F = (target - eye) / |target - eye|", "forward"),
+        (
+            "R = F x up / |F x up|",
+            "right: at right angles to forward and to the up vector",
+        ),
+        ("U = R x F", "the camera's own up"),
+    ] {
+        ui.weak(formula).hint(hint);
+    }
 }
 
 /// What the window shows: the camera's picture, the four views, or one of them.

@@ -6,7 +6,7 @@ use super::{
     picked::{self, Sums},
     pipeline,
     prelude::*,
-    section,
+    section, working,
 };
 
 /// What is picked has a fixed height. A topic that unfolds moves only what is below it.
@@ -29,6 +29,7 @@ pub(in crate::viewer::ui::panels) fn show(
                 Topic::Camera => camera::show(ui, state, commands),
                 Topic::Placement => model_matrix::show(ui, state, commands),
                 Topic::Details => details::show(ui, state, commands),
+                Topic::WorkedOut => working::show(ui, state, commands),
                 Topic::Matrices => pipeline::show(ui, state, commands),
                 Topic::Measure => measure::show(ui, state, commands),
                 Topic::Section => section::show(ui, state, commands),

@@ -16,10 +16,9 @@ const GAP: f32 = 5.0;
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let steps = state.worked_steps();
     if steps.is_empty() {
-        return;
+        ui.weak("Nothing is picked: click a surface.")
+            .hint("how the pick is computed shows here, step by step");
     }
-    ui.strong("Worked out")
-        .hint("how courses compute this pick, by the study's methods in f64. Point at a number, and the views show what it is; point at it there, and the number lights up");
     for (at, step) in steps.iter().enumerate() {
         let title = format!("{}  {}", at + 1, step.title);
         ui.label(RichText::new(title).strong());
