@@ -14,6 +14,7 @@ mod ndc;
 mod rays;
 #[path = "../common/scenes.rs"]
 mod scenes;
+mod z_fighting;
 
 use common::{orthographic, perspective, view};
 use glam::DVec3;

@@ -163,7 +163,9 @@ fn a_matrix_that_is_edited_moves_what_it_makes() {
     let (mut window, _folder) = four();
     click_on(&mut window, "middle");
     let places = rects(&window);
+    scroll_to(&mut window, "Placement");
     click_on(&mut window, "Placement");
+    scroll_to(&mut window, "scale x");
     let first = away(&mut window);
     type_into(&mut window, "scale x", "-2");
     press_key(&mut window, Modifiers::NONE, Key::Enter);

@@ -207,9 +207,6 @@ fn surfaces_closer_than_a_depth_step_are_known() {
     let pick = state.picked().expect("the poster");
     assert_eq!(pick.object, "poster");
     let steps = state.depth_steps().expect("a pick");
-    // The depth steps stay those of the clicked picture, wherever the camera goes.
-    state.apply(Action::Zoom(MIDDLE, 0.001));
-    assert_eq!(state.depth_steps(), Some(steps));
     let [(reversed, fine), (standard, coarse)] = steps.steps;
     assert_eq!(
         (reversed, standard),
@@ -229,6 +226,27 @@ fn surfaces_closer_than_a_depth_step_are_known() {
     assert!((next - 1e-3).abs() < 1e-9, "{next}");
     assert!(steps.confuses(DepthMapping::Standard) && !steps.confuses(DepthMapping::Reversed));
     assert_eq!(steps.in_use, DepthMapping::Reversed);
+    // They are those of the picture on screen: of another lens, and from elsewhere, where another surface is the next.
+    let lens = LensControls {
+        near: Some(0.02),
+        depth: DepthMapping::Standard,
+        ..state.controls()
+    };
+    state.apply(Action::Lens(lens));
+    let other = state.depth_steps().expect("it is in view");
+    assert_eq!(other.in_use, DepthMapping::Standard);
+    assert_eq!(other.next_surface, steps.next_surface);
+    assert!((other.steps[1].1 / (0.5 * expected) - 1.0).abs() < 1e-2);
+    state.apply(Action::Zoom(MIDDLE, 0.5));
+    let nearer = state.depth_steps().expect("it is in view");
+    assert_eq!(nearer.next_surface, None);
+    assert!(nearer.steps[1].1 > 3.0 * other.steps[1].1, "{nearer:?}");
+    let beyond = LensControls {
+        far: Some(50.0),
+        ..state.controls()
+    };
+    state.apply(Action::Lens(beyond));
+    assert_eq!(state.depth_steps(), None, "left out");
 }
 
 /// Through every lens, depths a step apart are stored as different numbers. Depths well within a step are stored as the

@@ -6,19 +6,12 @@ use crate::viewer::{
     ui::Start,
 };
 
-/// A start that waits for the demo, and until the panels have their new sizes: these decide the picture's own.
-pub(in crate::viewer) struct Beginning {
-    start: Start,
-    /// The number of the pass in which the panels changed.
-    asked_in: u64,
-}
-
 impl App {
     /// Begins so as soon as the demo is on show and laid out; `None` begins nothing.
     pub(super) fn begin(&mut self, start: Option<Start>) {
         self.unfold(start);
-        let asked_in = self.context.cumulative_pass_nr();
-        self.beginning = start.map(|start| Beginning { start, asked_in });
+        let now = self.context.cumulative_pass_nr();
+        self.beginning = start.map(|start| (start, now));
         self.context.request_repaint();
     }
 
@@ -34,8 +27,9 @@ impl App {
             return;
         }
         let now = self.context.cumulative_pass_nr();
-        let is_laid_out = |waits: &mut Beginning| now > waits.asked_in + 1;
-        let Some(Beginning { start, .. }) = self.beginning.take_if(is_laid_out) else {
+        // What was unfolded has changed the picture's size.
+        let is_laid_out = |(_, asked_in): &mut (Start, u64)| now > *asked_in + 1;
+        let Some((start, _)) = self.beginning.take_if(is_laid_out) else {
             if self.beginning.is_some() {
                 self.context.request_repaint();
             }

@@ -1,7 +1,6 @@
 //! The program behind the window: all that outlives frames, devices and windows, with its messages and its title.
 
 use super::{
-    beginning::Beginning,
     memory::Memory,
     modal::Modal,
     numbers::Numbers,
@@ -18,8 +17,8 @@ use crate::{
         options::Options,
         screen::{SceneRect, Textures},
         ui::{
-            self, Attempt, Command, Drag, Filter, Kind, Notice, Notices, Shot, ShotTo, Statistics,
-            Sums, Tour,
+            self, Attempt, Command, Drag, Filter, Kind, Notice, Notices, Shot, ShotTo, Start,
+            Statistics, Sums, Tour,
         },
     },
 };
@@ -92,8 +91,8 @@ pub(in crate::viewer) struct App {
     pub helps: bool,
     /// Where in the tour the user is.
     pub tour: Option<Tour>,
-    /// What begins once the demo is on show.
-    pub(super) beginning: Option<Beginning>,
+    /// What begins once the demo is on show and laid out, and the number of the pass in which it was asked for.
+    pub(super) beginning: Option<(Start, u64)>,
     /// Whether the matrices showed before the four views did.
     pub(super) matrices_showed: bool,
     /// What is remembered from one run to the next.

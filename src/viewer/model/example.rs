@@ -21,13 +21,17 @@ impl State {
 
     /// The point; `None` where the tour speaks of none.
     pub fn example(&self) -> Option<Example> {
-        let view = self.example?;
+        self.example.map(|point| self.example_of(point))
+    }
+
+    /// A point of view space in the present view.
+    pub(in crate::viewer) fn example_of(&self, view: DVec3) -> Example {
         let (camera, aspect) = (&self.view.camera, self.view.viewport.aspect());
         let clip = camera.lens().projection(aspect) * view.extend(1.0);
-        Some(Example {
+        Example {
             view,
             world: camera.eye() + camera.rotation().transpose() * view,
             ndc: clip.truncate() / clip.w,
-        })
+        }
     }
 }

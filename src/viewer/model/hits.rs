@@ -49,7 +49,8 @@ pub struct DepthSteps {
     pub steps: [(DepthMapping, f64); 2],
     /// The mapping in use.
     pub in_use: DepthMapping,
-    /// How far behind this surface the next one on the ray is, along F.
+    /// How far behind this surface the next one on the ray is, along F; `None` where there is none, or the camera has
+    /// moved since the click.
     pub next_surface: Option<f64>,
 }
 
@@ -124,13 +125,19 @@ impl RayHits {
 }
 
 impl DepthSteps {
-    /// The steps at a pick that is seen through `lens`.
-    pub fn at(lens: &Lens, pick: &Pick) -> Self {
-        let step = |depth| (depth, Lens { depth, ..*lens }.depth_step(pick.depth));
+    /// The steps at a view depth, with the next surface so far behind.
+    pub fn at(lens: &Lens, depth: f64, next_surface: Option<f64>) -> Self {
+        let step = |mapping| {
+            let lens = Lens {
+                depth: mapping,
+                ..*lens
+            };
+            (mapping, lens.depth_step(depth))
+        };
         Self {
             steps: [DepthMapping::Reversed, DepthMapping::Standard].map(step),
             in_use: lens.depth,
-            next_surface: pick.gap,
+            next_surface,
         }
     }
 

@@ -36,7 +36,9 @@ mod timeline;
 mod undoing;
 mod update;
 mod viewing;
+mod worked_marks;
 mod worked_numbers;
+mod worked_steps;
 
 pub use action::{Action, LensControls};
 pub use chosen::Selection;
@@ -60,4 +62,6 @@ pub(super) use state::Filed;
 pub use state::{Cursor, Frozen, Source, State};
 pub(super) use subject::{Lesson, Subject};
 pub use viewing::InvalidAction;
-pub use worked_numbers::{WorkedMark, WorkedNumber, WorkedRow, WorkedStep};
+pub use worked_marks::WorkedMark;
+pub use worked_numbers::WorkedNumber;
+pub use worked_steps::{WorkedRow, WorkedStep};

@@ -289,9 +289,15 @@ impl State {
         self.chosen.hits.as_ref()
     }
 
-    /// The depth buffer's steps at the pick, in the view of the click: the camera may have moved since.
+    /// The depth buffer's steps at the picked point in the view on screen; `None` where its planes leave the point out.
     pub fn depth_steps(&self) -> Option<DepthSteps> {
-        let hits = self.hits()?;
-        Some(DepthSteps::at(hits.view.camera.lens(), hits.pick()?))
+        let (hits, camera) = (self.hits()?, &self.view.camera);
+        let pick = hits.pick()?;
+        let (lens, depth) = (camera.lens(), camera.to_view(pick.point_world).z);
+        // From elsewhere, another surface is the next one behind.
+        let stands = hits.view.camera.with_lens(*lens) == Ok(*camera);
+        let is_seen = lens.near <= depth && depth < lens.far;
+        let next = pick.gap.filter(|_| stands);
+        is_seen.then(|| DepthSteps::at(lens, depth, next))
     }
 }

@@ -420,7 +420,7 @@ impl Step {
 
     fn example(&self, state: &State) -> Option<String> {
         let [a, b, c] = self.example?;
-        let DVec3 { x, y, z } = state.example()?.ndc;
+        let DVec3 { x, y, z } = state.example_of(DVec3::new(a, b, c)).ndc;
         let height = match state.view().camera.lens().projection {
             Projection::Perspective { .. } => String::new(),
             Projection::Orthographic { height } => format!(" and {height:.4} high"),

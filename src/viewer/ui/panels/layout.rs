@@ -3,11 +3,12 @@
 
 use super::{
     arrangement::{Side, Topic, room},
-    axis_cross, banner, differences, help, marks, menu, menu_bar, messages, move_arrows, panes,
+    axis_cross, banner, differences, help, lit_numbers, marks, menu, menu_bar, messages,
+    move_arrows, panes,
     prelude::*,
     question, section_handle, shot_card,
     shown::Shown,
-    sides, status, tour_card, worked_marks,
+    sides, status, tour_card,
 };
 use crate::viewer::{
     jobs::Checking,
@@ -75,7 +76,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
             differences::show(ui, rect, place, shown.checking, shown.marks);
             marks::show(ui, rect, place, shown.state);
             if works {
-                worked_marks::in_picture(ui, rect, place, shown.state, &mut commands);
+                lit_numbers::in_picture(ui, rect, place, shown.state, &mut commands);
             }
             section_handle::show(ui, rect, place, shown.state, &mut commands);
             if shown.arrangement.shows(Topic::Placement) {

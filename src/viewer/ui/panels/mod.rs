@@ -11,6 +11,7 @@ mod help;
 mod hints;
 mod inspector;
 mod layout;
+mod lit_numbers;
 mod lit_row;
 mod marks;
 mod menu;
@@ -32,7 +33,6 @@ mod status;
 #[cfg(test)]
 mod tests;
 mod tour_card;
-mod worked_marks;
 
 /// What most panels name.
 mod prelude {

@@ -50,17 +50,18 @@ fn steps(ui: &mut Ui, steps: &DepthSteps, commands: &mut Vec<Command>) {
                 .hint("which of the two the picture is drawn with");
             ui.end_row();
         }
-        if let Some(next) = steps.next_surface {
-            let hint = "how far behind this one the ray meets the next surface";
+    });
+    if let Some(next) = steps.next_surface {
+        let hint = "how far behind this one the ray meets the next surface";
+        ui.horizontal(|ui| {
             ui.weak("next surface").hint(hint);
             let text = match next {
                 0.0 => "in the same place".to_owned(),
                 next => format!("{} units deeper", short(next)),
             };
             ui.label(value_text(text)).hint(hint);
-            ui.end_row();
-        }
-    });
+        });
+    }
     if ui.is_rect_visible(numbers.response.rect) {
         commands.push(Command::ShowsDepthSteps);
     }

@@ -79,14 +79,24 @@ fn factors(ui: &mut Ui, view: &View, commands: &mut Vec<Command>) {
     let [turn, shift] = view.camera.view_factors();
     ui.strong("V = O T")
         .hint("the view matrix in two steps: T moves the eye to the origin, then O turns");
-    for (name, title, entries) in [
-        ("O", "turns: rows R, U and F", &turn),
-        ("T", "moves by minus the eye", &shift),
+    for (name, title, hint, entries) in [
+        (
+            "O",
+            "rows R, U and F",
+            "turns the camera's axes onto x, y and z",
+            &turn,
+        ),
+        (
+            "T",
+            "last column: minus the eye",
+            "moves the eye to the origin",
+            &shift,
+        ),
     ] {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 5.0;
-            ui.strong(name);
-            ui.add(Label::new(RichText::new(title).weak()).truncate());
+            ui.strong(name).hint(hint);
+            ui.weak(title).hint(hint);
         });
         rows(ui, name, entries, None, commands);
     }
