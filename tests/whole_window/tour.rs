@@ -334,6 +334,66 @@ fn the_card_works_out_the_lectures_points() {
     );
 }
 
+/// The points that the lecture works out are drawn where they are, in the picture and in the views.
+#[test]
+fn the_lectures_points_are_drawn() {
+    let mut window = tour();
+    assert!(window.state().example().is_none());
+    for _ in 0..2 {
+        click_on(&mut window, "skip");
+    }
+    DEEDS[2].1(&mut window);
+    let state = window.state();
+    let example = state.example().expect("a point");
+    let seen = state.view().project(example.world).expect("in front");
+    assert!((seen.depth - 2.0).abs() < 1e-12);
+    assert!((seen.ndc - example.ndc).abs().max_element() < 1e-12);
+    let half = (state.view().viewport.size_px() / 2.0).as_vec2();
+    let by = seen.px.as_vec2() - half;
+    let middle = pos2(MIDDLE.x, 25.0 + half.y);
+    let around = Rect::from_center_size(middle + egui::vec2(by.x, by.y), egui::Vec2::splat(30.0));
+    window.send([Event::PointerGone]);
+    let with = window.picture().expect("a picture");
+    click_on(&mut window, "end the tour");
+    window.send([Event::PointerGone]);
+    assert!(window.state().example().is_none());
+    let without = window.picture().expect("a picture");
+    assert!(differing_in(&with, &without, around) > 50);
+}
+
+/// Whatever was done in a step, the next one begins with the view that the scene opened with, and the egg picked.
+#[test]
+fn a_step_begins_from_a_known_state() {
+    let mut window = tour();
+    let known = |window: &Window| {
+        let state = window.state();
+        let picked = state.picked().map(|pick| pick.object.clone());
+        (state.views(), state.view().camera, picked)
+    };
+    click_on(&mut window, "skip");
+    let begun = known(&window);
+    assert_eq!(begun.2.as_deref(), Some("Egg"));
+    let hits = window.state().hits().expect("a pick");
+    assert_eq!(hits.view, *window.state().view(), "picked as it is shown");
+    // Measuring, a section, a frozen camera, the four views and another lens: all are gone with the next step.
+    for key in [Key::Q, Key::Z, Key::T, Key::Num4, Key::Num5, Key::Num1] {
+        press_key(&mut window, NONE, key);
+    }
+    let at = pos2(500.0, 300.0);
+    drag(
+        &mut window,
+        PointerButton::Primary,
+        at,
+        at + egui::vec2(40.0, 9.0),
+    );
+    click_on(&mut window, "back");
+    click_on(&mut window, "skip");
+    assert_eq!(known(&window), begun);
+    let state = window.state();
+    assert!(state.frozen().is_none() && !state.measuring().is_on);
+    assert_eq!(state.view().section, None);
+}
+
 /// Over another scene, Help opens the demo and the tour in it.
 #[test]
 fn help_opens_it_in_the_demo() {
@@ -360,6 +420,12 @@ fn somebody_new_is_offered_it_until_they_answer() {
     press_key(&mut window, NONE, Key::Num4);
     assert!(!has_control(&window, "no tour"));
     press_key(&mut window, NONE, Key::Num4);
+    assert!(has_control(&window, "Open a file..."));
+    // Having seen a pick, one may want the tour.
+    click_on(&mut window, "One pick in four spaces");
+    assert_eq!(window.state().views(), Views::Four);
+    press_key(&mut window, NONE, Key::Num4);
+    assert!(has_control(&window, "Take the tour"));
     click_on(&mut window, "no tour");
     assert!(!has_control(&window, "Take the tour"));
     window.close();

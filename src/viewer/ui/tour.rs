@@ -147,7 +147,7 @@ const CHAPTERS: [Chapter; 8] = [
         steps: &[
             step(
                 "Under Camera set fov to 90, near to 1 and far to 10; under Depth buffer set depth to standard.",
-                "Perspective divides by depth, so what is far away is small: the point (-1, 1.5, 2) of view space, drawn in the picture, maps to y = 1.5 / 2 = 3/4, to depth 5/9 and, in a square picture, to x = -1/2.",
+                "Perspective divides by depth, so what is far away is small: the point (-1, 1.5, 2) of view space, which is drawn, maps to y = 1.5 / 2 = 3/4, to depth 5/9 and, in a square picture, to x = -1/2.",
                 |done| {
                     let lens = done.state.controls();
                     !lens.orthographic
