@@ -9,9 +9,7 @@ use super::{
         normals::{Tilted, by_inverse_transpose},
         object_space::{Placed, by_inverse},
         rays::{PlanePoint, course},
-        spheres::Quadratic,
-        squares::{OnPlane, RaySquare},
-        triangles::Areas,
+        squares::RaySquare,
     },
     prelude::*,
     swap::cube_normal,
@@ -23,6 +21,8 @@ use crate::{
     scene::{Scene, Shape},
 };
 use glam::{DVec2, DVec3};
+
+pub use super::methods::{spheres::Quadratic, squares::OnPlane, triangles::Areas};
 
 /// A pick as courses work it out.
 #[derive(Clone, Copy, Debug)]

@@ -1,9 +1,14 @@
 //! Where each number of a worked pick is in the world.
 
-use super::{hits::triangle, state::State, worked_numbers::WorkedNumber};
+use super::{
+    hits::{RayHits, triangle},
+    worked_numbers::WorkedNumber,
+};
 use crate::{
     geometry::{Cuboid, Placement, Square},
-    study::worked::{WorkedHit, WorkedPick, WorkedShape, through_all},
+    pick::Pick,
+    scene::Scene,
+    study::worked::{WorkedPick, WorkedShape, through_all},
 };
 use glam::DVec3;
 
@@ -20,27 +25,43 @@ pub enum WorkedMark {
     Area(Vec<DVec3>),
 }
 
-impl State {
+/// A working, and where its object is.
+pub(super) struct Marks<'a> {
+    worked: &'a WorkedPick,
+    hits: &'a RayHits,
+    placement: &'a Placement,
+    /// Of the picked triangle, in the world.
+    corners: Option<[DVec3; 3]>,
+}
+
+impl<'a> Marks<'a> {
+    pub(super) fn new(
+        worked: &'a WorkedPick,
+        hits: &'a RayHits,
+        pick: &Pick,
+        scene: &'a Scene,
+    ) -> Self {
+        Self {
+            worked,
+            hits,
+            placement: &scene.objects()[pick.id - 1].placement,
+            corners: triangle(scene, pick),
+        }
+    }
+}
+
+impl Marks<'_> {
     /// What a number is in the world. There may be several marks, or none.
-    pub fn worked_marks(&self, number: WorkedNumber) -> Vec<WorkedMark> {
-        let found = self.worked().zip(self.hits()).zip(self.picked());
-        let Some(((worked, hits), pick)) = found else {
-            return Vec::new();
-        };
-        let placement = &self.scene.objects()[pick.id - 1].placement;
-        let marks = Marks {
-            worked: &worked,
-            placement,
-        };
-        let (plane, start) = (&worked.plane, worked.origin_world);
+    pub(super) fn of(&self, number: WorkedNumber) -> Vec<WorkedMark> {
+        let (plane, start) = (&self.worked.plane, self.worked.origin_world);
         let middle = DVec3::from(plane.middle);
         let [right, up] = plane.half.map(DVec3::from);
         let point = DVec3::from(plane.point);
-        let eye = hits.view.camera.eye();
-        let end = marks.hit().map_or(point, |hit| hit.point_world);
+        let eye = self.hits.view.camera.eye();
+        let end = self.worked.hit.map_or(point, |hit| hit.point_world);
         match number {
             WorkedNumber::Pixel => {
-                let [width, height] = hits.view.viewport.size_px().to_array();
+                let [width, height] = self.hits.view.viewport.size_px().to_array();
                 let (x, y) = (right / width, up / height);
                 let corners = [-x - y, x - y, x + y, y - x];
                 vec![WorkedMark::Area(corners.map(|by| point + by).to_vec())]
@@ -62,20 +83,8 @@ impl State {
                 vec![WorkedMark::Arrow([start, end])]
             }
             WorkedNumber::OriginObject => vec![WorkedMark::Dot(start)],
-            _ => marks.of_shape(number, triangle(&self.scene, pick)),
+            _ => self.of_shape(number),
         }
-    }
-}
-
-/// A working and where its object is.
-struct Marks<'a> {
-    worked: &'a WorkedPick,
-    placement: &'a Placement,
-}
-
-impl Marks<'_> {
-    fn hit(&self) -> Option<WorkedHit> {
-        self.worked.hit
     }
 
     /// The point of the ray in object space, in the world; `None` at infinity.
@@ -89,33 +98,34 @@ impl Marks<'_> {
         self.at(t).map(WorkedMark::Dot).into_iter().collect()
     }
 
-    fn line(&self, ends: [Option<DVec3>; 2]) -> Vec<WorkedMark> {
-        match ends {
+    fn line(&self, from: f64, to: f64) -> Vec<WorkedMark> {
+        match [from, to].map(|t| self.at(t)) {
             [Some(from), Some(to)] => vec![WorkedMark::Line([from, to])],
             _ => Vec::new(),
         }
     }
 
     /// What a number of the shape's own step is, or one of the hit.
-    fn of_shape(&self, number: WorkedNumber, corners: Option<[DVec3; 3]>) -> Vec<WorkedMark> {
+    fn of_shape(&self, number: WorkedNumber) -> Vec<WorkedMark> {
         match &self.worked.shape {
             WorkedShape::Sphere(quadratic) => {
                 let start = self.worked.origin_world;
                 let middle = self.placement.model().translation;
                 let nearest = -quadratic.b / (2.0 * quadratic.a);
                 match number {
-                    WorkedNumber::Coefficient(0) => self.line([Some(start), self.at(1.0)]),
+                    WorkedNumber::Coefficient(0) => self.line(0.0, 1.0),
                     WorkedNumber::Coefficient(1) => {
-                        let mut marks = self.line([Some(middle), self.at(nearest)]);
-                        marks.extend(self.dot(nearest));
-                        marks
+                        let nearest = self.at(nearest);
+                        let lines =
+                            nearest.map(|at| [WorkedMark::Line([middle, at]), WorkedMark::Dot(at)]);
+                        lines.into_iter().flatten().collect()
                     }
-                    WorkedNumber::Coefficient(_) => self.line([Some(start), Some(middle)]),
+                    WorkedNumber::Coefficient(_) => vec![WorkedMark::Line([start, middle])],
                     WorkedNumber::Discriminant => {
                         let Some([near, far]) = quadratic.roots else {
                             return Vec::new();
                         };
-                        self.line([self.at(near), self.at(far)])
+                        self.line(near, far)
                     }
                     WorkedNumber::Root(at) => quadratic
                         .roots
@@ -146,7 +156,7 @@ impl Marks<'_> {
                 _ => self.of_hit(number),
             },
             WorkedShape::Triangle(areas) => {
-                let Some([a, b, c]) = corners else {
+                let Some([a, b, c]) = self.corners else {
                     return Vec::new();
                 };
                 let point = self.at(areas.t);
@@ -168,7 +178,7 @@ impl Marks<'_> {
     }
 
     fn of_hit(&self, number: WorkedNumber) -> Vec<WorkedMark> {
-        let Some(hit) = self.hit() else {
+        let Some(hit) = self.worked.hit else {
             return Vec::new();
         };
         let point = hit.point_world;

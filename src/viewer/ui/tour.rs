@@ -104,7 +104,7 @@ impl Step {
         self.from(Some(EGG), then)
     }
 
-    const fn as_it_is(mut self) -> Self {
+    const fn wherever(mut self) -> Self {
         self.start = None;
         self
     }
@@ -350,7 +350,7 @@ const CHAPTERS: [Chapter; 8] = [
                 "Sightline computes in f64, with a bound on the rounding error. Where the bound leaves an answer open, exact arithmetic decides.",
                 |done| done.command == Some(&Command::Escape) && done.state.showing().is_none(),
             )
-            .as_it_is(),
+            .wherever(),
             step(
                 "Press V.",
                 "Every pixel as drawn is compared with what a click there picks. That is the promise of this program, checked on your machine.",

@@ -1,8 +1,9 @@
 //! What the numbers of a worked pick are, in the picture and in the four views: faint, and bright while the cursor is
 //! on the number or on its mark.
 
-use super::{pane_page::Page, prelude::*};
+use super::prelude::*;
 use crate::{
+    camera::View,
     look,
     viewer::{
         model::{Stage, WorkedMark, WorkedNumber, WorkedRow},
@@ -16,7 +17,7 @@ const REACH: f32 = 7.0;
 /// How opaque marks are that the cursor is not on.
 const FAINT: f32 = 0.5;
 
-/// Where a line of the world shows.
+/// Where a line of the world shows, as positions in the window.
 type Seen<'a> = &'a dyn Fn([DVec3; 2]) -> Option<[Pos2; 2]>;
 
 /// In the camera's picture. From where the click was made, the way to the pixel is seen end-on: there only what the
@@ -36,29 +37,33 @@ pub(super) fn in_picture(
     show(ui, rect, state, state.frozen().is_some(), &seen, commands);
 }
 
-impl Page<'_> {
-    /// In one of the four views.
-    pub fn worked(&mut self, commands: &mut Vec<Command>) {
-        let (state, stage) = (self.state, self.stage);
-        if stage == Stage::Object && state.pane_object() != state.selected() {
-            return;
-        }
-        let (seen, place) = (*self.seen, self.place);
-        let at = |ends: [DVec3; 2]| {
-            let [from, to] = match stage {
-                Stage::Ndc => state.ndc().drawn_segment(ends)?,
-                Stage::Object => {
-                    let object = &state.scene().objects()[state.pane_object()?];
-                    ends.map(|end| object.placement.point_to_object(end))
-                }
-                Stage::World | Stage::View => ends,
-            };
-            let ends = seen.project_segment(from, to)?;
-            let ends = ends.map(|end| place.to_position(end));
-            ends.iter().all(|end| end.is_finite()).then_some(ends)
-        };
-        show(self.ui, self.rect, state, true, &at, commands);
+/// In one of the four views, which is drawn through `seen`.
+pub(super) fn in_pane(
+    ui: &mut Ui,
+    stage: Stage,
+    rect: Rect,
+    place: SceneRect,
+    state: &State,
+    seen: &View,
+    commands: &mut Vec<Command>,
+) {
+    if stage == Stage::Object && state.pane_object() != state.selected() {
+        return;
     }
+    let at = |ends: [DVec3; 2]| {
+        let [from, to] = match stage {
+            Stage::Ndc => state.ndc().drawn_segment(ends)?,
+            Stage::Object => {
+                let object = &state.scene().objects()[state.pane_object()?];
+                ends.map(|end| object.placement.point_to_object(end))
+            }
+            Stage::World | Stage::View => ends,
+        };
+        let ends = seen.project_segment(from, to)?;
+        let ends = ends.map(|end| place.to_position(end));
+        ends.iter().all(|end| end.is_finite()).then_some(ends)
+    };
+    show(ui, rect, state, true, &at, commands);
 }
 
 fn show(
@@ -78,8 +83,8 @@ fn show(
     let cursor = ui.ctx().pointer_hover_pos().filter(|_| is_free);
     let mut nearest: Option<(f32, WorkedNumber)> = None;
     for row in &rows {
-        for mark in state.worked_marks(row.number) {
-            let mark = Mark { mark: &mark, seen };
+        for mark in &row.marks {
+            let mark = Mark { mark, seen };
             if faint && row.number.is_drawn() {
                 mark.draw(&painter, color32(look::HIT).gamma_multiply(FAINT), 1.0);
             }
@@ -95,11 +100,11 @@ fn show(
         commands.push(Command::Act(Action::LightNumber(number)));
     }
     if let Some(row) = rows.iter().find(|row| Some(row.number) == lit) {
-        for mark in state.worked_marks(row.number) {
-            Mark { mark: &mark, seen }.draw(&painter, Color32::WHITE, 3.0);
+        for mark in &row.marks {
+            Mark { mark, seen }.draw(&painter, Color32::WHITE, 3.0);
         }
-        let marks = state.worked_marks(row.number);
-        let at = marks.first().and_then(|mark| Mark { mark, seen }.label());
+        let mark = row.marks.first();
+        let at = mark.and_then(|mark| Mark { mark, seen }.label());
         if let Some(at) = at.filter(|at| rect.contains(*at)) {
             name(&painter, at, row.formula);
         }

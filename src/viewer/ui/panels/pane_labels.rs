@@ -27,8 +27,6 @@ pub(super) fn show(
     place: SceneRect,
     state: &State,
     seen: &View,
-    works: bool,
-    commands: &mut Vec<Command>,
 ) {
     let corner =
         |(align, size): (Align2, Vec2)| align.align_size_within_rect(size.min(rect.size()), rect);
@@ -44,9 +42,6 @@ pub(super) fn show(
     page.lit_row();
     page.followed();
     page.example();
-    if works {
-        page.worked(commands);
-    }
     match stage {
         Stage::Object => page.object_axes(),
         Stage::World | Stage::View => page.camera(),

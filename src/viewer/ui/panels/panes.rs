@@ -1,6 +1,6 @@
 //! The four views side by side, or one of them large, each with its heading, its mouse actions and its axes.
 
-use super::{axis_cross, menu, pane_labels, prelude::*};
+use super::{axis_cross, lit_numbers, menu, pane_labels, prelude::*};
 use crate::{
     camera::{DepthMapping, View},
     viewer::{
@@ -101,7 +101,10 @@ fn pane(
         viewport: place.viewport,
         ..view
     };
-    pane_labels::show(ui, stage, rect, place, state, &seen, works, commands);
+    if works {
+        lit_numbers::in_pane(ui, stage, rect, place, state, &seen, commands);
+    }
+    pane_labels::show(ui, stage, rect, place, state, &seen);
     if rect.size().min_elem() >= ROOM_FOR_CROSS {
         let axes = axes(state, stage);
         ui.push_id(stage.name(), |ui| {

@@ -26,7 +26,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             lit(ui, row, state.worked_number(), commands);
         }
     }
-    if state.worked().is_some_and(|worked| worked.hit.is_none()) {
+    if !steps.is_empty() && !state.is_worked_out() {
         let text = "Here the course's formula finds no hit: rounding took it.";
         ui.colored_label(ui.visuals().warn_fg_color, text)
             .hint("Sightline's own pick is decided exactly, and is right");
