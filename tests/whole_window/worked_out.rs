@@ -166,7 +166,8 @@ fn a_narrow_panel_holds_it() {
     click_on(&mut window, "Worked out");
     assert!(has_control(&window, "Nothing is picked: click a surface."));
     let middle = window.state().view().viewport.size_px() / 2.0;
-    let at = pos2(100.0, 30.0) + egui::vec2(middle.x as f32, middle.y as f32);
+    let middle = middle.as_vec2();
+    let at = pos2(100.0, 30.0) + egui::vec2(middle.x, middle.y);
     click(&mut window, at);
     let formulas: Vec<_> = window
         .state()

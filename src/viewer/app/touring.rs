@@ -47,6 +47,10 @@ impl App {
 
     /// Checks whether the tour's step is done, after a command or any other change.
     pub(super) fn notice_step(&mut self, command: Option<&Command>) {
+        // What was there before the step began does not count.
+        if self.beginning.is_some() && self.state.is_demo() {
+            return;
+        }
         let Some(tour) = &mut self.tour else { return };
         let done = JustDone {
             command,
